@@ -76,7 +76,7 @@ struct Judgement {
 struct Calibration {
   joint::Manifest manifest;
   std::vector<joint::InputFile> inputs;
-  std::vector<std::string> notes;  ///< From reading the input.
+  std::vector<Statement> notes;  ///< From reading the input.
   std::vector<method::motion::SpeedSource> speed_sources;
 
   method::checks::DataChecksResult data_checks;

@@ -2,6 +2,8 @@
 
 #include "base/shown_text.h"
 #include "calibration/parts.h"
+#include "wording/language.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 namespace {
@@ -24,6 +26,7 @@ const char* const units =
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const Provenance& provenance) {
+  const wording::WordsIn english({});
   const double n = c.manifest.drive.gear_ratio();
   Json all;
   all["schema"] = "tribolog-calibration-1";
@@ -35,7 +38,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["inputs"] = inputs(c.inputs);
   all["conversions"] = conversions(c.inputs);
   all["speeds"] = speeds(c.speed_sources);
-  all["notes"] = c.notes;
+  all["notes"] = wording::words(c.notes);
   all["stages"] = stage_list(c);
   all["cog"] = {{"rough", cog(c.rough, n)},
                 {"precise", cog(c.precise, n)},

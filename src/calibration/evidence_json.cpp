@@ -10,22 +10,23 @@ namespace tribolog::calibration {
 Json data_checks(const method::checks::DataChecksResult& result) {
   Json list = Json::array();
   for (const method::checks::DataCheck& check : result.checks) {
-    list.push_back({{"name", check.name},
-                    {"title", wording::words_for("check", check.name)},
-                    {"state", method::checks::to_string(check.state)},
-                    {"recording", text_or_null(check.recording)},
-                    {"measure", words_or_null(check.measure)},
-                    {"measure_code", code_of(check.measure)},
-                    {"measured", number(check.measured)},
-                    {"at_least", number(check.at_least)},
-                    {"at_most", number(check.at_most)},
-                    {"unit", text_or_null(check.unit)},
-                    {"found", words_or_null(check.found)},
-                    {"found_code", code_of(check.found)},
-                    {"consequence", words_or_null(check.consequence)},
-                    {"consequence_code", code_of(check.consequence)},
-                    {"experiment", words_or_null(check.experiment)},
-                    {"experiment_code", code_of(check.experiment)}});
+    list.push_back(
+        {{"name", check.name},
+         {"title", wording::words_for("check", check.name)},
+         {"state", method::checks::to_string(check.state)},
+         {"recording", text_or_null(check.recording + (check.is_of_whole_role ? ", all" : ""))},
+         {"measure", words_or_null(check.measure)},
+         {"measure_code", code_of(check.measure)},
+         {"measured", number(check.measured)},
+         {"at_least", number(check.at_least)},
+         {"at_most", number(check.at_most)},
+         {"unit", text_or_null(check.unit)},
+         {"found", words_or_null(check.found)},
+         {"found_code", code_of(check.found)},
+         {"consequence", words_or_null(check.consequence)},
+         {"consequence_code", code_of(check.consequence)},
+         {"experiment", words_or_null(check.experiment)},
+         {"experiment_code", code_of(check.experiment)}});
   }
   return list;
 }

@@ -4,6 +4,7 @@
 
 #include "calibration/parts.h"
 #include "joint/dataset.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 
@@ -35,7 +36,7 @@ Json inputs(const std::vector<joint::InputFile>& files) {
   for (const joint::InputFile& file : files) {
     Json skipped = Json::array();
     for (const joint::SkippedRows& rows : file.skipped) {
-      skipped.push_back({{"reason", rows.reason}, {"rows", rows.count}});
+      skipped.push_back({{"reason", wording::words(rows.reason)}, {"rows", rows.count}});
     }
     list.push_back({{"name", file.name},
                     {"role", file.role},
@@ -56,8 +57,9 @@ Json provenance_json(const Provenance& p) {
                {"font", p.drawing->font},       {"freetype", p.drawing->freetype_version}};
   }
   Json configuration = Json::array();
-  for (const NamedText& setting : p.configuration) {
-    configuration.push_back({{"name", setting.name}, {"text", setting.text}});
+  for (const Setting& setting : p.configuration) {
+    configuration.push_back(
+        {{"name", wording::words(setting.name)}, {"text", wording::words(setting.text)}});
   }
   return {{"tool", "tribolog"},
           {"version", p.tool_version},

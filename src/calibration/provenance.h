@@ -5,12 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
+
 namespace tribolog::calibration {
 
-/// A name and what belongs to it: a library and its version, a setting and its value.
+/// A name and what belongs to it: a library and its version.
 struct NamedText {
   std::string name;
   std::string text;
+};
+
+/// What was chosen, and what was chosen of it.
+struct Setting {
+  Statement name;
+  Statement text;
 };
 
 /// The graphics stack; known only where figures were drawn.
@@ -31,7 +39,7 @@ struct Provenance {
   std::optional<DrawingSoftware> drawing;
   std::string created_utc;   ///< "2026-01-31T12:00:00Z"
   std::string command_line;  ///< As given, directories of absolute paths removed.
-  std::vector<NamedText> configuration;
+  std::vector<Setting> configuration;
 };
 
 /// Everything but drawing and configuration.

@@ -44,7 +44,7 @@ struct FiguresOptions {
   std::string directory;
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureStyleChoice style{FigureStyleChoice::report};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
   std::size_t truth_runs{0};  ///< Of the known-truth check, which has a figure of its own.
   int processes{2};
 };
@@ -58,7 +58,7 @@ struct ReportOptions {
   joint::IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
   ArchivingOptions archiving;
 };
 
@@ -71,7 +71,7 @@ struct ModelsOptions {
   bool compare{false};  ///< All of them side by side, in one page; else the list on the console.
   std::string output;   ///< That page (HTML): one is not without the other.
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 struct PlanCommandOptions {
@@ -82,13 +82,13 @@ struct PlanCommandOptions {
   unsigned long long seed{1};
   std::size_t threads{0};  ///< 0: all cores.
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 struct PaperOptions {
   std::string output;  ///< The page (HTML).
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 struct StudyCommandOptions {
@@ -101,7 +101,7 @@ struct StudyCommandOptions {
   std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 /// What inspect and init are told of the logs.

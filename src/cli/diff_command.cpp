@@ -5,8 +5,10 @@
 #include "cli/history_page.h"
 #include "cli/shared_options.h"
 #include "figures/comparison_figures.h"
+#include "figures/figure_csv.h"
 #include "history/history_json.h"
 #include "report/comparison_page.h"
+#include "wording/tr.h"
 
 namespace tribolog::cli {
 namespace {
@@ -18,7 +20,7 @@ struct DiffOptions {
   bool different_joints{false};
   bool json{false};
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 calibration::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
@@ -32,13 +34,13 @@ std::string missing_curves(const calibration::RecordedCurves& a,
                            const calibration::RecordedCurves& b) {
   std::string words;
   if (a.friction.speed_rad_s.empty() || b.friction.speed_rad_s.empty()) {
-    words = "Not both calibrations hold a friction curve of constant-speed runs.";
+    words = wording::tr("Not both calibrations hold a friction curve of constant-speed runs.");
   }
   if (a.loops.empty() || b.loops.empty()) {
-    words += (words.empty() ? "" : " ") +
-             std::string(
-                 "Not both hold a hysteresis loop: none was recorded, or the calibration "
-                 "was made by a version that did not keep it.");
+    if (!words.empty()) words += " ";
+    words += wording::tr(
+        "Not both hold a hysteresis loop: none was recorded, or the calibration was made by a "
+        "version that did not keep it.");
   }
   return words;
 }
@@ -46,10 +48,12 @@ std::string missing_curves(const calibration::RecordedCurves& a,
 ExitStatus write_page(const DiffOptions& options, const history::Comparison& comparison,
                       const calibration::RecordedCurves& first,
                       const calibration::RecordedCurves& second, const Invocation& call) {
-  const auto figures = figures::comparison_figures(comparison, first, second);
+  const auto figures = figures::figures_in(
+      options.language, [&] { return figures::comparison_figures(comparison, first, second); });
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
+                              const wording::WordsIn words(options.language);
                               return report::comparison_page(comparison, provenance,
                                                              missing_curves(first, second), figures,
                                                              drawn, options.language);

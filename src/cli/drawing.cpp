@@ -5,18 +5,17 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "figures/figure_language.h"
 #include "report/html_report.h"
 
 namespace tribolog::cli {
 
 std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& renderer,
                                                const std::vector<figures::ReportFigure>& figures,
-                                               wording::Language language, Console& console) {
+                                               Console& console) {
   std::vector<render::figure::Figure> descriptions;
   descriptions.reserve(figures.size());
   for (const figures::ReportFigure& figure : figures) {
-    descriptions.push_back(figures::drawn_in_language(figure.figure, language));
+    descriptions.push_back(figure.figure);
   }
   render::workers::DrawOptions options;
   options.progress = [&](std::size_t done, std::size_t all) {

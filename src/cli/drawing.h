@@ -9,15 +9,14 @@
 #include "cli/console.h"
 #include "figures/report_figure.h"
 #include "render/workers/renderer.h"
-#include "wording/language.h"
 
 namespace tribolog::cli {
 
-/// Pictures in the order of the figures, with their texts in the language. A graphics stack that
+/// Pictures in the order of the figures. A graphics stack that
 /// cannot start at all leaves every picture with its error.
 std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& renderer,
                                                const std::vector<figures::ReportFigure>& figures,
-                                               wording::Language language, Console& console);
+                                               Console& console);
 
 /// The graphics stack, for the provenance; absent if nothing was drawn.
 std::optional<calibration::DrawingSoftware> software_that_drew(

@@ -82,7 +82,7 @@ class VectorWriter {
 
 void draw_pictures(const std::vector<figures::ReportFigure>& figures,
                    render::workers::FigureRenderer& renderer, FigureFiles& out, Console& console) {
-  out.drawn = draw(renderer, figures, wording::Language::english, console);
+  out.drawn = draw(renderer, figures, console);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!out.drawn[i].error.empty()) continue;
     out.files.push_back(

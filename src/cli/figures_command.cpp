@@ -12,7 +12,6 @@
 #include "cli/figure_files.h"
 #include "cli/identification.h"
 #include "cli/shared_options.h"
-#include "figures/figure_language.h"
 #include "figures/figure_set.h"
 #include "paper/scenes/scene_figures.h"
 #include "wording/words.h"
@@ -47,10 +46,11 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   files.make_directory(options.directory);
   const calibration::Calibration calibration =
       run_identification(dataset, {{}, options.truth_runs}, console);
-  std::vector<figures::ReportFigure> figures = paper::scenes::with_scene_figures(
-      figures::figure_set(dataset, calibration), dataset.robot.get(), calibration);
-  for (figures::ReportFigure& one : figures)
-    one = figures::as_file_in_language(std::move(one), options.language);
+  std::vector<figures::ReportFigure> figures = [&] {
+    const wording::WordsIn words(options.language);
+    return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
+                                             dataset.robot.get(), calibration);
+  }();
   if (options.style == FigureStyleChoice::paper) figures = for_publication(std::move(figures));
   const FigureFiles drawn =
       figure_files(figures, options.formats, renderer ? &*renderer : nullptr, console);

@@ -19,7 +19,7 @@ struct FleetOptions {
   std::string output;
   std::string reports;
   bool json{false};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 void check(const FleetOptions& options) {

@@ -29,7 +29,7 @@ ExitStatus write_history_page(
   std::vector<render::workers::DrawnFigure> drawn;
   if (!figures.empty()) {
     render::workers::FigureRenderer renderer(output.processes);
-    drawn = draw(renderer, figures, output.language, call.console);
+    drawn = draw(renderer, figures, call.console);
   }
   provenance.drawing = software_that_drew(drawn);
   write_file_atomically(output.path, make_page(provenance, drawn));

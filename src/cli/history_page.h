@@ -25,7 +25,7 @@ std::string text_of(const report::Table& table);
 struct PageOutput {
   std::string path;
   int processes{2};
-  wording::Language language{wording::Language::english};  ///< Of the pictures.
+  wording::Language language;  ///< Of the pictures.
 };
 
 /// Draws, makes the page of it, and writes that.

@@ -58,7 +58,7 @@ class Log {
       if (is_cut_up && ingest::dataset::is_outside_window(one)) continue;
       skipped_within += one.count;
       lines.push_back(fmt::format("  {}: {} rows skipped: {}", printable(name_), one.count,
-                                  printable(one.reason, longest_reason)));
+                                  printable(wording::words(one.reason), longest_reason)));
     }
     const std::size_t within = used_ + skipped_within;
     if (!is_cut_up || within == rows_) return;
@@ -113,8 +113,9 @@ render::workers::Prepared drawings_of(const std::string& manifest) {
 joint::Dataset load_dataset(const std::string& manifest, Console& console) {
   console.progress("reading " + printable(manifest), 0, 1);
   joint::Dataset dataset = ingest::dataset::read_dataset(manifest);
-  for (const std::string& note : dataset.notes)
-    console.warn("note: " + printable(note, longest_note));
+  for (const Statement& note : dataset.notes) {
+    console.warn("note: " + printable(wording::words(note), longest_note));
+  }
   return dataset;
 }
 
@@ -147,11 +148,11 @@ calibration::Calibration run_identification(const joint::Dataset& dataset,
   });
 }
 
-std::vector<calibration::NamedText> interval_configuration(
+std::vector<calibration::Setting> interval_configuration(
     const method::intervals::IntervalsResult& intervals) {
-  if (intervals.resamples == 0) return {{"Resamples", "0: intervals by closed forms alone"}};
-  return {{"Resamples", std::to_string(intervals.resamples)},
-          {"Seed of the resamples", std::to_string(intervals.seed)}};
+  if (intervals.resamples == 0) return {{{"setting.resamples"}, {"setting.closed_forms"}}};
+  return {{{"setting.resamples"}, Statement::verbatim(std::to_string(intervals.resamples))},
+          {{"setting.seed"}, Statement::verbatim(std::to_string(intervals.seed))}};
 }
 
 void tell_outcome(const calibration::Calibration& c, Console& console) {

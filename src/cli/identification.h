@@ -41,7 +41,7 @@ calibration::Calibration run_identification(const joint::Dataset& dataset,
                                             Console& console);
 
 /// What the provenance says about the intervals.
-std::vector<calibration::NamedText> interval_configuration(
+std::vector<calibration::Setting> interval_configuration(
     const method::intervals::IntervalsResult& intervals);
 
 /// A few lines for the terminal: verdict, angle, mass, friction, and rows left out.

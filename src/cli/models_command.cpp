@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
+#include "figures/figure_csv.h"
 #include "figures/model_figures.h"
 #include "friction/catalogue.h"
 #include "report/models_page.h"
@@ -82,6 +83,21 @@ void list_models(Console& console) {
   console.say("[ ]: the usual value, where neither the file nor a match gives one");
 }
 
+std::vector<figures::ModelExperiment> experiments_in(const wording::Language& language,
+                                                     const friction::ContactParameters& contact) {
+  const wording::WordsIn words(language);
+  return figures::model_experiments(contact);
+}
+
+std::vector<figures::ReportFigure> figures_of(
+    const std::vector<figures::ModelExperiment>& experiments) {
+  std::vector<figures::ReportFigure> all;
+  for (const figures::ModelExperiment& one : experiments) {
+    all.insert(all.end(), one.figures.begin(), one.figures.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
@@ -100,13 +116,16 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
       options.processes);  // starts while the models are computed
   console.progress("moving the models", 0, 1);
   const friction::ContactParameters contact;
-  const std::vector<figures::ModelExperiment> experiments = figures::model_experiments(contact);
-  std::vector<figures::ReportFigure> figures;
-  for (const figures::ModelExperiment& one : experiments) {
-    figures.insert(figures.end(), one.figures.begin(), one.figures.end());
+  std::vector<figures::ModelExperiment> experiments = experiments_in(options.language, contact);
+  if (!options.language.is_english()) {
+    const std::vector<figures::ReportFigure> english =
+        figures_of(experiments_in(wording::Language{}, contact));
+    for (figures::ModelExperiment& one : experiments) {
+      figures::take_english_data(english, one.figures);
+    }
   }
-  const std::vector<render::workers::DrawnFigure> drawn =
-      draw(renderer, figures, options.language, console);
+  const std::vector<figures::ReportFigure> figures = figures_of(experiments);
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
   provenance.drawing = software_that_drew(drawn);
   write_file_atomically(options.output, report::models_page(contact, experiments, drawn, provenance,
                                                             options.language));

@@ -6,11 +6,13 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
+#include "figures/figure_csv.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
 #include "paper/checks/paper_figures.h"
 #include "paper/page/paper_page.h"
+#include "wording/language.h"
 
 namespace tribolog::cli {
 namespace {
@@ -23,11 +25,29 @@ paper::page::PaperSource source(const char* name) {
   return {std::string(directory) + name, std::string(text_of(embedded_examples(), name))};
 }
 
+/// Figures, items and golden numbers, in words of that language.
+void describe(const paper::checks::PapersJoint& joint, const wording::Language& language,
+              paper::page::RegeneratedPaper& paper) {
+  const wording::WordsIn words(language);
+  paper.figures = paper::checks::paper_figures(joint);
+  paper.sections = paper::checks::paper_items(joint, paper.figures);
+  paper.golden_numbers = paper::checks::golden_numbers(joint);
+}
+
+std::string page_in(const wording::Language& language, const paper::page::RegeneratedPaper& paper,
+                    const calibration::Calibration& calibration,
+                    const std::vector<render::workers::DrawnFigure>& drawn,
+                    const std::string& json) {
+  const wording::WordsIn words(language);
+  return paper::page::paper_page(paper, calibration, drawn, json, language);
+}
+
 void tell_outcome(const paper::page::RegeneratedPaper& paper,
                   const std::vector<paper::page::PaperTally>& tallies, Console& console) {
   for (const paper::page::PaperTally& tally : tallies) {
-    console.say(fmt::format("  {}: {} of {} regenerated, every check holds in {}", tally.kind,
-                            tally.here, tally.printed, tally.well));
+    console.say(fmt::format("  {}s: {} of {} regenerated, every check holds in {}",
+                            paper::checks::key_of(tally.kind), tally.here, tally.printed,
+                            tally.well));
   }
   const paper::checks::Tally checks = paper::checks::tally_checks(paper.sections);
   const paper::checks::Tally golden = paper::checks::tally_checks(paper.golden_numbers);
@@ -51,17 +71,20 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   const paper::checks::PapersJoint joint(
       ingest::manifest::parse_scenario(paper.sources[0].text, paper.sources[0].name),
       ingest::manifest::parse_robot(paper.sources[1].text, paper.sources[1].name));
-  paper.figures = paper::checks::paper_figures(joint);
   console.progress("checking it", 0, 1);
-  paper.sections = paper::checks::paper_items(joint, paper.figures);
-  paper.golden_numbers = paper::checks::golden_numbers(joint);
+  describe(joint, wording::Language{}, paper);
+  const std::string json = paper::page::paper_json(paper);
+  if (!options.language.is_english()) {
+    const std::vector<figures::ReportFigure> english = std::move(paper.figures);
+    describe(joint, options.language, paper);
+    figures::take_english_data(english, paper.figures);
+  }
 
-  const std::vector<render::workers::DrawnFigure> drawn =
-      draw(renderer, paper.figures, options.language, console);
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, paper.figures, console);
   paper.provenance.drawing = software_that_drew(drawn);
   const std::vector<paper::page::PaperTally> tallies = paper::page::tally_of(paper, drawn);
   write_file_atomically(options.output,
-                        paper::page::paper_page(paper, joint.calibration, drawn, options.language));
+                        page_in(options.language, paper, joint.calibration, drawn, json));
   tell_outcome(paper, tallies, console);
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;

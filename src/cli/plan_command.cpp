@@ -11,10 +11,12 @@
 #include "cli/shared_options.h"
 #include "exports/experiment/plan_files.h"
 #include "exports/experiment/plan_table.h"
+#include "figures/figure_csv.h"
 #include "figures/plan_figure.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "report/plan_page.h"
+#include "wording/language.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -110,11 +112,14 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   files.add(in_folder("dataset.toml"), exports::experiment::plan_dataset_toml(report.plan));
   files.add(in_folder("plan.json"),
             exports::experiment::plan_json(report.plan, report.expected, report.provenance));
-  const std::vector<figures::ReportFigure> figures = figures::plan_figures(report.plan);
-  const std::vector<render::workers::DrawnFigure> drawn =
-      draw(renderer, figures, options.language, console);
+  const std::vector<figures::ReportFigure> figures =
+      figures::figures_in(options.language, [&] { return figures::plan_figures(report.plan); });
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
   report.provenance.drawing = software_that_drew(drawn);
-  files.add(page, report::plan_page(report, figures, drawn, options.language));
+  {
+    const wording::WordsIn words(options.language);
+    files.add(page, report::plan_page(report, figures, drawn, options.language));
+  }
   files.commit();
 
   console.say("plan: " + exports::experiment::plan_sentence(report.plan));

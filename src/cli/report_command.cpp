@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
+#include "figures/figure_csv.h"
 #include "figures/figure_set.h"
 #include "paper/scenes/scene_figures.h"
 #include "report/html_report.h"
@@ -57,14 +58,19 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   files.add(numbers, json);
   archiving.keep_numbers(json, numbers, options.dataset, console);
   const std::optional<history::Comparison> since_last = archiving.since_last();
-  if (!archiving.id().empty()) provenance.configuration.push_back({"Archived as", archiving.id()});
+  if (!archiving.id().empty()) {
+    provenance.configuration.push_back(
+        {{"setting.archived_as"}, Statement::verbatim(archiving.id())});
+  }
 
   std::vector<figures::ReportFigure> figures;
   std::vector<render::workers::DrawnFigure> drawn;
   if (renderer) {
-    figures = paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
-                                                dataset.robot.get(), calibration);
-    drawn = draw(*renderer, figures, options.language, console);
+    figures = figures::figures_in(options.language, [&] {
+      return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
+                                               dataset.robot.get(), calibration);
+    });
+    drawn = draw(*renderer, figures, console);
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);

@@ -18,14 +18,19 @@ const std::map<std::string, calibration::Verdict> verdicts{
     {"doubtful", calibration::Verdict::doubtful},
     {"not-identifiable", calibration::Verdict::not_identifiable}};
 
-const std::map<std::string, wording::Language>& languages_by_code() {
-  static const std::map<std::string, wording::Language> by_code = [] {
-    std::map<std::string, wording::Language> all;
-    for (const wording::Language language : wording::languages())
-      all.emplace(wording::code_of(language), language);
-    return all;
-  }();
-  return by_code;
+/// "en (the default), pl"
+std::string codes_in_words() {
+  std::string codes;
+  for (const wording::Language& one : wording::languages()) {
+    codes += (codes.empty() ? "" : ", ") + one.code + (one.is_english() ? " (the default)" : "");
+  }
+  return codes;
+}
+
+std::vector<std::string> language_codes() {
+  std::vector<std::string> codes;
+  for (const wording::Language& one : wording::languages()) codes.push_back(one.code);
+  return codes;
 }
 
 }  // namespace
@@ -119,11 +124,10 @@ void add_threads(CLI::App& command, std::size_t& threads) {
 
 void add_language(CLI::App& command, wording::Language& language) {
   command
-      .add_option_function<std::string>(
-          "--language",
-          [&language](const std::string& code) { language = languages_by_code().at(code); },
-          "of the texts: en (the default), pl; numbers, units and JSON are the same in each")
-      ->check(CLI::IsMember(languages_by_code()))
+      .add_option("--language", language.code,
+                  fmt::format("of the texts: {}; numbers, units and JSON are the same in each",
+                              codes_in_words()))
+      ->check(CLI::IsMember(language_codes()))
       ->type_name("CODE");
 }
 

@@ -8,10 +8,12 @@
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "cli/shared_options.h"
+#include "figures/figure_csv.h"
 #include "figures/study_figures.h"
 #include "ingest/manifest/scenario_file.h"
 #include "report/study_page.h"
 #include "study/trust.h"
+#include "wording/language.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -73,13 +75,16 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   }
   AtomicFiles files;
   if (!options.json.empty()) files.add(options.json, report::study_json(report));
-  const std::vector<figures::ReportFigure> figures = figures::study_figures(report.study);
-  const std::vector<render::workers::DrawnFigure> drawn =
-      draw(renderer, figures, options.language, console);
+  const std::vector<figures::ReportFigure> figures =
+      figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
   report.provenance.drawing = software_that_drew(drawn);
-  files.add(options.output, report::study_page(report, figures, drawn, options.language));
+  {
+    const wording::WordsIn words(options.language);
+    files.add(options.output, report::study_page(report, figures, drawn, options.language));
+  }
   files.commit();
-  console.say(study::study_sentence(report.study));
+  console.say(wording::words(study::study_sentence(report.study)));
   if (!options.json.empty()) console.say("numbers: " + options.json);
   console.say("study: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;

@@ -6,10 +6,12 @@
 #include "cli/archive_commands.h"
 #include "cli/history_page.h"
 #include "cli/shared_options.h"
+#include "figures/figure_csv.h"
 #include "figures/trend_figures.h"
 #include "history/history_json.h"
 #include "history/joint_trend.h"
 #include "report/trend_page.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 namespace {
@@ -27,7 +29,7 @@ struct TrendOptions {
   bool json{false};
   bool fails_on_warning{false};
   int processes{2};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
 };
 
 void tell(const history::JointTrend& trend, Console& console) {
@@ -40,7 +42,9 @@ void tell(const history::JointTrend& trend, Console& console) {
   for (const std::string& change : changes) {
     console.say(printable("change: " + change, longest_note));
   }
-  if (changes.empty()) console.say(fmt::format("outcome: {}", history::to_string(trend.state())));
+  if (changes.empty()) {
+    console.say(fmt::format("outcome: {}", wording::words(history::statement_of(trend.state()))));
+  }
 }
 
 ExitStatus write_page(const TrendOptions& options, const std::vector<history::JointTrend>& trends,
@@ -51,7 +55,8 @@ ExitStatus write_page(const TrendOptions& options, const std::vector<history::Jo
         "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
         trends.size(), most_joints_of_a_page));
   }
-  const auto figures = figures::trend_figures(trends);
+  const auto figures =
+      figures::figures_in(options.language, [&] { return figures::trend_figures(trends); });
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "figures/estimator_style.h"
 #include "figures/loop_panels.h"
@@ -14,10 +14,14 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr double model_px = 3.0;
 constexpr double zero_px = 1.5;
@@ -25,13 +29,13 @@ constexpr double zero_px = 1.5;
 render::figure::Panel loop_panel(const LoopView& view, const method::hysteresis::LuGreLoop& loop,
                                  const wording::AxisScale& torque) {
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+  panel.x.title = wording::axis_title(tr("joint angle from the loop's centre q − q_{{0}}"),
                                       wording::AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = wording::axis_title("driving torque T", torque);
+  panel.y.title = wording::axis_title(tr("driving torque T"), torque);
   const method::hysteresis::LoopTrace& trace = *view.trace;
-  add_visible(panel, line("measured", shown(trace.q_rad, view.angle),
+  add_visible(panel, line(tr("measured"), shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));
-  add_visible(panel, line("LuGre fit", shown(trace.q_rad, view.angle),
+  add_visible(panel, line(tr("LuGre fit"), shown(trace.q_rad, view.angle),
                           shown(loop.torque_Nm, torque), render::figure::palette::blue, model_px));
   return panel;
 }
@@ -40,26 +44,26 @@ render::figure::Panel misfit_panel(const LoopView& view,
                                    const method::hysteresis::LoopMisfit& misfit, double residual_Nm,
                                    const wording::AxisScale& torque) {
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+  panel.x.title = wording::axis_title(tr("joint angle from the loop's centre q − q_{{0}}"),
                                       wording::AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = wording::axis_title("mean of T − fit", torque);
+  panel.y.title = wording::axis_title(tr("mean of T − fit"), torque);
   const std::vector<double> q = shown(misfit.q_rad, view.angle);
   if (!q.empty()) {
     const std::vector<double> high(q.size(), torque(residual_Nm));
     const std::vector<double> low(q.size(), -torque(residual_Nm));
-    panel.bands.push_back({"scatter of single samples", q, low, high, faded(cloud, 120)});
+    panel.bands.push_back({tr("scatter of single samples"), q, low, high, faded(cloud, 120)});
     add_visible(panel, line("", {q.front(), q.back()}, {0.0, 0.0}, render::figure::palette::black,
                             zero_px));
   }
   add_visible(panel,
-              line("while the angle grows", q, shown(misfit.rising_Nm, torque), rising_colour));
-  add_visible(panel, line("while it falls", q, shown(misfit.falling_Nm, torque), falling_colour,
+              line(tr("while the angle grows"), q, shown(misfit.rising_Nm, torque), rising_colour));
+  add_visible(panel, line(tr("while it falls"), q, shown(misfit.falling_Nm, torque), falling_colour,
                           2.5, render::figure::LineStyle::dash));
   return panel;
 }
 
-/// "σ₀ 465.4 ± 1.2 N·m/rad and T_s 0.884 ± 0.002 N·m"
-std::string found_words(const method::hysteresis::LuGreFit& fit) {
+/// "From the loop alone: σ₀ 465.4 ± 1.2 N·m/rad and T_s 0.884 ± 0.002 N·m."
+std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
   std::vector<std::string> found;
   const auto add = [&](const char* name, const char* symbol, const char* unit) {
     if (const auto e = fit.shown(name)) {
@@ -72,7 +76,8 @@ std::string found_words(const method::hysteresis::LuGreFit& fit) {
   add("static_Nm", "Ts", "N·m");
   add("coulomb_Nm", "Tc", "N·m");
   add("stribeck_speed_rad_s", "ωs", "rad/s");
-  return found.empty() ? "no parameter is shown" : wording::listed(found);
+  if (found.empty()) return tr("From the loop alone: no parameter is shown.");
+  return tr("From the loop alone: {parameters}.", {{"parameters", wording::listed(found)}});
 }
 
 }  // namespace
@@ -87,7 +92,7 @@ std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& ca
   misfit.add(loop.misfit.falling_Nm);
   ReportFigure out;
   out.id = "fig-lugre-loop";
-  out.title = "LuGre fitted to the hysteresis loop";
+  out.title = tr("LuGre fitted to the hysteresis loop");
   out.stage = "friction_parameters";
   const wording::AxisScale torque =
       wording::prefixed("N·m", wording::extent_of(view->trace->torque_Nm).largest());
@@ -99,25 +104,25 @@ std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& ca
     out.figure.panels_share_x = true;
     out.figure.height_px = 1500;
   }
-  const std::string which =
-      fit->loops.size() > 1
-          ? fmt::format(" The first of {} loops that were fitted together.", fit->loops.size())
-          : "";
   const std::string scatter =
       wording::size_words(loop.residual_Nm, wording::torque_floor_Nm, "N·m");
   const std::string left = wording::size_words(misfit.largest(), wording::torque_floor_Nm, "N·m");
-  out.caption = fmt::format(
-      "From the loop alone: {}. Single samples scatter about the fit by {}; averaged over the "
-      "angle, at most {} is left.{}",
-      found_words(*fit), scatter, left, which);
-  out.how_to_read =
+  out.caption = found_sentence(*fit) + " " +
+                tr("Single samples scatter about the fit by {scatter}; averaged over the angle, at "
+                   "most {misfit} is left.",
+                   {{"scatter", scatter}, {"misfit", left}});
+  if (fit->loops.size() > 1) {
+    out.caption += " " + tr("The first of {loops} loops that were fitted together.",
+                            {{"loops", fit->loops.size()}});
+  }
+  out.how_to_read = tr(
       "Below, the mean should lie far inside the band and cross zero often. A bow or a step that "
       "both directions repeat is friction that this model does not have; opposite signs of the two "
-      "directions are a loop too wide or too narrow.";
-  out.alt = fmt::format(
+      "directions are a loop too wide or too narrow.");
+  out.alt = tr(
       "Measured torque over joint angle with the fitted LuGre loop on it, and the mean of what the "
-      "fit leaves, at most {} against a scatter of {}.",
-      left, scatter);
+      "fit leaves, at most {misfit} against a scatter of {scatter}.",
+      {{"misfit", left}, {"scatter", scatter}});
   return out;
 }
 
@@ -128,15 +133,21 @@ constexpr double smallest_share = 1e-5;  // of the furthest travel, on the logar
 struct Direction {
   bool is_rising;
   const char* words;
+  const char* break_away_words;
+  const char* censored_words;
   render::figure::Colour colour;
   render::figure::LineStyle style;
   render::figure::Marker marker;
 };
 
 const Direction directions[] = {
-    {true, "towards positive torque", render::figure::palette::blue,
+    {true, wording::to_translate("towards positive torque"),
+     wording::to_translate("break-away, towards positive torque"),
+     wording::to_translate("censored, towards positive torque"), render::figure::palette::blue,
      render::figure::LineStyle::solid, render::figure::Marker::circle},
-    {false, "towards negative torque", render::figure::palette::vermilion,
+    {false, wording::to_translate("towards negative torque"),
+     wording::to_translate("break-away, towards negative torque"),
+     wording::to_translate("censored, towards negative torque"), render::figure::palette::vermilion,
      render::figure::LineStyle::dash, render::figure::Marker::square}};
 
 const joint::Recording* find_recording(const joint::Dataset& dataset, const std::string& name) {
@@ -189,7 +200,7 @@ TravelCurve curve_of(const joint::Recording& r, double sign, double floor_rad) {
 
 void add_curves(const joint::Dataset& dataset, const method::hysteresis::BreakAwayResult& result,
                 const Direction& direction, double floor_rad, render::figure::Panel& panel) {
-  std::string label = direction.words;
+  std::string label = tr(direction.words);
   for (const method::hysteresis::BreakAwayRamp& ramp : result.ramps) {
     const joint::Recording* r = find_recording(dataset, ramp.recording);
     if (r == nullptr || ramp.is_rising != direction.is_rising) continue;
@@ -204,7 +215,7 @@ void add_curves(const joint::Dataset& dataset, const method::hysteresis::BreakAw
 void add_marks(const method::hysteresis::BreakAwayResult& result, const Direction& direction,
                bool broke_away, double floor_rad, render::figure::Panel& panel) {
   render::figure::Series marks =
-      line(fmt::format("{}, {}", broke_away ? "break-away" : "censored", direction.words), {}, {},
+      line(tr(broke_away ? direction.break_away_words : direction.censored_words), {}, {},
            direction.colour, 1.0, render::figure::LineStyle::none);
   marks.marker = broke_away ? direction.marker : render::figure::Marker::cross;
   marks.marker_size_px = 14.0;
@@ -218,13 +229,30 @@ void add_marks(const method::hysteresis::BreakAwayResult& result, const Directio
 
 std::string found_words(const method::hysteresis::BreakAwayResult& result) {
   const wording::AxisScale torque{1.0, "N·m"};
-  std::vector<std::string> words;
-  if (result.rising_Nm)
-    words.push_back(wording::with_interval(*result.rising_Nm, torque) + " towards positive torque");
-  if (result.falling_Nm)
-    words.push_back(wording::with_interval(*result.falling_Nm, torque) +
-                    " towards negative torque");
-  return words.empty() ? "no break-away torque" : "break-away at " + wording::listed(words);
+  const auto words = [&](const std::optional<statistics::Estimate>& break_away) {
+    return break_away ? wording::with_interval(*break_away, torque) : std::string();
+  };
+  const std::string rising = words(result.rising_Nm);
+  const std::string falling = words(result.falling_Nm);
+  if (rising.empty() && falling.empty()) return tr("no break-away torque");
+  if (falling.empty()) {
+    return tr("break-away at {rising} towards positive torque", {{"rising", rising}});
+  }
+  if (rising.empty()) {
+    return tr("break-away at {falling} towards negative torque", {{"falling", falling}});
+  }
+  return tr("break-away at {rising} towards positive torque and {falling} towards negative torque",
+            {{"rising", rising}, {"falling", falling}});
+}
+
+/// What was found, and how many ramps ended before that.
+std::string found_and_censored(const method::hysteresis::BreakAwayResult& result) {
+  const std::string found = found_words(result);
+  if (result.censored == 0) return found;
+  return tr_count(static_cast<std::int64_t>(result.censored),
+                  "{break_away}; {censored} ramp ended before the joint broke away (censored)",
+                  "{break_away}; {censored} ramps ended before the joint broke away (censored)",
+                  {{"break_away", found}, {"censored", result.censored}});
 }
 
 }  // namespace
@@ -236,11 +264,12 @@ std::optional<ReportFigure> break_away_figure(const joint::Dataset& dataset,
   if (result.ramps.empty() || !(furthest > 0)) return std::nullopt;
   ReportFigure out;
   out.id = "fig-break-away-ramps";
-  out.title = "Break-away ramps";
+  out.title = tr("Break-away ramps");
   out.stage = "break_away";
   render::figure::Panel panel;
-  panel.x.title = fmt::format("|{} torque T| [N·m]", wording::shaft(calibration.manifest));
-  panel.y.title = "travel of the joint from rest [rad]";
+  panel.x.title = wording::has_motor_side(calibration.manifest) ? tr("|motor torque T| [N·m]")
+                                                                : tr("|joint torque T| [N·m]");
+  panel.y.title = tr("travel of the joint from rest [rad]");
   panel.y.logarithmic = true;
   const double floor = smallest_share * furthest;
   for (const Direction& d : directions) add_curves(dataset, result, d, floor, panel);
@@ -250,21 +279,19 @@ std::optional<ReportFigure> break_away_figure(const joint::Dataset& dataset,
   }
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
-  const std::string left = result.censored == 0
-                               ? ""
-                               : fmt::format("; {} ended before the joint broke away (censored)",
-                                             wording::counted(result.censored, "ramp"));
   out.caption =
-      fmt::format("Travel against torque in {}: {}{}.",
-                  wording::counted(result.ramps.size(), "ramp"), found_words(result), left);
+      tr_count(static_cast<std::int64_t>(result.ramps.size()),
+               "Travel against torque in {ramps} ramp: {break_away}.",
+               "Travel against torque in {ramps} ramps: {break_away}.",
+               {{"ramps", result.ramps.size()}, {"break_away", found_and_censored(result)}});
   out.how_to_read =
-      "From left to right the torque rises; samples at which the joint has not moved are not "
-      "drawn. In pre-sliding the travel grows smoothly; at "
-      "break-away "
-      "it leaps by decades. Steps behind the first leap are slips that were caught again, by "
-      "gravity "
-      "or by friction that changes with the angle. Ramps of one direction that leap at different "
-      "torques tell how far the break-away torque itself scatters.";
+      tr("From left to right the torque rises; samples at which the joint has not moved are not "
+         "drawn. In pre-sliding the travel grows smoothly; at "
+         "break-away it leaps by decades. Steps behind the first leap are slips that were caught "
+         "again, by "
+         "gravity or by friction that changes with the angle. Ramps of one direction that leap at "
+         "different "
+         "torques tell how far the break-away torque itself scatters.");
   out.alt = out.caption;
   return out;
 }

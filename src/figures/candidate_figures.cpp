@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,10 +14,14 @@
 #include "figures/run_curves.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 wording::AxisScale friction_scale(const calibration::Calibration& calibration) {
   wording::Extent all;
@@ -29,7 +34,7 @@ render::figure::Panel all_candidates(const calibration::Calibration& calibration
                                      const wording::AxisScale& scale, bool with_reference) {
   render::figure::Panel panel;
   panel.x.title = wording::speed_quantity(calibration.manifest) + " [rad/s]";
-  panel.y.title = wording::axis_title("friction T_{f}", scale);
+  panel.y.title = wording::axis_title(tr("friction T_{{f}}"), scale);
   std::vector<NamedValues> curves;
   wording::Extent friction;
   for (const method::viscous::ViscousCurve& curve : calibration.viscous.curves) {
@@ -53,11 +58,70 @@ std::string runs_words(const method::viscous::ViscousCurvesResult& viscous) {
     ++(run.speed_rad_s > 0.0 ? forward : backward);
     speeds.add(std::abs(run.speed_rad_s));
   }
-  const wording::AxisScale rad_s{1.0, "rad/s"};
-  return fmt::format(
-      "{} ({} forward, {} backward) from {} to {}",
-      wording::counted(viscous.runs.size(), viscous.from_sweep ? "angle bin" : "run"), forward,
-      backward, wording::significant(speeds.low, 3), wording::with_unit(speeds.high, rad_s, 3));
+  const auto count = static_cast<std::int64_t>(viscous.runs.size());
+  const std::string slowest = wording::significant(speeds.low, 3);
+  const std::string fastest = wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3);
+  if (viscous.from_sweep) {
+    return tr_count(
+        count,
+        "{bins} angle bin ({forward} forward, {backward} backward) from {slowest} to {fastest}",
+        "{bins} angle bins ({forward} forward, {backward} backward) from {slowest} to {fastest}",
+        {{"bins", count},
+         {"forward", forward},
+         {"backward", backward},
+         {"slowest", slowest},
+         {"fastest", fastest}});
+  }
+  return tr_count(
+      count, "{runs} run ({forward} forward, {backward} backward) from {slowest} to {fastest}",
+      "{runs} runs ({forward} forward, {backward} backward) from {slowest} to {fastest}",
+      {{"runs", count},
+       {"forward", forward},
+       {"backward", backward},
+       {"slowest", slowest},
+       {"fastest", fastest}});
+}
+
+/// @param runs of runs_words()
+std::string caption_of_curves(const calibration::Calibration& calibration,
+                              const std::string& runs) {
+  wording::Extent masses;
+  for (const method::hysteresis::SurrogateMass& mass : calibration.masses.masses) {
+    masses.add(mass.mass_kg.value);
+  }
+  if (!(masses.span() > 0.0)) {
+    return tr(
+        "Driving torque less the gravity torque of the candidate mass ({mass_kg} kg), over "
+        "{runs_and_speeds}.",
+        {{"mass_kg", wording::significant(masses.low, 4)}, {"runs_and_speeds", runs}});
+  }
+  const std::size_t candidates = calibration.viscous.curves.size();
+  return tr(
+      "Driving torque less the gravity torque of each of {candidates} candidate masses "
+      "({lightest_kg} to {heaviest_kg} kg), over {runs_and_speeds}.",
+      {{"candidates", candidates},
+       {"lightest_kg", wording::significant(masses.low, 3)},
+       {"heaviest_kg", wording::significant(masses.high, 3)},
+       {"runs_and_speeds", runs}});
+}
+
+/// @param runs of runs_words()
+std::string alt_of_curves(const calibration::Calibration& calibration, const std::string& runs) {
+  const auto count = static_cast<std::int64_t>(calibration.viscous.curves.size());
+  if (wording::has_motor_side(calibration.manifest)) {
+    return tr_count(count,
+                    "Friction torque against signed motor speed for {candidates} candidate, over "
+                    "{runs_and_speeds}.",
+                    "Friction torque against signed motor speed for {candidates} candidates, over "
+                    "{runs_and_speeds}.",
+                    {{"candidates", count}, {"runs_and_speeds", runs}});
+  }
+  return tr_count(count,
+                  "Friction torque against signed joint speed for {candidates} candidate, over "
+                  "{runs_and_speeds}.",
+                  "Friction torque against signed joint speed for {candidates} candidates, over "
+                  "{runs_and_speeds}.",
+                  {{"candidates", count}, {"runs_and_speeds", runs}});
 }
 
 std::vector<NamedValues> differences(const calibration::Calibration& calibration) {
@@ -81,30 +145,18 @@ std::optional<ReportFigure> friction_curves_figure(const calibration::Calibratio
   ReportFigure out;
   out.number = 18;
   out.id = "fig-18-friction-curves";
-  out.title = "Friction against speed, all candidates";
+  out.title = tr("Friction against speed, all candidates");
   out.stage = "viscous_curves";
   const wording::AxisScale scale = friction_scale(calibration);
   out.figure.panels.push_back(all_candidates(calibration, scale, false));
   if (out.figure.panels.front().series.empty()) return std::nullopt;
   const std::string runs = runs_words(viscous);
-  wording::Extent masses;
-  for (const method::hysteresis::SurrogateMass& mass : calibration.masses.masses)
-    masses.add(mass.mass_kg.value);
-  const std::string candidates =
-      masses.span() > 0.0
-          ? fmt::format("each of {} candidate masses ({} to {} kg)", viscous.curves.size(),
-                        wording::significant(masses.low, 3), wording::significant(masses.high, 3))
-          : "the candidate mass (" + wording::significant(masses.low, 4) + " kg)";
-  out.caption =
-      fmt::format("Driving torque less the gravity torque of {}, over {}.", candidates, runs);
+  out.caption = caption_of_curves(calibration, runs);
   out.how_to_read =
-      "Friction is odd: the right mass gives a curve of equal height on both sides of zero. A "
-      "wrong "
-      "mass shifts its curve up or down as a whole, so that friction is larger in one direction "
-      "than in the other, or even drives the joint.";
-  out.alt = fmt::format("Friction torque against signed {} speed for {}, over {}.",
-                        wording::shaft(calibration.manifest),
-                        wording::counted(viscous.curves.size(), "candidate"), runs);
+      tr("Friction is odd: the right mass gives a curve of equal height on both sides of zero. A "
+         "wrong mass shifts its curve up or down as a whole, so that friction is larger in one "
+         "direction than in the other, or even drives the joint.");
+  out.alt = alt_of_curves(calibration, runs);
   return out;
 }
 
@@ -116,7 +168,7 @@ std::optional<ReportFigure> friction_against_reference_figure(
   ReportFigure out;
   out.number = 19;
   out.id = "fig-19-friction-against-reference";
-  out.title = "Friction against speed, with the reference";
+  out.title = tr("Friction against speed, with the reference");
   out.stage = "quality_errors";
   const wording::AxisScale scale = friction_scale(calibration);
   render::figure::Panel curves = all_candidates(calibration, scale, true);
@@ -124,7 +176,7 @@ std::optional<ReportFigure> friction_against_reference_figure(
   const auto difference = differences(calibration);
   const double limit = close_up_limit(difference, calibration.selection);
   render::figure::Panel below =
-      close_up_panel(calibration, difference, limit, "T_{f} − reference", "N·m");
+      close_up_panel(calibration, difference, limit, tr("T_{{f}} − reference"), "N·m");
   share_legend(curves, below);
   out.figure.panels.push_back(std::move(curves));
   if (!below.series.empty()) {
@@ -141,17 +193,26 @@ std::optional<ReportFigure> friction_against_reference_figure(
   const std::string away =
       chosen.empty
           ? std::string()
-          : fmt::format(" The largest difference of the recommended candidate, {}, is {}.",
-                        candidate_words(calibration, calibration.selection.recommended),
-                        wording::size_words(chosen.largest(), wording::torque_floor_Nm, "N·m"));
-  out.caption =
-      fmt::format("The candidates of figure 18 against the reference ({}).{}", reference, away);
-  out.how_to_read =
+          : " " +
+                tr("The largest difference of the recommended candidate, {candidate}, is "
+                   "{difference}.",
+                   {{"candidate", candidate_words(calibration, calibration.selection.recommended)},
+                    {"difference",
+                     wording::size_words(chosen.largest(), wording::torque_floor_Nm, "N·m")}});
+  out.caption = tr("The candidates of figure 18 against the reference ({reference}).",
+                   {{"reference", reference}}) +
+                away;
+  out.how_to_read = tr(
       "Above, the reference is in black; AB, CD and EF are the means of opposite points. Below, "
       "the distance to it: a wrong mass gives a level line off zero; a line that bends with speed "
-      "would be an error of the friction measurement itself, which no choice of mass repairs.";
-  out.alt = fmt::format("Candidate friction curves and the reference ({}) against {} speed.{}",
-                        reference, wording::shaft(calibration.manifest), away);
+      "would be an error of the friction measurement itself, which no choice of mass repairs.");
+  out.alt =
+      (wording::has_motor_side(calibration.manifest)
+           ? tr("Candidate friction curves and the reference ({reference}) against motor speed.",
+                {{"reference", reference}})
+           : tr("Candidate friction curves and the reference ({reference}) against joint speed.",
+                {{"reference", reference}})) +
+      away;
   return out;
 }
 
@@ -181,6 +242,53 @@ void add_interval_of_reference(render::figure::Panel& panel,
   }
 }
 
+/// Root mean square of the selected candidates; empty without any.
+std::string rms_of_selected(const calibration::Calibration& calibration) {
+  const std::string& paper_rule = calibration.selection.paper_rule;
+  const std::string& recommended = calibration.selection.recommended;
+  std::vector<std::string> words{rms_words(calibration.quality, paper_rule)};
+  if (recommended != paper_rule) words.push_back(rms_words(calibration.quality, recommended));
+  std::erase(words, "");
+  if (words.empty()) return {};
+  return " " +
+         tr("Root mean square over the runs: {errors}.", {{"errors", wording::listed(words)}});
+}
+
+std::string caption_of_errors(const method::selection::QualityErrorsResult& quality,
+                              const std::string& rms) {
+  std::string caption = tr("Error of each candidate against the reference ({reference}).",
+                           {{"reference", reference_words(quality.reference)}}) +
+                        rms;
+  if (quality.reference_rms_percent > 0.0) {
+    const std::string interval =
+        wording::size_words(quality.reference_rms_percent, wording::percent_floor, "%");
+    caption += " " + tr("Bars about zero: 95 % interval of the reference itself, ± {interval} rms.",
+                        {{"interval", interval}});
+  }
+  if (quality.runs_left_out == 0) return caption;
+  return caption + " " +
+         tr_count(static_cast<std::int64_t>(quality.runs_left_out),
+                  "{runs} run without a reference, or with a driving torque near zero, left out.",
+                  "{runs} runs without a reference, or with a driving torque near zero, left out.",
+                  {{"runs", quality.runs_left_out}});
+}
+
+std::string alt_of_errors(const calibration::Calibration& calibration) {
+  const auto count = static_cast<std::int64_t>(calibration.quality.errors.size());
+  if (wording::has_motor_side(calibration.manifest)) {
+    return tr_count(
+        count,
+        "Error of {candidates} candidate in percent of the driving torque against motor speed.",
+        "Error of {candidates} candidates in percent of the driving torque against motor speed.",
+        {{"candidates", count}});
+  }
+  return tr_count(
+      count,
+      "Error of {candidates} candidate in percent of the driving torque against joint speed.",
+      "Error of {candidates} candidates in percent of the driving torque against joint speed.",
+      {{"candidates", count}});
+}
+
 }  // namespace
 
 std::optional<ReportFigure> quality_error_figure(const calibration::Calibration& calibration) {
@@ -194,9 +302,9 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
   ReportFigure out;
   out.number = 20;
   out.id = "fig-20-quality-error";
-  out.title = "Error in % of the driving torque";
+  out.title = tr("Error in % of the driving torque");
   out.stage = "quality_errors";
-  const std::string symbol = "error 100 (T_{f} − T_{f,ref}) / T";
+  const std::string symbol = tr("error 100 (T_{{f}} − T_{{f,ref}}) / T");
   render::figure::Panel all = close_up_panel(calibration, errors, 0.0, symbol, "%");
   if (all.series.empty()) return std::nullopt;
   add_interval_of_reference(all, calibration);
@@ -211,38 +319,17 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
     out.figure.height_px = 1400;
   }
 
-  std::vector<std::string> words;
-  for (const std::string& name :
-       {calibration.selection.paper_rule, calibration.selection.recommended}) {
-    const std::string rms = rms_words(quality, name);
-    if (!rms.empty() && (words.empty() || words.back() != rms)) words.push_back(rms);
-  }
-  const std::string chosen =
-      words.empty() ? std::string()
-                    : " Root mean square over the runs: " + wording::listed(words) + ".";
-  const std::string left_out =
-      quality.runs_left_out == 0
-          ? std::string()
-          : fmt::format(" {} without a reference, or with a driving torque near zero, left out.",
-                        wording::counted(quality.runs_left_out, "run"));
-  const std::string known_to =
-      quality.reference_rms_percent > 0.0
-          ? fmt::format(
-                " Bars about zero: 95 % interval of the reference itself, ± {} rms.",
-                wording::size_words(quality.reference_rms_percent, wording::percent_floor, "%"))
-          : std::string();
-  out.caption = fmt::format("Error of each candidate against the reference ({}).{}{}{}",
-                            reference_words(quality.reference), chosen, known_to, left_out);
-  out.how_to_read =
+  const std::string rms = rms_of_selected(calibration);
+  out.caption = caption_of_errors(quality, rms);
+  out.how_to_read = tr(
       "The closer to zero over all speeds the better the mass. A wrong mass gives a level line in "
       "each direction, a step apart because the driving torque differs; scatter of the same size "
-      "as the distance between two candidates means that the runs cannot choose between them.";
+      "as the distance between two candidates means that the runs cannot choose between them.");
   if (quality.reference_rms_percent > 0.0) {
-    out.how_to_read += " An error within its bar says nothing: the reference is no better known.";
+    out.how_to_read +=
+        " " + tr("An error within its bar says nothing: the reference is no better known.");
   }
-  out.alt = fmt::format("Error of {} in percent of the driving torque against {} speed.{}",
-                        wording::counted(errors.size(), "candidate"),
-                        wording::shaft(calibration.manifest), chosen);
+  out.alt = alt_of_errors(calibration) + rms;
   return out;
 }
 

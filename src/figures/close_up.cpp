@@ -5,15 +5,19 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "figures/estimator_style.h"
 #include "figures/run_curves.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 namespace {
+
+using wording::tr;
 
 constexpr double room = 2.0;              // of the chosen curves' largest value: neighbours come in
 constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
@@ -43,7 +47,7 @@ double largest_distance(const std::vector<double>& one, const std::vector<double
 std::string leave_out_outside(const method::viscous::ViscousCurvesResult& viscous, double limit,
                               NamedValues& curve) {
   const std::size_t size = std::min(viscous.runs.size(), curve.values.size());
-  std::string side;
+  std::optional<bool> positive_side_left_out;
   bool any_left = false;
   for (const bool positive : {true, false}) {
     wording::Extent distances;
@@ -53,13 +57,16 @@ std::string leave_out_outside(const method::viscous::ViscousCurvesResult& viscou
     if (distances.empty) continue;
     any_left = any_left || distances.low <= limit;
     if (distances.low <= limit) continue;
-    side = positive ? " (forward)" : " (backward)";
+    positive_side_left_out = positive;
     for (std::size_t i = 0; i < size; ++i) {
       if ((viscous.runs[i].speed_rad_s > 0.0) == positive) curve.values[i] = NAN;
     }
   }
-  if (side.empty()) return {};
-  return estimator_words(curve.estimator) + (any_left ? side : "");
+  if (!positive_side_left_out) return {};
+  const std::string estimator = estimator_words(curve.estimator);
+  if (!any_left) return estimator;
+  return *positive_side_left_out ? tr("{estimator} (forward)", {{"estimator", estimator}})
+                                 : tr("{estimator} (backward)", {{"estimator", estimator}});
 }
 
 }  // namespace
@@ -132,13 +139,16 @@ render::figure::Panel close_up_panel(const calibration::Calibration& calibration
   if (limit > 0.0) {
     panel.y.minimum = -scale(limit);
     panel.y.maximum = scale(limit);
-    panel.title = "Close-up";
+    panel.title = tr("Close-up");
     std::vector<std::string> outside;
     for (NamedValues& curve : curves) {
       const std::string name = leave_out_outside(calibration.viscous, limit, curve);
       if (!name.empty()) outside.push_back(name);
     }
-    if (!outside.empty()) panel.title += "; outside: " + wording::listed(outside);
+    if (!outside.empty()) {
+      panel.title =
+          tr("Close-up; outside: {candidates}", {{"candidates", wording::listed(outside)}});
+    }
   }
   const double span = limit > 0.0 ? 2 * limit : std::max(all.span(), nothing);
   for (const NamedValues& curve : in_drawing_order(std::move(curves), span)) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "figures/history_axes.h"
 #include "figures/report_figure.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 namespace {
@@ -17,6 +17,8 @@ using calibration::RecordedFriction;
 using calibration::RecordedLoop;
 using history::Comparison;
 using wording::AxisScale;
+using wording::tr;
+using wording::tr_count;
 
 /// How the first and the second are drawn in every figure.
 struct Look {
@@ -31,17 +33,17 @@ std::vector<Look> looks_of(const history::Comparison& c) {
   for (const calibration::Entry* e : {&c.first, &c.second}) {
     dates.push_back(date_of(e->facts.measured_at));
   }
-  const bool is_one_day = dates[0] == dates[1];
-  const auto label = [&](std::size_t k, const char* word) {
-    return is_one_day ? fmt::format("{} of {}", word, dates[k]) : dates[k];
-  };
-  return {{label(0, "first"), render::figure::palette::blue, render::figure::Marker::circle,
+  if (dates[0] == dates[1]) {
+    dates = {tr("first of {date}", {{"date", dates[0]}}),
+             tr("second of {date}", {{"date", dates[1]}})};
+  }
+  return {{dates[0], render::figure::palette::blue, render::figure::Marker::circle,
            render::figure::LineStyle::solid},
-          {label(1, "second"), render::figure::palette::vermilion, render::figure::Marker::diamond,
+          {dates[1], render::figure::palette::vermilion, render::figure::Marker::diamond,
            render::figure::LineStyle::dash}};
 }
 
-ReportFigure empty_figure(const char* id, const char* title) {
+ReportFigure empty_figure(const char* id, const std::string& title) {
   ReportFigure out;
   out.id = id;
   out.title = title;
@@ -67,9 +69,10 @@ void add_friction(const calibration::RecordedFriction& curve, int direction, con
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return curve.speed_rad_s[a] < curve.speed_rad_s[b];
   });
+  // Both directions have one entry in the legend.
   const bool is_labelled =
       std::any_of(panel.series.begin(), panel.series.end(),
-                  [&](const render::figure::Series& s) { return s.label == look.label; });
+                  [&](const render::figure::Series& s) { return s.marker == look.marker; });
   render::figure::Series series =
       line(is_labelled ? "" : look.label, {}, {}, look.colour, 3.0, look.style);
   series.marker = look.marker;
@@ -85,6 +88,11 @@ void add_friction(const calibration::RecordedFriction& curve, int direction, con
   add_visible(panel, std::move(series));
 }
 
+std::string run_count(const calibration::RecordedFriction& curve) {
+  const std::size_t runs = curve.speed_rad_s.size();
+  return tr_count(static_cast<std::int64_t>(runs), "{runs} run", "{runs} runs", {{"runs", runs}});
+}
+
 std::optional<ReportFigure> friction_figure(const history::Comparison& c,
                                             const calibration::RecordedFriction& first,
                                             const calibration::RecordedFriction& second) {
@@ -93,25 +101,31 @@ std::optional<ReportFigure> friction_figure(const history::Comparison& c,
   extent.add(first.friction_Nm);
   extent.add(second.friction_Nm);
   const wording::AxisScale scale = wording::prefixed("N·m", extent.largest());
-  ReportFigure out = empty_figure("diff-friction", "Friction over speed");
+  ReportFigure out = empty_figure("diff-friction", tr("Friction over speed"));
   render::figure::Panel panel;
-  panel.x.title = "motor speed dφ/dt [rad/s]";
-  panel.y.title = wording::axis_title("friction T_{f}", scale);
+  panel.x.title = tr("motor speed dφ/dt [rad/s]");
+  panel.y.title = wording::axis_title(tr("friction T_{{f}}"), scale);
   const std::vector<Look> looks = looks_of(c);
   for (const auto& [curve, look] : {std::pair{&first, &looks[0]}, std::pair{&second, &looks[1]}}) {
     for (const int direction : {-1, 1}) add_friction(*curve, direction, *look, scale, panel);
   }
   out.figure.panels = {std::move(panel)};
-  out.caption = fmt::format("Friction of the constant-speed runs: {} of {} and {} of {}.",
-                            wording::counted(first.speed_rad_s.size(), "run"), looks[0].label,
-                            wording::counted(second.speed_rad_s.size(), "run"), looks[1].label);
+  out.caption =
+      tr("Friction of the constant-speed runs: {first_runs} of {first_calibration} and "
+         "{second_runs} of {second_calibration}.",
+         {{"first_runs", run_count(first)},
+          {"first_calibration", looks[0].label},
+          {"second_runs", run_count(second)},
+          {"second_calibration", looks[1].label}});
   out.how_to_read =
-      "A curve moved away from zero on both sides is Coulomb friction that rose; one that is "
-      "steeper is viscous friction, as of colder or thicker grease. Bars are 95 % intervals of the "
-      "torque.";
-  out.alt = fmt::format("Friction over motor speed of both calibrations; mean size {} and {}.",
-                        wording::with_unit(mean_size(first.friction_Nm), scale, 3),
-                        wording::with_unit(mean_size(second.friction_Nm), scale, 3));
+      tr("A curve moved away from zero on both sides is Coulomb friction that rose; one that is "
+         "steeper is viscous friction, as of colder or thicker grease. Bars are 95 % intervals of "
+         "the torque.");
+  out.alt =
+      tr("Friction over motor speed of both calibrations; mean size {first_friction} and "
+         "{second_friction}.",
+         {{"first_friction", wording::with_unit(mean_size(first.friction_Nm), scale, 3)},
+          {"second_friction", wording::with_unit(mean_size(second.friction_Nm), scale, 3)}});
   return out;
 }
 
@@ -131,10 +145,10 @@ std::optional<ReportFigure> loop_figure(const history::Comparison& c,
   }
   const wording::AxisScale x = wording::prefixed("rad", angle.largest());
   const wording::AxisScale y = wording::levelled("N·m", torque);
-  ReportFigure out = empty_figure("diff-loop", "Hysteresis loops");
+  ReportFigure out = empty_figure("diff-loop", tr("Hysteresis loops"));
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("joint angle from the loop's centre", x);
-  panel.y.title = wording::axis_title("driving torque T", y, "N·m");
+  panel.x.title = wording::axis_title(tr("joint angle from the loop's centre"), x);
+  panel.y.title = wording::axis_title(tr("driving torque T"), y, "N·m");
   const std::vector<Look> looks = looks_of(c);
   for (const auto& [loop, look] : {std::pair{&a, &looks[0]}, std::pair{&b, &looks[1]}}) {
     std::vector<double> q = shown(loop->from_centre_rad, x);
@@ -146,18 +160,21 @@ std::optional<ReportFigure> loop_figure(const history::Comparison& c,
   }
   out.figure.panels = {std::move(panel)};
   const wording::AxisScale size = wording::prefixed("N·m", span_of(a.torque_Nm));
-  out.caption = fmt::format(
-      "Steady loops of the first oscillation of each: {} high on {}, {} high on {}; {} and {} "
-      "wide.",
-      wording::with_unit(span_of(a.torque_Nm), size, 3), looks[0].label,
-      wording::with_unit(span_of(b.torque_Nm), size, 3), looks[1].label,
-      wording::with_unit(span_of(a.from_centre_rad), x, 3),
-      wording::with_unit(span_of(b.from_centre_rad), x, 3));
+  out.caption =
+      tr("Steady loops of the first oscillation of each: {first_height} high on "
+         "{first_calibration}, {second_height} high on {second_calibration}; {first_width} and "
+         "{second_width} wide.",
+         {{"first_height", wording::with_unit(span_of(a.torque_Nm), size, 3)},
+          {"first_calibration", looks[0].label},
+          {"second_height", wording::with_unit(span_of(b.torque_Nm), size, 3)},
+          {"second_calibration", looks[1].label},
+          {"first_width", wording::with_unit(span_of(a.from_centre_rad), x, 3)},
+          {"second_width", wording::with_unit(span_of(b.from_centre_rad), x, 3)}});
   out.how_to_read =
-      "Loops of one width compare: a higher one is more friction, one moved up or down is another "
-      "gravity torque, steeper flanks are a stiffer contact. Loops of different width were driven "
-      "differently.";
-  out.alt = "Torque over angle of both calibrations. " + out.caption;
+      tr("Loops of one width compare: a higher one is more friction, one moved up or down is "
+         "another gravity torque, steeper flanks are a stiffer contact. Loops of different width "
+         "were driven differently.");
+  out.alt = tr("Torque over angle of both calibrations.") + " " + out.caption;
   return out;
 }
 

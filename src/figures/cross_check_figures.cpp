@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,11 +15,15 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/reading_label.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::figures {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr double apart = 0.12;  // of the two intervals of one way, of the distance of two
 
@@ -40,8 +45,9 @@ void add_intervals(render::figure::Panel& panel,
     y.push_back(scale(mass.value));
     panel.error_bars.push_back({at, scale(mass.low), scale(mass.high), colour});
   }
-  render::figure::Series series = line(resampled ? "bootstrap" : "closed form", std::move(x),
-                                       std::move(y), colour, 2.5, render::figure::LineStyle::none);
+  render::figure::Series series =
+      line(resampled ? tr("bootstrap") : tr("closed form"), std::move(x), std::move(y), colour, 2.5,
+           render::figure::LineStyle::none);
   series.marker = resampled ? render::figure::Marker::square : render::figure::Marker::circle;
   series.marker_size_px = 12.0;
   add_visible(panel, std::move(series));
@@ -69,22 +75,22 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
                    [](const method::intervals::CrossCheck& c) { return c.is_recommended; });
   ReportFigure out;
   out.id = "fig-masses-by-way";
-  out.title = "Surrogate mass by every way";
+  out.title = tr("Surrogate mass by every way");
   out.stage = "cross-checks";
   const wording::AxisScale scale = wording::levelled("kg", extent_without(checks, ""));
   render::figure::Panel panel;
-  panel.x.title = "way, numbered as below";
+  panel.x.title = tr("way, numbered as below");
   panel.x.counts = true;
   panel.x.minimum = 0.5;
   panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
-  panel.y.title = wording::axis_title("surrogate mass m", scale, "kg");
+  panel.y.title = wording::axis_title(tr("surrogate mass m"), scale, "kg");
   add_intervals(panel, checks, false, scale);
   add_intervals(panel, checks, true, scale);
   if (panel.series.empty()) return std::nullopt;
   if (recommended != checks.end()) {
     panel.reference_lines.push_back(
         {render::figure::ReferenceLine::Direction::horizontal, scale(recommended->mass_kg.value),
-         "recommended", render::figure::palette::grey, render::figure::LineStyle::dash});
+         tr("recommended"), render::figure::palette::grey, render::figure::LineStyle::dash});
   }
   out.figure.panels.push_back(std::move(panel));
 
@@ -96,18 +102,22 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   }
   const std::string agreement =
       disagree == 0
-          ? "All agree with the recommended one within the interval of the difference."
-          : fmt::format(
-                "{} with the recommended one beyond the interval of the "
-                "difference.",
-                disagree == 1 ? "1 way disagrees" : fmt::format("{} ways disagree", disagree));
-  out.caption = fmt::format("95 % intervals of {}. {}", wording::listed(names), agreement);
+          ? tr("All agree with the recommended one within the interval of the difference.")
+          : tr_count(static_cast<std::int64_t>(disagree),
+                     "{ways} way disagrees with the recommended one beyond the interval of the "
+                     "difference.",
+                     "{ways} ways disagree with the recommended one beyond the interval of the "
+                     "difference.",
+                     {{"ways", disagree}});
+  const std::string ways = wording::listed(names);
+  out.caption = tr("95 % intervals of {ways}.", {{"ways", ways}}) + " " + agreement;
   out.how_to_read =
-      "Each way fails differently. Bars that all cross the dashed line are what a sound "
-      "measurement gives; one that lies beside it points at the assumption it rests on. The two "
-      "bars of a way should be equally long.";
-  out.alt = fmt::format("Surrogate mass with 95 % intervals by {} ways: {}. {}", checks.size(),
-                        wording::listed(names), agreement);
+      tr("Each way fails differently. Bars that all cross the dashed line are what a sound "
+         "measurement gives; one that lies beside it points at the assumption it rests on. The two "
+         "bars of a way should be equally long.");
+  out.alt = tr("Surrogate mass with 95 % intervals by {count} ways: {ways}.",
+               {{"count", checks.size()}, {"ways", ways}}) +
+            " " + agreement;
   return out;
 }
 
@@ -148,18 +158,18 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
 
   ReportFigure out;
   out.id = "fig-known-truth";
-  out.title = "What came back of what was put in";
+  out.title = tr("What came back of what was put in");
   out.stage = "known-truth";
   render::figure::Panel panel;
-  panel.x.title = "deviation from what was put in, in half widths of the stated 95 % interval";
-  panel.y.title = "quantity";
+  panel.x.title = tr("deviation from what was put in, in half widths of the stated 95 % interval");
+  panel.y.title = tr("quantity");
   const double reach = reach_of(shown);
   panel.x.minimum = -reach - 0.5;
   panel.x.maximum = reach + 0.5;
   panel.y.minimum = 0.2;
   panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
   panel.bands.push_back(
-      {"inside the interval", {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
+      {tr("inside the interval"), {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
   render::figure::Series inside;
   render::figure::Series outside;
   std::size_t held = 0;
@@ -183,8 +193,8 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
     }
     panel.y.names.push_back({level, wording::reading_label(shown[i]->name)});
   }
-  inside.label = "held by its interval";
-  outside.label = "not held";
+  inside.label = tr("held by its interval");
+  outside.label = tr("not held");
   for (render::figure::Series* series : {&inside, &outside}) {
     series->style = render::figure::LineStyle::none;
     series->marker =
@@ -196,20 +206,26 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
   }
   out.figure.panels.push_back(std::move(panel));
   out.figure.height_px = std::max(600, 240 + 84 * static_cast<int>(shown.size()));
-  out.caption = fmt::format(
-      "Deviations of {} in units of the half width that each run states for itself: "
-      "{} of {} are held by their intervals. From top: {}",
-      wording::counted(check.runs, "simulation"), held, all, place_words(shown));
-  out.how_to_read =
+  const std::string quantities = place_words(shown);
+  out.caption =
+      tr_count(static_cast<std::int64_t>(check.runs),
+               "Deviations of {simulations} simulation in units of the half width that each run "
+               "states for itself: {held} of {values} are held by their intervals.",
+               "Deviations of {simulations} simulations in units of the half width that each run "
+               "states for itself: {held} of {values} are held by their intervals.",
+               {{"simulations", check.runs}, {"held", held}, {"values", all}}) +
+      " " + tr("From top: {quantities}", {{"quantities", quantities}});
+  out.how_to_read = tr(
       "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
       "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "
-      "side "
-      "is biased on these motions; one that spreads wider has intervals that are too narrow.";
+      "side is biased on these motions; one that spreads wider has intervals that are too narrow.");
   if (reach >= farthest_shown) {
-    out.how_to_read += fmt::format(" Marks at ±{:.0f} lie there or beyond.", reach);
+    out.how_to_read +=
+        " " + tr("Marks at ±{half_widths:.0f} lie there or beyond.", {{"half_widths", reach}});
   }
-  out.alt = fmt::format("{} of {} returned values lie within their stated intervals: {}.", held,
-                        all, place_words(shown));
+  out.alt =
+      tr("{held} of {values} returned values lie within their stated intervals: {quantities}.",
+         {{"held", held}, {"values", all}, {"quantities", quantities}});
   return out;
 }
 

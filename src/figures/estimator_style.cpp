@@ -1,5 +1,7 @@
 #include "figures/estimator_style.h"
 
+#include "wording/tr.h"
+
 namespace tribolog::figures {
 namespace {
 
@@ -42,37 +44,37 @@ const std::array<NamedStyle, styled_names.size()> styles{{
      {colour::blue, render::figure::LineStyle::dash_dot, render::figure::Marker::plus, usual_px,
       10.0}},
     {"AB",
-     "mean of A and B",
+     wording::to_translate("mean of A and B"),
      {colour::sky_blue, render::figure::LineStyle::dash_dot_dot, render::figure::Marker::diamond,
       usual_px, 12.0}},
     {"CD",
-     "mean of C and D",
+     wording::to_translate("mean of C and D"),
      {colour::green, render::figure::LineStyle::dash_dot_dot, render::figure::Marker::square,
       usual_px, 10.0}},
     {"EF",
-     "mean of E and F",
+     wording::to_translate("mean of E and F"),
      {colour::orange, render::figure::LineStyle::dash_dot_dot, render::figure::Marker::triangle,
       usual_px, 11.0}},
     {"midline",
-     "mid-line",
+     wording::to_translate("mid-line"),
      {colour::blue, render::figure::LineStyle::solid, render::figure::Marker::circle, 6.0, 20.0}},
     {"fit",
-     "LuGre fit",
+     wording::to_translate("LuGre fit"),
      {colour::purple, render::figure::LineStyle::dash, render::figure::Marker::cross, usual_px,
       14.0}},
     {"sweep",
-     "sweep fit",
+     wording::to_translate("sweep fit"),
      {colour::grey, render::figure::LineStyle::dash, render::figure::Marker::plus, usual_px, 18.0}},
     {"runs",
-     "fit of the runs",
+     wording::to_translate("fit of the runs"),
      {colour::purple, render::figure::LineStyle::dash_dot, render::figure::Marker::circle, usual_px,
       15.0}},
     {"stated",
-     "stated gravity",
+     wording::to_translate("stated gravity"),
      {colour::black, render::figure::LineStyle::dot, render::figure::Marker::triangle, usual_px,
       12.0}},
     {"reference",
-     "reference",
+     wording::to_translate("reference"),
      {colour::black, render::figure::LineStyle::solid, render::figure::Marker::none, 2.0, 6.0}},
 }};
 
@@ -102,7 +104,7 @@ void apply(const SeriesStyle& style, render::figure::Series& series) {
 
 std::string estimator_words(const std::string& name) {
   const NamedStyle* found = find(name);
-  return found == nullptr ? name : found->words;
+  return found == nullptr ? name : wording::tr(found->words);
 }
 
 }  // namespace tribolog::figures

@@ -207,4 +207,24 @@ std::string figure_csv(const ReportFigure& figure, std::size_t most_rows) {
   return Writer(figure, most_rows).text();
 }
 
+std::vector<ReportFigure> figures_in(const wording::Language& language,
+                                     const std::function<std::vector<ReportFigure>()>& make) {
+  const auto made_in = [&make](const wording::Language& its) {
+    const wording::WordsIn words(its);
+    return make();
+  };
+  std::vector<ReportFigure> figures = made_in(language);
+  if (!language.is_english()) take_english_data(made_in(wording::Language{}), figures);
+  return figures;
+}
+
+void take_english_data(const std::vector<ReportFigure>& english,
+                       std::vector<ReportFigure>& figures) {
+  for (ReportFigure& figure : figures) {
+    const auto same = std::find_if(english.begin(), english.end(),
+                                   [&](const ReportFigure& one) { return one.id == figure.id; });
+    if (same != english.end()) figure.english_csv = figure_csv(*same, most_csv_rows);
+  }
+}
+
 }  // namespace tribolog::figures

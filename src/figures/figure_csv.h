@@ -2,9 +2,12 @@
 // The data behind a figure, as text to compute with.
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "figures/report_figure.h"
+#include "wording/language.h"
 
 namespace tribolog::figures {
 
@@ -18,5 +21,16 @@ namespace tribolog::figures {
 ///        sum: of every block the lowest and the highest sample stay, and a comment says so.
 /// @return empty for a figure without panels: diagrams and drawings show no data.
 std::string figure_csv(const ReportFigure& figure, std::size_t most_rows);
+
+inline constexpr std::size_t most_csv_rows = 420;  ///< About 10 kB; a report has some twenty.
+
+/// What `make` makes, in a language. The data of a figure are the same in every language: those of
+/// the same figures in English.
+std::vector<ReportFigure> figures_in(const wording::Language& language,
+                                     const std::function<std::vector<ReportFigure>()>& make);
+
+/// Gives each figure the data of the one with its id.
+void take_english_data(const std::vector<ReportFigure>& english,
+                       std::vector<ReportFigure>& figures);
 
 }  // namespace tribolog::figures

@@ -6,6 +6,7 @@
 
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
@@ -115,7 +116,7 @@ constexpr int two_panels_px = 1500;
 render::figure::Panel over_angle(const calibration::Calibration& calibration, const LoopView& view,
                                  const LoopCurves& curves) {
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+  panel.x.title = wording::axis_title(wording::tr("joint angle from the loop's centre q − q_{{0}}"),
                                       wording::AxisScale{view.angle.factor, view.angle.unit});
   panel.y.title = wording::axis_title(curves.title, curves.scale);
   if (curves.all != nullptr) {
@@ -137,7 +138,7 @@ render::figure::Panel over_angle(const calibration::Calibration& calibration, co
 render::figure::Panel over_time(const calibration::Calibration& calibration, const LoopView& view,
                                 const LoopCurves& curves) {
   render::figure::Panel panel;
-  panel.x.title = "time t [s]";
+  panel.x.title = wording::tr("time t [s]");
   panel.y.title = wording::axis_title(curves.title, curves.scale);
   panel.show_legend = false;
   const wording::AxisScale time = view.time();

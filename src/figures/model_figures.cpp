@@ -6,10 +6,14 @@
 #include <fmt/format.h>
 
 #include "simulate/model_portrait.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::figures {
 namespace {
+
+using wording::to_translate;
+using wording::tr;
 
 struct Portrait {
   const friction::FrictionModelEntry* entry;
@@ -67,14 +71,16 @@ ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sittin
   std::replace(out.id.begin(), out.id.end(), '_', '-');
   out.title = title_of(entry);
   out.caption = sitting.caption(portrait.curves);
-  out.alt = fmt::format("{} of {}: {}", sitting.title, title_of(entry), out.caption);
+  out.alt =
+      tr("{experiment} of {model}: {result}",
+         {{"experiment", tr(sitting.title)}, {"model", title_of(entry)}, {"result", out.caption}});
   out.figure.id = out.id;
   out.figure.title = title_of(entry);
   out.figure.width_px = 1280;
   out.figure.height_px = 820;
   render::figure::Panel panel;
-  panel.x.title = sitting.x_title;
-  panel.y.title = "friction T_{f} [N]";
+  panel.x.title = tr(sitting.x_title);
+  panel.y.title = tr("friction T_{{f}} [N]");
   x.set(panel.x);
   y.set(panel.y);
   render::figure::Series own =
@@ -103,59 +109,63 @@ std::string signed_text(double value) {
 }
 
 std::string break_away_words(const simulate::ModelPortrait& p) {
-  return fmt::format("largest {:.3f} N, then {:.3f} N in sliding.", p.largest_Nm, p.sliding_Nm);
+  return tr("largest {largest_force_N:.3f} N, then {sliding_force_N:.3f} N in sliding.",
+            {{"largest_force_N", p.largest_Nm}, {"sliding_force_N", p.sliding_Nm}});
 }
 
 std::string static_words(const simulate::ModelPortrait& p) {
   const auto& torque = p.steady.torque_Nm;
-  return fmt::format("{:.3f} N next to rest, {:.3f} N at five Stribeck velocities.",
-                     torque[torque.size() / 2], torque.back());
+  return tr("{force_at_rest_N:.3f} N next to rest, {force_N:.3f} N at five Stribeck velocities.",
+            {{"force_at_rest_N", torque[torque.size() / 2]}, {"force_N", torque.back()}});
 }
 
 std::string loop_words(const simulate::ModelPortrait& p) {
-  return fmt::format("torque where a small inner loop closes: {} N off where it began.",
-                     signed_text(p.inner_loop_gap_Nm));
+  return tr("torque where a small inner loop closes: {gap_N} N off where it began.",
+            {{"gap_N", signed_text(p.inner_loop_gap_Nm)}});
 }
 
 std::string lag_words(const simulate::ModelPortrait& p) {
-  return fmt::format("at rising speed {} N more than at falling speed, on the average.",
-                     signed_text(p.lag_Nm));
+  return tr("at rising speed {difference_N} N more than at falling speed, on the average.",
+            {{"difference_N", signed_text(p.lag_Nm)}});
 }
 
 std::vector<Sitting> sittings() {
   return {
       {"static-curve",
-       "Static curve",
-       "Friction of steady sliding at each speed. The Stribeck effect is the fall from rest.",
-       "speed [mm/s]",
+       to_translate("Static curve"),
+       to_translate(
+           "Friction of steady sliding at each speed. The Stribeck effect is the fall from rest."),
+       to_translate("speed [mm/s]"),
        1e3,
        &simulate::ModelPortrait::steady,
        static_words,
        {}},
       {"presliding-loop",
-       "Pre-sliding loop",
-       "A slow stroke of one and a half elastic deflections with a third harmonic, so that it "
-       "turns back within itself; two periods from rest. With non-local memory an inner loop "
-       "closes where it was left, and the outer curve goes on as if nothing had been.",
-       "displacement [µm]",
+       to_translate("Pre-sliding loop"),
+       to_translate(
+           "A slow stroke of one and a half elastic deflections with a third harmonic, so that it "
+           "turns back within itself; two periods from rest. With non-local memory an inner loop "
+           "closes where it was left, and the outer curve goes on as if nothing had been."),
+       to_translate("displacement [µm]"),
        1e6,
        &simulate::ModelPortrait::loop,
        loop_words,
        {0.55, 0.7, 0.85}},
       {"lag-loop",
-       "Frictional lag",
-       "Speed going up and down at 20 Hz between 0.3 and 2.1 Stribeck velocities, always "
-       "forward. Friction that lags is larger at rising speed.",
-       "speed [mm/s]",
+       to_translate("Frictional lag"),
+       to_translate(
+           "Speed going up and down at 20 Hz between 0.3 and 2.1 Stribeck velocities, always "
+           "forward. Friction that lags is larger at rising speed."),
+       to_translate("speed [mm/s]"),
        1e3,
        &simulate::ModelPortrait::lag,
        lag_words,
        {0.25, 0.75}},
       {"break-away",
-       "Break-away",
-       "Pushed from rest at a hundredth of the Stribeck velocity. The peak, if there is one, is "
-       "the break-away force.",
-       "displacement [µm]",
+       to_translate("Break-away"),
+       to_translate("Pushed from rest at a hundredth of the Stribeck velocity. The peak, if there "
+                    "is one, is the break-away force."),
+       to_translate("displacement [µm]"),
        1e6,
        &simulate::ModelPortrait::break_away,
        break_away_words,
@@ -182,7 +192,7 @@ std::vector<ModelExperiment> model_experiments(const friction::ContactParameters
       x.add(scaled);
       y.add(curve.torque_Nm);
     }
-    ModelExperiment experiment{sitting.id, sitting.title, sitting.explanation, {}};
+    ModelExperiment experiment{sitting.id, tr(sitting.title), tr(sitting.explanation), {}};
     for (const Portrait& one : portraits) {
       experiment.figures.push_back(chart(one, *lugre, sitting, x, y));
     }

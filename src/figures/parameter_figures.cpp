@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,11 +13,15 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::figures {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 namespace colour = render::figure::palette;
 using render::figure::LineStyle;
@@ -46,8 +51,8 @@ render::figure::Panel curves_panel(const calibration::Calibration& c,
                                    const wording::AxisScale& scale) {
   const method::viscous::CurveModelChoice& choice = c.curve_model;
   render::figure::Panel panel;
-  panel.x.title = "size of " + wording::speed_quantity(c.manifest) + " [rad/s]";
-  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
+  panel.x.title = wording::speed_size(c.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title(tr("friction along the motion T_{{f}}"), scale);
   const wording::Extent speeds = wording::extent_of(choice.curve_speed_rad_s);
   if (speeds.low > 0 && speeds.high > wide_range * speeds.low) {
     panel.x.logarithmic = true;
@@ -58,15 +63,15 @@ render::figure::Panel curves_panel(const calibration::Calibration& c,
   panel.error_bars.clear();  // those are figure 21's
   for (render::figure::Series& series : panel.series) {
     // To be seen beside the lines, and both where the directions agree.
-    const bool is_backward = series.label.find("backward") != std::string::npos;
-    series.marker_size_px = is_backward ? diamond_px : circle_px;
+    series.marker_size_px =
+        series.marker == render::figure::Marker::diamond ? diamond_px : circle_px;
   }
   for (const method::viscous::CurveModelTrial& trial : choice.ladder) {
     if (!trial.excluded_because.empty()) continue;
     const bool is_chosen = trial.model.law == choice.chosen.law;
     const LawStyle style = style_of(trial.model.law);
-    add_visible(panel, line(wording::words(method::viscous::described(trial.model.law)) +
-                                (is_chosen ? " (chosen)" : ""),
+    const std::string model = wording::words(method::viscous::described(trial.model.law));
+    add_visible(panel, line(is_chosen ? tr("{model} (chosen)", {{"model", model}}) : model,
                             choice.curve_speed_rad_s, shown(trial.curve_Nm, scale), style.colour,
                             is_chosen ? chosen_px : other_px, style.style));
   }
@@ -82,13 +87,13 @@ render::figure::Panel errors_panel(const method::viscous::CurveModelChoice& choi
   }
   const wording::AxisScale scale = wording::prefixed("N·m", errors.largest());
   render::figure::Panel panel;
-  panel.x.title = "parameters of the model";
+  panel.x.title = tr("parameters of the model");
   panel.x.counts = true;
-  panel.y.title = wording::axis_title("rms error", scale);
+  panel.y.title = wording::axis_title(tr("rms error"), scale);
   panel.y.minimum = 0;
-  render::figure::Series held = line("at speeds held out: decides", {}, {}, colour::vermilion);
+  render::figure::Series held = line(tr("at speeds held out: decides"), {}, {}, colour::vermilion);
   render::figure::Series training =
-      line("on its own data", {}, {}, colour::blue, 2.5, render::figure::LineStyle::dash);
+      line(tr("on its own data"), {}, {}, colour::blue, 2.5, render::figure::LineStyle::dash);
   held.marker = render::figure::Marker::circle;
   training.marker = render::figure::Marker::square;
   held.marker_size_px = training.marker_size_px = 13.0;
@@ -101,8 +106,8 @@ render::figure::Panel errors_panel(const method::viscous::CurveModelChoice& choi
     training.y.push_back(scale(t.training_rms_Nm));
     if (t.model.law == choice.chosen.law) {
       add_visible(panel,
-                  render::figure::PointLabel{parameters, held.y.back(), "chosen", colour::vermilion,
-                                             render::figure::Marker::none});
+                  render::figure::PointLabel{parameters, held.y.back(), tr("chosen"),
+                                             colour::vermilion, render::figure::Marker::none});
     }
   }
   const wording::Extent counts = wording::extent_of(held.x);
@@ -123,7 +128,7 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   if (chosen == nullptr) return std::nullopt;
   ReportFigure out;
   out.id = "fig-curve-models";
-  out.title = "Which friction model the curve carries";
+  out.title = tr("Which friction model the curve carries");
   out.stage = "friction_parameters";
   out.figure.panels.push_back(
       curves_panel(c, wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest())));
@@ -132,22 +137,30 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   out.figure.height_px = 1400;
   const std::string error =
       wording::size_words(chosen->held_out_rms_Nm, wording::torque_floor_Nm, "N·m");
-  out.caption = fmt::format(
-      "Chosen: {} ({}), with an error of {} at speeds held out.",
-      wording::words(method::viscous::described(choice.chosen)),
-      wording::counted(static_cast<std::size_t>(choice.chosen.parameters()), "parameter"), error);
-  out.how_to_read =
+  const std::string model = wording::words(method::viscous::described(choice.chosen));
+  const int parameters = choice.chosen.parameters();
+  out.caption = tr_count(
+      parameters,
+      "Chosen: {model} ({parameters} parameter), with an error of {error} at speeds held out.",
+      "Chosen: {model} ({parameters} parameters), with an error of {error} at speeds held out.",
+      {{"model", model}, {"parameters", parameters}, {"error", error}});
+  out.how_to_read = tr(
       "Above, the models on the curve; where a term for load or direction was taken up they are "
       "drawn at the mean load and the mean of the directions, and the points scatter about them. "
       "Below, at the same speeds: the error on a model's own data falls with every parameter and "
       "says nothing; the error at speeds that took no part in the fit stops falling, or rises, "
       "where the parameters "
-      "begin to follow noise. The simplest model within one standard error of the best is taken.";
-  out.alt = fmt::format(
-      "Friction curves of {} over the measured curve, and their errors over the "
-      "number of parameters. Chosen: {}, {} at speeds held out.",
-      wording::counted(choice.ladder.size(), "model"),
-      wording::words(method::viscous::described(choice.chosen)), error);
+      "begin to follow noise. The simplest model within one standard error of the best is taken.");
+  const auto models = static_cast<std::int64_t>(choice.ladder.size());
+  out.alt =
+      tr_count(models,
+               "Friction curves of {models} model over the measured curve, and their errors "
+               "over the number of parameters.",
+               "Friction curves of {models} models over the measured curve, and their errors "
+               "over the number of parameters.",
+               {{"models", models}}) +
+      " " +
+      tr("Chosen: {model}, {error} at speeds held out.", {{"model", model}, {"error", error}});
   return out;
 }
 
@@ -161,19 +174,27 @@ void add_line(render::figure::Panel& panel, const std::optional<method::viscous:
   };
   add_visible(
       panel,
-      line(rising ? "line, forward" : "line, backward", {l->slowest_rad_s, l->fastest_rad_s},
-           {at(l->slowest_rad_s), at(l->fastest_rad_s)}, rising ? rising_colour : falling_colour,
-           4.0, rising ? render::figure::LineStyle::solid : render::figure::LineStyle::dash));
+      line(rising ? tr("line, forward") : tr("line, backward"),
+           {l->slowest_rad_s, l->fastest_rad_s}, {at(l->slowest_rad_s), at(l->fastest_rad_s)},
+           rising ? rising_colour : falling_colour, 4.0,
+           rising ? render::figure::LineStyle::solid : render::figure::LineStyle::dash));
 }
 
-std::string words(const std::optional<method::viscous::DirectionLine>& l, const char* direction) {
-  if (!l) return fmt::format(" {}: too few speeds.", direction);
-  return fmt::format(
-      " {}: Coulomb {}, viscous {}, from {}.", direction,
-      wording::with_interval(l->coulomb_Nm, wording::prefixed("N·m", l->coulomb_Nm.value)),
-      wording::with_interval(l->viscous_Nms_rad,
-                             wording::prefixed("N·m·s/rad", l->viscous_Nms_rad.value)),
-      wording::counted(l->runs, "run"));
+std::string words(const std::optional<method::viscous::DirectionLine>& l, bool rising) {
+  if (!l) return rising ? tr("Forward: too few speeds.") : tr("Backward: too few speeds.");
+  const std::string coulomb =
+      wording::with_interval(l->coulomb_Nm, wording::prefixed("N·m", l->coulomb_Nm.value));
+  const std::string viscous = wording::with_interval(
+      l->viscous_Nms_rad, wording::prefixed("N·m·s/rad", l->viscous_Nms_rad.value));
+  const auto runs = static_cast<std::int64_t>(l->runs);
+  if (rising) {
+    return tr_count(runs, "Forward: Coulomb {coulomb}, viscous {viscous}, from {runs} run.",
+                    "Forward: Coulomb {coulomb}, viscous {viscous}, from {runs} runs.",
+                    {{"coulomb", coulomb}, {"viscous", viscous}, {"runs", runs}});
+  }
+  return tr_count(runs, "Backward: Coulomb {coulomb}, viscous {viscous}, from {runs} run.",
+                  "Backward: Coulomb {coulomb}, viscous {viscous}, from {runs} runs.",
+                  {{"coulomb", coulomb}, {"viscous", viscous}, {"runs", runs}});
 }
 
 }  // namespace
@@ -190,28 +211,32 @@ std::optional<ReportFigure> direction_lines_figure(const calibration::Calibratio
       wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest());
   ReportFigure out;
   out.id = "fig-directions";
-  out.title = "Friction of each direction";
+  out.title = tr("Friction of each direction");
   out.stage = "friction_parameters";
   render::figure::Panel panel;
-  panel.x.title = "size of " + wording::speed_quantity(c.manifest) + " [rad/s]";
-  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
+  panel.x.title = wording::speed_size(c.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title(tr("friction along the motion T_{{f}}"), scale);
   add_folded_curve(panel, c, lines->estimator, scale, true);
   add_line(panel, lines->rising, true, scale);
   add_line(panel, lines->falling, false, scale);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
-  out.caption = fmt::format("Gravity removed: {}.{}{}", candidate_words(c, lines->estimator),
-                            words(lines->rising, "Forward"), words(lines->falling, "Backward"));
-  out.how_to_read =
+  const std::string both = words(lines->rising, true) + " " + words(lines->falling, false);
+  out.caption =
+      tr("Gravity removed: {candidate}.", {{"candidate", candidate_words(c, lines->estimator)}}) +
+      " " + both;
+  out.how_to_read = tr(
       "Each direction has its own line, through the runs that travel far enough for ripple to "
       "average out and lie beyond the Stribeck dip. Parallel lines apart are friction that is not "
       "the same in both directions, an offset of the torque signal, or a wrong gravity torque; "
-      "lines of different slope are different viscous friction.";
-  out.alt = fmt::format(
-      "Friction over the size of the {} speed, forward and backward, each with a "
-      "straight line.{}{}",
-      wording::shaft(c.manifest), words(lines->rising, "Forward"),
-      words(lines->falling, "Backward"));
+      "lines of different slope are different viscous friction.");
+  out.alt =
+      (wording::has_motor_side(c.manifest)
+           ? tr("Friction over the size of the motor speed, forward and backward, each with a "
+                "straight line.")
+           : tr("Friction over the size of the joint speed, forward and backward, each with a "
+                "straight line.")) +
+      " " + both;
   return out;
 }
 
@@ -236,13 +261,13 @@ render::figure::Panel over_load(const method::viscous::LoadDependenceResult& r,
     friction.push_back(scale(p.friction_Nm - viscous * p.speed_rad_s));
   }
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("size of the gravity torque", scale);
+  panel.x.title = wording::axis_title(tr("size of the gravity torque"), scale);
   panel.y.title = wording::axis_title(
-      r.viscous_Nms_rad ? "friction less its viscous part" : "friction T_{f}", scale);
-  add_visible(panel, markers("(T(+) − T(−)) / 2 at equal angle", load, friction));
+      r.viscous_Nms_rad ? tr("friction less its viscous part") : tr("friction T_{{f}}"), scale);
+  add_visible(panel, markers(tr("(T(+) − T(−)) / 2 at equal angle"), load, friction));
   const auto fitted = [&](double at) { return scale(r.unloaded_Nm.value + r.per_load.value * at); };
   const std::vector<double> ends{r.lowest_load_Nm, r.highest_load_Nm};
-  add_visible(panel, line("fit", shown(ends, scale), {fitted(ends[0]), fitted(ends[1])},
+  add_visible(panel, line(tr("fit"), shown(ends, scale), {fitted(ends[0]), fitted(ends[1])},
                           render::figure::palette::vermilion, 4.0));
   return panel;
 }
@@ -258,10 +283,10 @@ render::figure::Panel over_angle(const calibration::Calibration& c,
     fit.push_back(scale(p.fit_Nm));
   }
   render::figure::Panel panel;
-  panel.x.title = "joint angle q [°]";
-  panel.y.title = wording::axis_title("friction T_{f}", scale);
-  add_visible(panel, markers("(T(+) − T(−)) / 2 at equal angle", angle, friction));
-  add_visible(panel, line("fit", angle, fit, render::figure::palette::vermilion, 4.0));
+  panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
+  panel.y.title = wording::axis_title(tr("friction T_{{f}}"), scale);
+  add_visible(panel, markers(tr("(T(+) − T(−)) / 2 at equal angle"), angle, friction));
+  add_visible(panel, line(tr("fit"), angle, fit, render::figure::palette::vermilion, 4.0));
   panel.show_legend = false;
   return panel;
 }
@@ -276,26 +301,32 @@ std::optional<ReportFigure> load_dependence_figure(const calibration::Calibratio
   const wording::AxisScale scale = wording::prefixed("N·m", friction.largest());
   ReportFigure out;
   out.id = "fig-load-dependence";
-  out.title = "Friction against load";
+  out.title = tr("Friction against load");
   out.stage = "friction_parameters";
   out.figure.panels.push_back(over_load(r, scale));
   if (out.figure.panels.front().series.empty()) return std::nullopt;
   out.figure.panels.push_back(over_angle(c, scale));
   out.figure.height_px = 1400;
-  const std::string slope =
-      fmt::format("{:.3g} % of the gravity torque ({:.3g} to {:.3g} %)", 100 * r.per_load.value,
-                  100 * r.per_load.low, 100 * r.per_load.high);
-  out.caption = r.found ? "Friction grows with the load, by " + slope + "."
-                        : "Friction does not visibly grow with the load: " + slope + ".";
-  out.how_to_read =
+  const double percent = 100 * r.per_load.value;
+  const double low = 100 * r.per_load.low;
+  const double high = 100 * r.per_load.high;
+  out.caption =
+      r.found ? tr("Friction grows with the load, by {percent:.3g} % of the gravity torque "
+                   "({low:.3g} to {high:.3g} %).",
+                   {{"percent", percent}, {"low", low}, {"high", high}})
+              : tr("Friction does not visibly grow with the load: {percent:.3g} % of the gravity "
+                   "torque ({low:.3g} to {high:.3g} %).",
+                   {{"percent", percent}, {"low", low}, {"high", high}});
+  out.how_to_read = tr(
       "Half the difference of the two directions at equal angle is friction, whatever gravity is. "
       "Points along a rising line are friction that grows with the load; below, it then has its "
       "least where gravity torque passes zero. A fit that misses a pattern over the angle means "
-      "friction that depends on the angle itself.";
+      "friction that depends on the angle itself.");
   out.alt =
-      fmt::format("Friction over the gravity torque from {} to {}, and over the joint angle. {}",
-                  wording::with_unit(r.lowest_load_Nm, scale, 3),
-                  wording::with_unit(r.highest_load_Nm, scale, 3), out.caption);
+      tr("Friction over the gravity torque from {lowest} to {highest}, and over the joint angle.",
+         {{"lowest", wording::with_unit(r.lowest_load_Nm, scale, 3)},
+          {"highest", wording::with_unit(r.highest_load_Nm, scale, 3)}}) +
+      " " + out.caption;
   return out;
 }
 

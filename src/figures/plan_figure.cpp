@@ -11,11 +11,14 @@
 #include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 namespace {
 
 namespace colour = render::figure::palette;
+using wording::tr;
+using wording::tr_count;
 
 struct PartLook {
   joint::Role role;
@@ -63,7 +66,7 @@ render::figure::Panel time_panel(const plan::ExperimentPlan& plan, const std::st
                                  Signal signal, const std::vector<PartLook>& parts,
                                  bool with_legend) {
   render::figure::Panel panel;
-  panel.x.title = "time t [min]";
+  panel.x.title = tr("time t [min]");
   panel.y.title = y_title;
   panel.show_legend = with_legend;
   // By segments: a travel lasts a moment, and its peak must not fall between two samples.
@@ -74,7 +77,7 @@ render::figure::Panel time_panel(const plan::ExperimentPlan& plan, const std::st
     between.x.insert(between.x.end(), part.x.begin(), part.x.end());
     between.y.insert(between.y.end(), part.y.begin(), part.y.end());
   }
-  between.label = with_legend ? "travel and rest" : "";
+  between.label = with_legend ? tr("travel and rest") : "";
   between.colour = colour::grey;
   between.width_px = 2;
   add_visible(panel, std::move(between));
@@ -97,15 +100,15 @@ render::figure::Panel time_panel(const plan::ExperimentPlan& plan, const std::st
 ReportFigure motion_figure(const plan::ExperimentPlan& plan) {
   ReportFigure out;
   out.id = "plan-motion";
-  out.title = "The plan over time";
+  out.title = tr("The plan over time");
   out.stage = "plan";
   out.figure.panels = {
-      time_panel(plan, "joint angle q [°]", angle_deg, all_parts, true),
-      time_panel(plan, "motor speed dφ/dt [rad/s]", motor_speed, all_parts, false)};
+      time_panel(plan, tr("joint angle q [°]"), angle_deg, all_parts, true),
+      time_panel(plan, tr("motor speed dφ/dt [rad/s]"), motor_speed, all_parts, false)};
   const bool has_ramps = plan.part(joint::Role::break_away).recordings > 0;
   if (has_ramps) {
     out.figure.panels.push_back(
-        time_panel(plan, "ramp torque, motor [N·m]", ramp_torque, {all_parts.back()}, false));
+        time_panel(plan, tr("ramp torque, motor [N·m]"), ramp_torque, {all_parts.back()}, false));
   }
   out.figure.panels_share_x = true;
   out.figure.height_px = has_ramps ? 1400 : 1050;
@@ -115,17 +118,20 @@ ReportFigure motion_figure(const plan::ExperimentPlan& plan) {
     parts.push_back(fmt::format("{} ({})", exports::experiment::part_title(part.role),
                                 exports::experiment::duration_text(part.duration_s)));
   }
-  out.caption = fmt::format("{} in all: {}.", exports::experiment::duration_text(plan.duration_s()),
-                            wording::listed(parts));
-  out.how_to_read = "Coloured: what is recorded and identified; grey: travel and rest between.";
+  const std::string duration = exports::experiment::duration_text(plan.duration_s());
+  out.caption = tr("{duration} in all: {parts}.",
+                   {{"duration", duration}, {"parts", wording::listed(parts)}});
+  out.how_to_read = tr("Coloured: what is recorded and identified; grey: travel and rest between.");
   if (!plan.positions_rad.empty()) {
-    out.how_to_read += " The oscillations are too small to be seen at this scale.";
+    out.how_to_read += " " + tr("The oscillations are too small to be seen at this scale.");
   }
-  if (has_ramps)
-    out.how_to_read += " During the ramps the set angle stands while the torque rises.";
-  out.alt = fmt::format("{} panels over {}: joint angle, motor speed{}.", has_ramps ? 3 : 2,
-                        exports::experiment::duration_text(plan.duration_s()),
-                        has_ramps ? " and ramp torque" : "");
+  if (has_ramps) {
+    out.how_to_read += " " + tr("During the ramps the set angle stands while the torque rises.");
+  }
+  out.alt = has_ramps ? tr("3 panels over {duration}: joint angle, motor speed and ramp torque.",
+                           {{"duration", duration}})
+                      : tr("2 panels over {duration}: joint angle, motor speed.",
+                           {{"duration", duration}});
   return out;
 }
 
@@ -140,19 +146,19 @@ std::optional<ReportFigure> oscillation_figure(const plan::ExperimentPlan& plan)
   const double centre = plan.positions_rad.front();
   ReportFigure out;
   out.id = "plan-oscillation";
-  out.title = "Start of the first oscillation";
+  out.title = tr("Start of the first oscillation");
   out.stage = "plan";
   render::figure::Panel panel;
-  panel.x.title = "time t [s]";
+  panel.x.title = tr("time t [s]");
   panel.y.title = fmt::format("q − ({}) [µrad]",
                               wording::significant(centre * joint::degrees_per_rad, 6) + "°");
   render::figure::Series before =
       stretch(plan, angle_deg, from, first->from_s, samples_of_segment, 1);
-  before.label = "travel, rest and start";
+  before.label = tr("travel, rest and start");
   before.colour = colour::grey;
   render::figure::Series recorded =
       stretch(plan, angle_deg, first->from_s, to, 4 * samples_of_segment, 1);
-  recorded.label = "recorded: whole cycles of a sine";
+  recorded.label = tr("recorded: whole cycles of a sine");
   recorded.colour = colour::vermilion;
   recorded.width_px = 3.5;
   for (render::figure::Series* s : {&before, &recorded}) {
@@ -161,19 +167,23 @@ std::optional<ReportFigure> oscillation_figure(const plan::ExperimentPlan& plan)
   }
   out.figure.panels = {std::move(panel)};
   out.figure.height_px = 700;
-  out.caption = fmt::format(
-      "Three cycles of the first of {} oscillations: amplitude {} µrad at the joint, {} mrad at "
-      "the "
-      "motor, {} Hz.",
-      plan.part(joint::Role::oscillation).recordings,
-      wording::significant(plan.amplitude_rad * 1e6, 3),
-      wording::significant(plan.amplitude_rad * plan.joint.facts.gear_ratio * 1e3, 3),
-      wording::significant(plan.frequency_Hz, 3));
+  const std::size_t oscillations = plan.part(joint::Role::oscillation).recordings;
+  const double motor_amplitude_rad = plan.amplitude_rad * plan.joint.facts.gear_ratio;
+  out.caption = tr_count(
+      static_cast<std::int64_t>(oscillations),
+      "Three cycles of the first of {oscillations} oscillation: amplitude {amplitude} µrad at the "
+      "joint, {motor_amplitude} mrad at the motor, {frequency} Hz.",
+      "Three cycles of the first of {oscillations} oscillations: amplitude {amplitude} µrad at the "
+      "joint, {motor_amplitude} mrad at the motor, {frequency} Hz.",
+      {{"oscillations", oscillations},
+       {"amplitude", wording::significant(plan.amplitude_rad * 1e6, 3)},
+       {"motor_amplitude", wording::significant(motor_amplitude_rad * 1e3, 3)},
+       {"frequency", wording::significant(plan.frequency_Hz, 3)}});
   out.how_to_read =
-      "The speed rises from rest without a jump before the first recorded cycle and falls to rest "
-      "behind the last. The log must show such a sine: a drive that smooths its set points, or a "
-      "joint that sticks within its play, does not.";
-  out.alt = "Joint angle over time: rest, a short smooth start, then a sine.";
+      tr("The speed rises from rest without a jump before the first recorded cycle and falls to "
+         "rest behind the last. The log must show such a sine: a drive that smooths its set "
+         "points, or a joint that sticks within its play, does not.");
+  out.alt = tr("Joint angle over time: rest, a short smooth start, then a sine.");
   return out;
 }
 

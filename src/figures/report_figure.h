@@ -22,6 +22,7 @@ struct ReportFigure {
   std::string alt;          ///< The picture in words, made from the numbers.
   std::string stage;        ///< Name of the StageReport that it belongs to.
   render::figure::Figure figure;
+  std::string english_csv;  ///< Its data (figure_csv.h), where its words are in another language.
 };
 
 // Numbers of a recording or a result made ready for a panel: scaled, selected, never altered.

@@ -12,10 +12,13 @@
 #include "figures/report_figure.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
 namespace {
+
+using wording::tr;
 
 constexpr double bin_px = 14.0;  // a bin's marker, on which the reference's still leaves a ring
 constexpr int reference_points = 200;
@@ -89,16 +92,17 @@ void add_reference(render::figure::Panel& panel, const calibration::Calibration&
 
 std::string reference_label(const calibration::Calibration& calibration) {
   if (calibration.quality.reference != "direction_difference") {
-    return "reference: " + reference_words(calibration.quality.reference);
+    return tr("reference: {reference}",
+              {{"reference", reference_words(calibration.quality.reference)}});
   }
-  const std::string speed = wording::speed_symbol(calibration.manifest);
-  return "reference: (T(+" + speed + ") − T(−" + speed + ")) / 2";
+  return tr("reference: (T(+{speed}) − T(−{speed})) / 2",
+            {{"speed", wording::speed_symbol(calibration.manifest)}});
 }
 
 std::string reference_words(const std::string& reference) {
-  if (reference == "analytic") return "analytic curve";
-  if (reference == "direction_difference") return "half the difference of the directions";
-  return reference.empty() ? "none" : reference;
+  if (reference == "analytic") return tr("analytic curve");
+  if (reference == "direction_difference") return tr("half the difference of the directions");
+  return reference.empty() ? tr("none") : reference;
 }
 
 std::string candidate_words(const calibration::Calibration& calibration,
@@ -147,7 +151,8 @@ void add_folded_curve(render::figure::Panel& panel, const calibration::Calibrati
   const std::string who = candidate_words(calibration, estimator);
   for (const bool forward : {true, false}) {
     render::figure::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
-    series.label = who + (forward ? ", forward" : ", backward");
+    series.label = forward ? tr("{candidate}, forward", {{"candidate", who}})
+                           : tr("{candidate}, backward", {{"candidate", who}});
     series.colour = colour_of(forward, recommended);
     series.style = render::figure::LineStyle::none;
     // Small on large: where the directions agree, both are seen.
@@ -216,7 +221,7 @@ void add_fitted_laws(render::figure::Panel& panel,
       x.push_back(friction.fit_speed_rad_s[i]);
       y.push_back(scale(friction.fit_Nm[i]));
     }
-    add_visible(panel, line("Waiboer's law, fitted", std::move(x), std::move(y),
+    add_visible(panel, line(tr("Waiboer's law, fitted"), std::move(x), std::move(y),
                             render::figure::palette::purple, 3.0, render::figure::LineStyle::dash));
   }
   if (!friction.coulomb_viscous) return;
@@ -231,7 +236,7 @@ void add_fitted_laws(render::figure::Panel& panel,
     y.push_back(scale(law.coulomb_Nm.value + law.viscous_Nms_rad.value * speed));
   }
   add_visible(panel,
-              line("Coulomb + viscous, fitted", std::move(x), std::move(y),
+              line(tr("Coulomb + viscous, fitted"), std::move(x), std::move(y),
                    render::figure::palette::green, 3.0, render::figure::LineStyle::dash_dot));
 }
 

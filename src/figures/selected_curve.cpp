@@ -4,35 +4,49 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "figures/run_curves.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 namespace {
 
+using wording::tr;
+
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 
+/// Of each fitted law a sentence, with a space before it.
 std::string fit_words(const calibration::Calibration& calibration) {
   const method::selection::FrictionParametersResult& friction = calibration.friction;
   std::string text;
   if (friction.coulomb_viscous) {
     const method::selection::CoulombViscousFit& law = *friction.coulomb_viscous;
-    text += fmt::format(
-        " Coulomb friction {}, viscous {} at the {}.",
-        wording::with_interval(law.coulomb_Nm, wording::prefixed("N·m", law.coulomb_Nm.value)),
-        wording::with_interval(law.viscous_Nms_rad,
-                               wording::prefixed("N·m·s/rad", law.viscous_Nms_rad.value)),
-        wording::shaft(calibration.manifest));
+    const std::string coulomb =
+        wording::with_interval(law.coulomb_Nm, wording::prefixed("N·m", law.coulomb_Nm.value));
+    const std::string viscous = wording::with_interval(
+        law.viscous_Nms_rad, wording::prefixed("N·m·s/rad", law.viscous_Nms_rad.value));
+    text += " ";
+    text += wording::has_motor_side(calibration.manifest)
+                ? tr("Coulomb friction {coulomb}, viscous {viscous} at the motor.",
+                     {{"coulomb", coulomb}, {"viscous", viscous}})
+                : tr("Coulomb friction {coulomb}, viscous {viscous} at the joint.",
+                     {{"coulomb", coulomb}, {"viscous", viscous}});
   }
   if (friction.waiboer && friction.waiboer->converged) {
-    text += fmt::format(
-        " The scatter about Waiboer's law is {}.",
-        wording::size_words(friction.waiboer->residual_Nm, wording::torque_floor_Nm, "N·m"));
+    text += " " + tr("The scatter about Waiboer's law is {scatter}.",
+                     {{"scatter", wording::size_words(friction.waiboer->residual_Nm,
+                                                      wording::torque_floor_Nm, "N·m")}});
   }
   return text;
+}
+
+/// Begins with a space; empty without the paper's rule.
+std::string paper_words(const calibration::Calibration& calibration) {
+  const std::string& estimator = calibration.selection.paper_rule;
+  if (estimator.empty()) return {};
+  return " " + tr("The paper's rule selects {candidate}.",
+                  {{"candidate", candidate_words(calibration, estimator)}});
 }
 
 }  // namespace
@@ -53,12 +67,12 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   ReportFigure out;
   out.number = 21;
   out.id = "fig-21-selected-curve";
-  out.title = "Selected friction curve";
+  out.title = tr("Selected friction curve");
   out.stage = "friction_parameters";
   const wording::AxisScale scale = wording::prefixed("N·m", friction.largest());
   render::figure::Panel panel;
-  panel.x.title = "size of " + wording::speed_quantity(calibration.manifest) + " [rad/s]";
-  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
+  panel.x.title = wording::speed_size(calibration.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title(tr("friction along the motion T_{{f}}"), scale);
   if (!calibration.viscous.from_sweep && speeds.high > wide_range * speeds.low) {
     panel.x.logarithmic = true;
     panel.x.minimum = 0.8 * speeds.low;
@@ -76,30 +90,33 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
 
-  const std::string paper = selection.paper_rule.empty()
-                                ? std::string()
-                                : fmt::format(" The paper's rule selects {}.",
-                                              candidate_words(calibration, selection.paper_rule));
-  const std::string recommended =
-      selection.recommended.empty()
-          ? std::string("no estimator is recommended")
-          : "recommended: " + candidate_words(calibration, selection.recommended);
-  out.caption = fmt::format("Friction with gravity removed; {}.{}{}", recommended, paper,
-                            fit_words(calibration));
+  const std::string recommended = candidate_words(calibration, selection.recommended);
+  const std::string rest = paper_words(calibration) + fit_words(calibration);
+  out.caption = (selection.recommended.empty()
+                     ? tr("Friction with gravity removed; no estimator is recommended.")
+                     : tr("Friction with gravity removed; recommended: {candidate}.",
+                          {{"candidate", recommended}})) +
+                rest;
   out.how_to_read =
       calibration.viscous.from_sweep
-          ? "Each marker is the friction at one angle of the sweep, at the joint's speed there. "
-            "Forward and backward should coincide within their bars; two branches at the "
-            "same speed mean that friction also depends on load or angle, and then no law of "
-            "speed alone fits."
-          : "Forward and backward runs are folded onto each other. With the right mass they "
-            "coincide within their bars (drawn where longer than a marker) and lie on the "
-            "reference; a constant gap between them is twice the error in gravity torque. The "
-            "fitted laws should pass through the points without a pattern.";
-  out.alt = fmt::format("Friction torque against speed from {} to {}; {}.{}{}",
-                        wording::significant(speeds.low, 3),
-                        wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3),
-                        recommended, paper, fit_words(calibration));
+          ? tr("Each marker is the friction at one angle of the sweep, at the joint's speed there. "
+               "Forward and backward should coincide within their bars; two branches at the "
+               "same speed mean that friction also depends on load or angle, and then no law of "
+               "speed alone fits.")
+          : tr("Forward and backward runs are folded onto each other. With the right mass they "
+               "coincide within their bars (drawn where longer than a marker) and lie on the "
+               "reference; a constant gap between them is twice the error in gravity torque. The "
+               "fitted laws should pass through the points without a pattern.");
+  const std::string slowest = wording::significant(speeds.low, 3);
+  const std::string fastest = wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3);
+  out.alt = (selection.recommended.empty()
+                 ? tr("Friction torque against speed from {slowest} to {fastest}; no estimator is "
+                      "recommended.",
+                      {{"slowest", slowest}, {"fastest", fastest}})
+                 : tr("Friction torque against speed from {slowest} to {fastest}; recommended: "
+                      "{candidate}.",
+                      {{"slowest", slowest}, {"fastest", fastest}, {"candidate", recommended}})) +
+            rest;
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/reading_label.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::figures {
@@ -20,6 +21,8 @@ namespace {
 namespace colour = render::figure::palette;
 using render::figure::LineStyle;
 using render::figure::Marker;
+using wording::tr;
+using wording::tr_count;
 
 constexpr int panel_height_px = 560;
 constexpr render::figure::Colour colour_of_promise{0, 158, 115, 60};
@@ -72,11 +75,19 @@ double bias_millidegree(const study::ErrorStatistics& e) {
   return 1e3 * e.bias * joint::degrees_per_rad;
 }
 
+std::string title_of(const study::StudyFactor& factor) {
+  return wording::words_for("factor", factor.key);
+}
+
+std::string axis_of(const study::StudyFactor& factor) {
+  return wording::words_for("factor_axis", factor.key);
+}
+
 render::figure::Panel panel_of(const study::StudyResult& study, const study::StudyFactor& factor,
                                const std::vector<std::string>& readings, const std::string& y_title,
                                const Shown& shown) {
   render::figure::Panel panel;
-  panel.x.title = factor.axis;
+  panel.x.title = axis_of(factor);
   panel.x.logarithmic = factor.logarithmic;
   panel.y.title = y_title;
   for (const std::string& reading : readings) {
@@ -111,12 +122,12 @@ render::figure::Panel coverage_panel(const study::StudyResult& study,
                                      const study::StudyFactor& factor,
                                      const std::vector<std::string>& readings) {
   render::figure::Panel panel =
-      panel_of(study, factor, readings, "intervals that hold the truth [%]", coverage_percent);
+      panel_of(study, factor, readings, tr("intervals that hold the truth [%]"), coverage_percent);
   panel.y.minimum = -4;
   panel.y.maximum = 104;
   const double first = factor.levels.front().value;
   const double last = factor.levels.back().value;
-  panel.bands.push_back({"91 to 99 %", {first, last}, {91, 91}, {99, 99}, colour_of_promise});
+  panel.bands.push_back({tr("91 to 99 %"), {first, last}, {91, 91}, {99, 99}, colour_of_promise});
   panel.show_legend = false;
   return panel;
 }
@@ -126,11 +137,11 @@ void add_panel(render::figure::Panel panel, ReportFigure& out) {
 }
 
 ReportFigure empty_figure(const study::StudyFactor& factor, const char* kind,
-                          const std::string& what) {
+                          const std::string& title) {
   ReportFigure out;
   out.id = fmt::format("study-{}-{}", kind, factor.key);
   std::replace(out.id.begin(), out.id.end(), '_', '-');
-  out.title = fmt::format("{}: {}", factor.title, what);
+  out.title = title;
   out.stage = factor.key;
   return out;
 }
@@ -154,8 +165,10 @@ std::string bias_range(const study::StudyResult& study, const study::StudyFactor
     if (r != nullptr) extent.add(bias_percent(r->errors));
   }
   if (extent.empty) return {};
-  return fmt::format("{} {:+.3f} to {:+.3f} %", wording::words_for("reading", reading), extent.low,
-                     extent.high);
+  return tr("{estimator} {lowest_percent:+.3f} to {highest_percent:+.3f} %",
+            {{"estimator", wording::words_for("reading", reading)},
+             {"lowest_percent", extent.low},
+             {"highest_percent", extent.high}});
 }
 
 std::string bias_words(const study::StudyResult& study, const study::StudyFactor& factor,
@@ -165,7 +178,7 @@ std::string bias_words(const study::StudyResult& study, const study::StudyFactor
     const std::string range = bias_range(study, factor, reading);
     if (!range.empty()) words += (words.empty() ? "" : ", ") + range;
   }
-  return words.empty() ? "no estimator was found at any level" : words;
+  return words.empty() ? tr("no estimator was found at any level") : words;
 }
 
 std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
@@ -174,34 +187,39 @@ std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
   const std::vector<std::string> averages{"AB", "CD", "EF", "sweep", "fit", "midline"};
   std::vector<std::string> all{"A", "B", "A_steady", "B_steady"};
   all.insert(all.end(), averages.begin(), averages.end());
-  ReportFigure out = empty_figure(factor, "gravity", "gravity torque");
+  ReportFigure out = empty_figure(factor, "gravity",
+                                  tr("{factor}: gravity torque", {{"factor", title_of(factor)}}));
   render::figure::Panel points =
-      panel_of(study, factor, readings_of_points, "bias [%]", bias_percent);
-  points.title = "single points and the mid-line";
+      panel_of(study, factor, readings_of_points, tr("bias [%]"), bias_percent);
+  points.title = tr("single points and the mid-line");
   add_line(points, 0, "");
   add_panel(std::move(points), out);
-  render::figure::Panel means = panel_of(study, factor, averages, "bias [%]", bias_percent);
-  means.title = "estimators that average";
+  render::figure::Panel means = panel_of(study, factor, averages, tr("bias [%]"), bias_percent);
+  means.title = tr("estimators that average");
   add_line(means, 0, "");
   add_panel(std::move(means), out);
   render::figure::Panel scatter =
-      panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
-  scatter.title = "scatter from run to run";
+      panel_of(study, factor, all, tr("standard deviation [%]"), scatter_percent);
+  scatter.title = tr("scatter from run to run");
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
   render::figure::Panel coverage = coverage_panel(study, factor, all);
-  coverage.title = "coverage of the stated 95 % intervals";
+  coverage.title = tr("coverage of the stated 95 % intervals");
   add_panel(std::move(coverage), out);
-  out.caption = fmt::format(
-      "Errors of the gravity torque in % of the truth, {} runs a level. Bias: {}",
-      study.options.runs, bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"}));
+  out.caption = tr_count(
+      static_cast<std::int64_t>(study.options.runs),
+      "Errors of the gravity torque in % of the truth, {runs} run a level. Bias: {biases}",
+      "Errors of the gravity torque in % of the truth, {runs} runs a level. Bias: {biases}",
+      {{"runs", study.options.runs},
+       {"biases", bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"})}});
   out.how_to_read =
-      "A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
-      "steady loop they lie symmetrically, so that their mean, the other pair means and the "
-      "mid-line do not. An interval keeps its promise within the green band of the lowest panel, "
-      "91 to 99 %; below it is narrower than it claims.";
-  out.alt = fmt::format("Bias, scatter and coverage of the gravity torque against {}: {}.",
-                        factor.axis, bias_words(study, factor, {"A", "B", "midline"}));
+      tr("A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
+         "steady loop they lie symmetrically, so that their mean, the other pair means and the "
+         "mid-line do not. An interval keeps its promise within the green band of the lowest "
+         "panel, 91 to 99 %; below it is narrower than it claims.");
+  out.alt = tr("Bias, scatter and coverage of the gravity torque against {factor_axis}: {biases}.",
+               {{"factor_axis", axis_of(factor)},
+                {"biases", bias_words(study, factor, {"A", "B", "midline"})}});
   return finished(std::move(out));
 }
 
@@ -211,33 +229,39 @@ std::optional<ReportFigure> friction_figure(const study::StudyResult& study,
                                             "coulomb", "viscous"};
   std::vector<std::string> all = parameters;
   all.emplace_back("q_peak");
-  ReportFigure out = empty_figure(factor, "friction", "angle and friction parameters");
-  render::figure::Panel bias = panel_of(study, factor, parameters, "bias [%]", bias_percent);
+  ReportFigure out =
+      empty_figure(factor, "friction",
+                   tr("{factor}: angle and friction parameters", {{"factor", title_of(factor)}}));
+  render::figure::Panel bias = panel_of(study, factor, parameters, tr("bias [%]"), bias_percent);
   add_line(bias, 0, "");
   add_panel(std::move(bias), out);
   render::figure::Panel scatter =
-      panel_of(study, factor, parameters, "standard deviation [%]", scatter_percent);
+      panel_of(study, factor, parameters, tr("standard deviation [%]"), scatter_percent);
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
   render::figure::Panel angle =
-      panel_of(study, factor, {"q_peak"}, "bias of q_{peak} [10^{−3} °]", bias_millidegree);
+      panel_of(study, factor, {"q_peak"}, tr("bias of q_{{peak}} [10^{{−3}} °]"), bias_millidegree);
   add_line(angle, 0, "");
   angle.show_legend = false;
   add_panel(std::move(angle), out);
   render::figure::Panel coverage = coverage_panel(study, factor, all);
   coverage.show_legend = true;
   add_panel(std::move(coverage), out);
-  out.caption = fmt::format(
-      "Errors of the angle of the gravity peak and of the friction parameters, {} runs "
-      "a level. Bias: {}",
-      study.options.runs, bias_words(study, factor, parameters));
+  const std::string biases = bias_words(study, factor, parameters);
+  out.caption = tr_count(static_cast<std::int64_t>(study.options.runs),
+                         "Errors of the angle of the gravity peak and of the friction parameters, "
+                         "{runs} run a level. Bias: {biases}",
+                         "Errors of the angle of the gravity peak and of the friction parameters, "
+                         "{runs} runs a level. Bias: {biases}",
+                         {{"runs", study.options.runs}, {"biases", biases}});
   out.how_to_read =
-      "As above. Coulomb torque and viscous coefficient are those of the straight line that the "
-      "same motions give without noise; where runs at constant speed take no part, they are "
-      "absent.";
+      tr("As above. Coulomb torque and viscous coefficient are those of the straight line that the "
+         "same motions give without noise; where runs at constant speed take no part, they are "
+         "absent.");
   out.alt =
-      fmt::format("Bias, scatter and coverage of angle and friction parameters against {}: {}.",
-                  factor.axis, bias_words(study, factor, parameters));
+      tr("Bias, scatter and coverage of angle and friction parameters against {factor_axis}: "
+         "{biases}.",
+         {{"factor_axis", axis_of(factor)}, {"biases", biases}});
   return finished(std::move(out));
 }
 

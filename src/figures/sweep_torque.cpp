@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
 #include "figures/sweep_traces.h"
@@ -16,12 +14,15 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
 // The gravity peak on a torque curve: the largest torque (the paper's way) and the fitted vertex.
 
 namespace {
+
+using wording::tr;
 
 constexpr double visible_share = 0.004;  // of the angle range: a narrower interval is not drawn
 
@@ -35,7 +36,7 @@ void add_argmax(render::figure::Panel& panel, const method::gravity::CogSweepRes
   const wording::AxisScale deg = wording::degrees();
   const double level = torque(sweep.argmax_torque_Nm);
   render::figure::Series interval =
-      line("interval of the largest T", {deg(sweep.argmax_low_rad), deg(sweep.argmax_high_rad)},
+      line(tr("interval of the largest T"), {deg(sweep.argmax_low_rad), deg(sweep.argmax_high_rad)},
            {level, level}, render::figure::palette::black, 2.5);
   interval.marker = render::figure::Marker::plus;
   if (wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
@@ -43,7 +44,8 @@ void add_argmax(render::figure::Panel& panel, const method::gravity::CogSweepRes
   }
   add_visible(panel, render::figure::PointLabel{
                          deg(sweep.argmax_rad), level,
-                         "largest T at " + wording::with_unit(sweep.argmax_rad, deg, 4),
+                         tr("largest T at {angle}",
+                            {{"angle", wording::with_unit(sweep.argmax_rad, deg, 4)}}),
                          render::figure::palette::black, render::figure::Marker::diamond});
 }
 
@@ -57,7 +59,7 @@ void add_peak(render::figure::Panel& panel, const method::gravity::CogSweepResul
   const statistics::Estimate& peak = sweep.q_peak_rad;
   if (wide_enough(sweep, peak.low, peak.high) && !torques.empty) {
     render::figure::Band band;
-    band.label = "95 % interval of q_{peak}";
+    band.label = tr("95 % interval of q_{{peak}}");
     band.x = {deg(peak.low), deg(peak.high)};
     band.low = {torque(torques.low), torque(torques.low)};
     band.high = {torque(torques.high), torque(torques.high)};
@@ -73,17 +75,25 @@ void add_peak(render::figure::Panel& panel, const method::gravity::CogSweepResul
 /// "the largest torque, 4.77 N·m, stands at −22.2° (noise allows −22.9° to −21.6°)"
 std::string argmax_words(const method::gravity::CogSweepResult& sweep) {
   const wording::AxisScale deg = wording::degrees();
-  std::string text =
-      fmt::format("the largest torque, {}, stands at {}",
-                  wording::with_unit(sweep.argmax_torque_Nm, wording::AxisScale{1.0, "N·m"}, 4),
-                  wording::with_unit(sweep.argmax_rad, deg, 4));
-  if (wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
-    text +=
-        fmt::format(" (noise allows {} to {})", wording::with_unit(sweep.argmax_low_rad, deg, 4),
-                    wording::with_unit(sweep.argmax_high_rad, deg, 4));
+  const std::string torque =
+      wording::with_unit(sweep.argmax_torque_Nm, wording::AxisScale{1.0, "N·m"}, 4);
+  const std::string angle = wording::with_unit(sweep.argmax_rad, deg, 4);
+  if (!wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
+    return sweep.argmax_at_end
+               ? tr("the largest torque, {torque}, stands at {angle}, the end of the sweep: no "
+                    "peak was crossed there",
+                    {{"torque", torque}, {"angle", angle}})
+               : tr("the largest torque, {torque}, stands at {angle}",
+                    {{"torque", torque}, {"angle", angle}});
   }
-  if (sweep.argmax_at_end) text += ", the end of the sweep: no peak was crossed there";
-  return text;
+  const std::string low = wording::with_unit(sweep.argmax_low_rad, deg, 4);
+  const std::string high = wording::with_unit(sweep.argmax_high_rad, deg, 4);
+  return sweep.argmax_at_end
+             ? tr("the largest torque, {torque}, stands at {angle} (noise allows {low} to {high}), "
+                  "the end of the sweep: no peak was crossed there",
+                  {{"torque", torque}, {"angle", angle}, {"low", low}, {"high", high}})
+             : tr("the largest torque, {torque}, stands at {angle} (noise allows {low} to {high})",
+                  {{"torque", torque}, {"angle", angle}, {"low", low}, {"high", high}});
 }
 
 constexpr double dot_px = 7.0;  // wider than the fit, to be seen beside it in a clean log
@@ -92,16 +102,17 @@ constexpr double paleness = 0.6;
 struct Direction {
   Stroke stroke;
   const std::vector<double>& fit_Nm;
-  std::string words;
+  std::string label;
+  std::string fit_label;
   render::figure::Colour colour;
   render::figure::LineStyle fit_style;
 };
 
 std::vector<Direction> directions_of(const method::gravity::CogSweepResult& sweep) {
-  return {{Stroke::rising, sweep.fit_rising_Nm, "q rising", rising_colour,
+  return {{Stroke::rising, sweep.fit_rising_Nm, tr("q rising"), tr("fit, q rising"), rising_colour,
            render::figure::LineStyle::solid},
-          {Stroke::falling, sweep.fit_falling_Nm, "q falling", falling_colour,
-           render::figure::LineStyle::dash}};
+          {Stroke::falling, sweep.fit_falling_Nm, tr("q falling"), tr("fit, q falling"),
+           falling_colour, render::figure::LineStyle::dash}};
 }
 
 wording::Extent torques_of(const method::gravity::CogSweepResult& sweep,
@@ -116,7 +127,7 @@ void add_direction(render::figure::Panel& panel, const method::gravity::CogSweep
                    const std::vector<SweepTrace>& sweeps, const Direction& direction,
                    const wording::AxisScale& torque) {
   render::figure::Series samples =
-      line(direction.words,
+      line(direction.label,
            shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), wording::degrees()),
            shown(signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm), torque),
            lightened(direction.colour, paleness), 1.0, render::figure::LineStyle::none);
@@ -125,7 +136,7 @@ void add_direction(render::figure::Panel& panel, const method::gravity::CogSweep
   add_visible(panel, std::move(samples));
   if (direction.fit_Nm.size() != sweep.fit_q_rad.size()) return;
   add_visible(panel,
-              line("fit, " + direction.words, shown(sweep.fit_q_rad, wording::degrees()),
+              line(direction.fit_label, shown(sweep.fit_q_rad, wording::degrees()),
                    shown(direction.fit_Nm, torque), direction.colour, 3.5, direction.fit_style));
 }
 
@@ -143,22 +154,48 @@ double distance_to_argmax(const method::gravity::CogSweepResult& sweep,
   return distance;
 }
 
-void add_words(ReportFigure& out, const method::gravity::CogSweepResult& sweep,
-               const std::string& name, const std::string& amplitude) {
-  out.caption = fmt::format("{}: least squares puts the gravity peak at {}{}; {}.", name,
-                            wording::with_interval(sweep.q_peak_rad, wording::degrees()), amplitude,
-                            argmax_words(sweep));
-  if (sweep.coulomb_Nm) {
-    out.caption +=
-        fmt::format(" Half the distance of the directions is {} of friction.",
-                    wording::with_interval(*sweep.coulomb_Nm,
-                                           wording::prefixed("N·m", sweep.coulomb_Nm->value)));
-  }
-  out.alt = fmt::format("Driving torque against joint angle, {} to {}: gravity peak at {}, {}.",
-                        wording::with_unit(sweep.lowest_rad, wording::degrees(), 3),
-                        wording::with_unit(sweep.highest_rad, wording::degrees(), 3),
-                        wording::with_interval(sweep.q_peak_rad, wording::degrees()),
-                        argmax_words(sweep));
+std::string peak_words(const method::gravity::CogSweepResult& sweep) {
+  return wording::with_interval(sweep.q_peak_rad, wording::degrees());
+}
+
+/// A sentence with a space before it; empty for a sweep in one direction.
+std::string friction_words(const method::gravity::CogSweepResult& sweep) {
+  if (!sweep.coulomb_Nm) return {};
+  const std::string friction =
+      wording::with_interval(*sweep.coulomb_Nm, wording::prefixed("N·m", sweep.coulomb_Nm->value));
+  return " " + tr("Half the distance of the directions is {friction} of friction.",
+                  {{"friction", friction}});
+}
+
+std::string rough_caption(const method::gravity::CogSweepResult& sweep, bool at_motor) {
+  const std::string peak = peak_words(sweep);
+  const std::string gravity =
+      wording::with_interval(sweep.gravity_Nm, wording::prefixed("N·m", sweep.gravity_Nm.value));
+  const std::string largest = argmax_words(sweep);
+  const std::string caption =
+      at_motor ? tr("Rough sweep: least squares puts the gravity peak at {q_peak}, with a gravity "
+                    "torque of {gravity} at the motor; {largest_torque}.",
+                    {{"q_peak", peak}, {"gravity", gravity}, {"largest_torque", largest}})
+               : tr("Rough sweep: least squares puts the gravity peak at {q_peak}, with a gravity "
+                    "torque of {gravity} at the joint; {largest_torque}.",
+                    {{"q_peak", peak}, {"gravity", gravity}, {"largest_torque", largest}});
+  return caption + friction_words(sweep);
+}
+
+std::string precise_caption(const method::gravity::CogSweepResult& sweep) {
+  return tr("Precise sweep: least squares puts the gravity peak at {q_peak}; {largest_torque}.",
+            {{"q_peak", peak_words(sweep)}, {"largest_torque", argmax_words(sweep)}}) +
+         friction_words(sweep);
+}
+
+std::string alt_of(const method::gravity::CogSweepResult& sweep) {
+  return tr(
+      "Driving torque against joint angle, {low} to {high}: gravity peak at {q_peak}, "
+      "{largest_torque}.",
+      {{"low", wording::with_unit(sweep.lowest_rad, wording::degrees(), 3)},
+       {"high", wording::with_unit(sweep.highest_rad, wording::degrees(), 3)},
+       {"q_peak", peak_words(sweep)},
+       {"largest_torque", argmax_words(sweep)}});
 }
 
 }  // namespace
@@ -179,11 +216,11 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   ReportFigure out;
   out.number = 13;
   out.id = "fig-13-rough-torque";
-  out.title = "Rough sweep: driving torque against angle";
+  out.title = tr("Rough sweep: driving torque against angle");
   out.stage = "cog_rough";
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("joint angle q", wording::degrees());
-  panel.y.title = wording::axis_title("driving torque T", torque, "N·m");
+  panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
+  panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
   for (const Direction& direction : directions) {
     add_direction(panel, sweep, samples, direction, torque);
   }
@@ -191,16 +228,13 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   add_argmax(panel, sweep, torque);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
-  add_words(out, sweep, "Rough sweep",
-            fmt::format(", with a gravity torque of {} at the {}",
-                        wording::with_interval(sweep.gravity_Nm,
-                                               wording::prefixed("N·m", sweep.gravity_Nm.value)),
-                        wording::shaft(dataset.manifest)));
-  out.how_to_read =
+  out.caption = rough_caption(sweep, wording::has_motor_side(dataset.manifest));
+  out.alt = alt_of(sweep);
+  out.how_to_read = tr(
       "The two directions should be the same cosine, one friction torque above and below gravity, "
       "and the fit should run through the middle of the samples everywhere. A fit that leaves the "
       "samples at the ends, or directions that approach each other along the stroke, mean friction "
-      "that depends on load or angle, or a payload that moved.";
+      "that depends on load or angle, or a payload that moved.");
   return out;
 }
 
@@ -216,14 +250,14 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   ReportFigure out;
   out.number = 14;
   out.id = "fig-14-precise-torque";
-  out.title = "Precise sweep: driving torque near its maximum";
+  out.title = tr("Precise sweep: driving torque near its maximum");
   out.stage = "cog_precise";
   for (const Direction& direction : directions) {
     const wording::Extent torques = torques_of(sweep, samples, direction);
     const wording::AxisScale torque = wording::levelled("N·m", torques);
     render::figure::Panel panel;
-    panel.x.title = wording::axis_title("joint angle q", wording::degrees());
-    panel.y.title = wording::axis_title("driving torque T", torque, "N·m");
+    panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
+    panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
     add_direction(panel, sweep, samples, direction, torque);
     if (panel.series.empty()) continue;
     add_peak(panel, sweep, torques, torque);
@@ -233,11 +267,12 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   if (out.figure.panels.empty()) return std::nullopt;
   out.figure.panels_share_x = true;
   if (out.figure.panels.size() > 1) out.figure.height_px = 1200;
-  add_words(out, sweep, "Precise sweep", "");
-  out.how_to_read =
+  out.caption = precise_caption(sweep);
+  out.alt = alt_of(sweep);
+  out.how_to_read = tr(
       "Near its peak torque is flat: one degree beside it only 0.015 % are missing. Trust the "
       "fitted vertex and the width of its interval, not the one highest sample; if the black bar "
-      "is about as wide as the sweep, the log cannot tell the peak from its neighbours.";
+      "is about as wide as the sweep, the log cannot tell the peak from its neighbours.");
   return out;
 }
 

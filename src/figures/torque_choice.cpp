@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "calibration/calibration.h"
 #include "figures/estimator_style.h"
@@ -14,12 +12,15 @@
 #include "figures/report_figure.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::figures {
 
 // The point that the paper's rule chose on the loop, beside the mid-line: data and words.
 
 namespace {
+
+using wording::tr;
 
 /// Pointers into the calibration, null where there is none; must not outlive it.
 struct Choice {
@@ -65,27 +66,62 @@ Choice choice_of(const calibration::Calibration& calibration) {
   return choice;
 }
 
-/// "the paper's rule reads 3.866 N·m at B (78.81 kg); the mid-line ... averages ...": for caption,
-/// alt.
-std::string choice_words(const calibration::Calibration& calibration, const Choice& choice,
+/// What the caption and the alternative text say; empty where there is no such reading.
+struct ChoiceWords {
+  std::string torque;   ///< "3.866 N·m", by the paper's rule.
+  std::string point;    ///< "B (78.81 kg)"
+  std::string midline;  ///< "3.874 ± 0.004 N·m (79.01 kg)"
+};
+
+ChoiceWords choice_words(const calibration::Calibration& calibration, const Choice& choice,
                          const wording::AxisScale& torque) {
-  std::string text;
+  ChoiceWords words;
   if (choice.chosen != nullptr) {
     const std::string name(1, choice.chosen->name);
-    text += fmt::format("the paper's rule reads {} at {}{}",
-                        wording::with_unit(choice.chosen->torque_Nm, torque, 4), name,
-                        mass_words(calibration, name));
+    words.torque = wording::with_unit(choice.chosen->torque_Nm, torque, 4);
+    words.point = name + mass_words(calibration, name);
   }
   if (choice.midline != nullptr) {
-    if (!text.empty()) text += "; ";
-    text += fmt::format("the mid-line of the steady loop averages {}{}",
-                        wording::with_interval(*choice.midline, torque),
-                        mass_words(calibration, "midline"));
+    words.midline =
+        wording::with_interval(*choice.midline, torque) + mass_words(calibration, "midline");
   }
-  return text;
+  return words;
 }
 
-/// Eq. (14) in a sentence, with the uncertainty of the peak itself. Empty
+std::string caption_of(const ChoiceWords& choice) {
+  if (choice.midline.empty()) {
+    return tr("On the loop the paper's rule reads {torque} at {point}.",
+              {{"torque", choice.torque}, {"point", choice.point}});
+  }
+  if (choice.torque.empty()) {
+    return tr("On the loop the mid-line of the steady loop averages {midline}.",
+              {{"midline", choice.midline}});
+  }
+  return tr(
+      "On the loop the paper's rule reads {torque} at {point}; the mid-line of the steady loop "
+      "averages {midline}.",
+      {{"torque", choice.torque}, {"point", choice.point}, {"midline", choice.midline}});
+}
+
+std::string alt_of(const ChoiceWords& choice) {
+  if (choice.midline.empty()) {
+    return tr(
+        "Hysteresis loop with the choice of torque: the paper's rule reads {torque} at {point}.",
+        {{"torque", choice.torque}, {"point", choice.point}});
+  }
+  if (choice.torque.empty()) {
+    return tr(
+        "Hysteresis loop with the choice of torque: the mid-line of the steady loop averages "
+        "{midline}.",
+        {{"midline", choice.midline}});
+  }
+  return tr(
+      "Hysteresis loop with the choice of torque: the paper's rule reads {torque} at {point}; the "
+      "mid-line of the steady loop averages {midline}.",
+      {{"torque", choice.torque}, {"point", choice.point}, {"midline", choice.midline}});
+}
+
+/// Eq. (14) in a sentence with a space before it, and the uncertainty of the peak itself. Empty
 /// without a chosen point or a peak.
 std::string shift_words(const calibration::Calibration& calibration, const Choice& choice) {
   if (choice.chosen == nullptr || !calibration.q_peak_rad) return {};
@@ -94,16 +130,18 @@ std::string shift_words(const calibration::Calibration& calibration, const Choic
   const double half = peak.half_width();
   if (!std::isfinite(shift)) return {};
   const wording::AxisScale scale = wording::prefixed("rad", shift);
-  std::string text =
-      fmt::format(" Eq. (14) shifts the angle by {}", wording::with_unit(shift, scale, 3));
-  if (half > worth_saying * std::abs(shift) && std::isfinite(half)) {
-    text += fmt::format("{} to ± {}",
-                        half > std::abs(shift) ? ", but the peak itself is only known"
-                                               : "; the peak itself is known",
-
-                        wording::with_unit(half, scale, 2));
+  const std::string angle = wording::with_unit(shift, scale, 3);
+  if (!(half > worth_saying * std::abs(shift)) || !std::isfinite(half)) {
+    return " " + tr("Eq. (14) shifts the angle by {angle}.", {{"angle", angle}});
   }
-  return text + ".";
+  const std::string half_width = wording::with_unit(half, scale, 2);
+  return " " + (half > std::abs(shift)
+                    ? tr("Eq. (14) shifts the angle by {angle}, but the peak itself is only known "
+                         "to ± {half_width}.",
+                         {{"angle", angle}, {"half_width", half_width}})
+                    : tr("Eq. (14) shifts the angle by {angle}; the peak itself is known to ± "
+                         "{half_width}.",
+                         {{"angle", angle}, {"half_width", half_width}}));
 }
 
 constexpr double zoom = 1.7;           // of the farthest reading's distance from the mid-line
@@ -123,16 +161,16 @@ void add_loop(render::figure::Panel& panel, const calibration::Calibration& cali
   const bool model = view.model_torque_Nm != nullptr &&
                      !calibration.hysteresis.bristle_source.is("loop.bristle_recorded");
   const auto& strokes = model ? *view.model_torque_Nm : trace.torque_Nm;
-  add_visible(panel, line(legend ? "measured" : "", shown(trace.q_rad, view.angle),
+  add_visible(panel, line(legend ? tr("measured") : "", shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));
   render::figure::Series first =
-      line(legend ? (model ? "first strokes, LuGre fit" : "first strokes") : "",
+      line(legend ? (model ? tr("first strokes, LuGre fit") : tr("first strokes")) : "",
            shown(view.until(view.first_strokes_end_s, trace.q_rad), view.angle),
            shown(view.until(view.first_strokes_end_s, strokes), torque),
            render::figure::palette::blue, strokes_px);
   first.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
   add_visible(panel, std::move(first));
-  add_visible(panel, line(legend ? "mid-line of the steady loop" : "",
+  add_visible(panel, line(legend ? tr("mid-line of the steady loop") : "",
                           shown(trace.midline_q_rad, view.angle), shown(trace.midline_Nm, torque),
                           render::figure::palette::black, 3.0, render::figure::LineStyle::dash));
 }
@@ -151,7 +189,7 @@ void add_dimension(render::figure::Panel& panel, double from, double to, double 
 }
 
 void add_reading(render::figure::Panel& panel, const method::hysteresis::LoopPoint* point,
-                 const std::string& extra, const LoopView& view, const wording::AxisScale& torque) {
+                 bool is_steady, const LoopView& view, const wording::AxisScale& torque) {
   if (point == nullptr) return;
   const std::string name(1, point->name);
   const SeriesStyle style = estimator_style(name);
@@ -160,28 +198,32 @@ void add_reading(render::figure::Panel& panel, const method::hysteresis::LoopPoi
     panel.error_bars.push_back(
         {x, torque(point->torque_low_Nm), torque(point->torque_high_Nm), style.colour});
   }
-  add_visible(panel, render::figure::PointLabel{
-                         x, torque(point->torque_Nm),
-                         name + extra + ": " + wording::with_unit(point->torque_Nm, torque, 4),
-                         render::figure::palette::black, style.marker});
+  const std::string read = wording::with_unit(point->torque_Nm, torque, 4);
+  add_visible(panel, render::figure::PointLabel{x, torque(point->torque_Nm),
+                                                is_steady ? tr("{point} steady: {torque}",
+                                                               {{"point", name}, {"torque", read}})
+                                                          : name + ": " + read,
+                                                render::figure::palette::black, style.marker});
 }
 
 render::figure::Panel whole_loop(const calibration::Calibration& calibration, LoopView view,
                                  const Choice& choice, const wording::AxisScale& torque) {
   render::figure::Panel panel;
   const bool at_peak = add_gravity_peak(panel, calibration, view);
-  panel.x.title = wording::axis_title(at_peak ? "joint angle from the gravity peak q − q_{peak}"
-                                              : "joint angle from the loop's centre q − q_{0}",
-                                      wording::AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = wording::axis_title("driving torque T", torque);
+  panel.x.title =
+      wording::axis_title(at_peak ? tr("joint angle from the gravity peak q − q_{{peak}}")
+                                  : tr("joint angle from the loop's centre q − q_{{0}}"),
+                          wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title(tr("driving torque T"), torque);
   add_loop(panel, calibration, view, torque, true);
   if (choice.chosen == nullptr) return panel;
   const std::string name(1, choice.chosen->name);
   const SeriesStyle style = estimator_style(name);
   const double x = view.angle(choice.chosen->q_rad);
-  add_visible(panel, render::figure::PointLabel{x, torque(choice.chosen->torque_Nm),
-                                                name + ", the paper's choice",
-                                                render::figure::palette::black, style.marker});
+  add_visible(panel,
+              render::figure::PointLabel{x, torque(choice.chosen->torque_Nm),
+                                         tr("{point}, the paper's choice", {{"point", name}}),
+                                         render::figure::palette::black, style.marker});
   if (!at_peak || !std::isfinite(x)) return panel;
   const double peak = view.angle(present(calibration.q_peak_rad).value);
   panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::vertical, x,
@@ -189,8 +231,9 @@ render::figure::Panel whole_loop(const calibration::Calibration& calibration, Lo
                                    render::figure::LineStyle::dot});
   const wording::Extent torques = wording::extent_of(view.trace->torque_Nm);
   add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()), style.colour,
-                "eq. (14): q_{" + name + "} − q_{peak} = " + wording::significant(x - peak, 3) +
-                    " " + view.angle.unit);
+                tr("eq. (14): {angle} = {shift}",
+                   {{"angle", "q_{" + name + "} − q_{peak}"},
+                    {"shift", wording::significant(x - peak, 3) + " " + view.angle.unit}}));
   return panel;
 }
 
@@ -198,11 +241,11 @@ render::figure::Panel around_midline(const calibration::Calibration& calibration
                                      const LoopView& view, const Choice& choice,
                                      const wording::AxisScale& torque) {
   render::figure::Panel panel;
-  panel.title = "Close-up around the mid-line";
+  panel.title = tr("Close-up around the mid-line");
   panel.show_legend = false;
-  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+  panel.x.title = wording::axis_title(tr("joint angle from the loop's centre q − q_{{0}}"),
                                       wording::AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = wording::axis_title("driving torque T", torque);
+  panel.y.title = wording::axis_title(tr("driving torque T"), torque);
   const double middle = choice.midline->value;
   wording::Extent distances;
   distances.add(choice.midline->half_width());
@@ -226,16 +269,17 @@ render::figure::Panel around_midline(const calibration::Calibration& calibration
   add_loop(panel, calibration, view, torque, false);
   panel.reference_lines.push_back(
       {render::figure::ReferenceLine::Direction::horizontal, torque(middle),
-       "mean of the mid-line " + wording::with_interval(*choice.midline, torque), peak_colour,
-       render::figure::LineStyle::dash});
-  add_reading(panel, choice.chosen, "", view, torque);
-  add_reading(panel, choice.other, "", view, torque);
+       tr("mean of the mid-line {torque}",
+          {{"torque", wording::with_interval(*choice.midline, torque)}}),
+       peak_colour, render::figure::LineStyle::dash});
+  add_reading(panel, choice.chosen, false, view, torque);
+  add_reading(panel, choice.other, false, view, torque);
   const double same_Nm = same_share * reach;
   if (!coincide(choice.chosen, choice.chosen_steady, same_Nm)) {
-    add_reading(panel, choice.chosen_steady, " steady", view, torque);
+    add_reading(panel, choice.chosen_steady, true, view, torque);
   }
   if (!coincide(choice.other, choice.other_steady, same_Nm)) {
-    add_reading(panel, choice.other_steady, " steady", view, torque);
+    add_reading(panel, choice.other_steady, true, view, torque);
   }
 
   return panel;
@@ -253,7 +297,7 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
   ReportFigure out;
   out.number = 22;
   out.id = "fig-22-torque-choice";
-  out.title = "Choice of torque and angle on the loop";
+  out.title = tr("Choice of torque and angle on the loop");
   out.stage = "selection";
   render::figure::Panel probe;
   if (add_gravity_peak(probe, calibration, *view)) {
@@ -268,15 +312,15 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
     out.figure.height_px = 1500;
   }
   if (out.figure.panels.front().series.empty()) return std::nullopt;
-  const std::string words = choice_words(calibration, choice, torque);
-  out.caption = fmt::format("On the loop {}.{}", words, shift_words(calibration, choice));
-  out.how_to_read =
+  const ChoiceWords words = choice_words(calibration, choice, torque);
+  const std::string shift = shift_words(calibration, choice);
+  out.caption = caption_of(words) + shift;
+  out.how_to_read = tr(
       "In the steady loop opposite points lie equally far above and below gravity, so that their "
       "mean and the mid-line are free of friction; a single point is not, and comes close only by "
       "the way the first stroke began. Distrust a choice that lies outside the mid-line's "
-      "interval.";
-  out.alt = fmt::format("Hysteresis loop with the choice of torque: {}.{}", words,
-                        shift_words(calibration, choice));
+      "interval.");
+  out.alt = alt_of(words) + shift;
   return out;
 }
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/requirements.h"
 #include "figures/history_axes.h"
@@ -14,6 +17,8 @@
 #include "statistics/distributions.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 
@@ -26,8 +31,14 @@ using history::FoundChange;
 using history::HistoryPoint;
 using history::LeftOut;
 using history::QuantityTrend;
+using wording::tr;
+using wording::tr_count;
 
 constexpr std::size_t many_points = 40;
+
+std::string name_of(const history::QuantityTrend& trend) {
+  return wording::words_for("quantity", trend.name, trend.words);
+}
 
 render::figure::Series marks(const std::string& label, render::figure::Colour c,
                              render::figure::Marker marker, std::size_t all) {
@@ -53,7 +64,7 @@ double margin_of(const history::QuantityTrend& trend) {
 }
 
 void set_time_axis(const history::QuantityTrend& trend, render::figure::Panel& panel) {
-  panel.x.title = "measured on (UTC)";
+  panel.x.title = tr("measured on (UTC)");
   panel.x.dates = true;
   panel.x.minimum = day_of(trend.points.front().measured_at) - margin_of(trend);
   panel.x.maximum = day_of(trend.points.back().measured_at) + margin_of(trend);
@@ -66,7 +77,7 @@ void add_reference(const history::QuantityTrend& trend, const wording::AxisScale
   const double level = trend.reference->level;
   const double scatter = wide * trend.reference->scatter();
   render::figure::Band band;
-  band.label = "reference ± 2 standard deviations of a calibration";
+  band.label = tr("reference ± 2 standard deviations of a calibration");
   band.x = {present(panel.x.minimum), present(panel.x.maximum)};
   band.low = {scale(level - scatter), scale(level - scatter)};
   band.high = {scale(level + scatter), scale(level + scatter)};
@@ -84,18 +95,21 @@ void mark_changes(const history::QuantityTrend& trend, bool with_text,
                             render::figure::Colour c) {
     render::figure::ReferenceLine line;
     line.at = day_of(date);
-    if (with_text) line.text = text + " " + date_of(date);
+    if (with_text) line.text = text;
     line.colour = c;
     panel.reference_lines.push_back(std::move(line));
   };
   for (const history::FoundChange& change : trend.changes) {
-    if (change.is_slow) {
-      add_line(change.alarm, "visible from", colour::vermilion);
-      continue;
+    const std::string& visible = change.is_slow ? change.alarm : change.from;
+    add_line(visible, tr("visible from {date}", {{"date", date_of(visible)}}), colour::vermilion);
+    if (change.is_slow) continue;
+    if (change.alarm != change.from) {
+      add_line(change.alarm, tr("alarm {date}", {{"date", date_of(change.alarm)}}), colour::grey);
     }
-    add_line(change.from, "visible from", colour::vermilion);
-    if (change.alarm != change.from) add_line(change.alarm, "alarm", colour::grey);
-    if (!change.back.empty()) add_line(change.back, "back from", colour::green);
+    if (!change.back.empty()) {
+      add_line(change.back, tr("back from {date}", {{"date", date_of(change.back)}}),
+               colour::green);
+    }
   }
 }
 
@@ -105,7 +119,7 @@ void add_drift(const history::QuantityTrend& trend, const wording::AxisScale& sc
   for (const history::FoundChange& change : trend.changes) {
     if (!change.is_slow) continue;
     panel.series.push_back(
-        line("drift", {day_of(change.from), day_of(trend.points.back().measured_at)},
+        line(tr("drift"), {day_of(change.from), day_of(trend.points.back().measured_at)},
              {scale(change.drift_start), scale(change.drift_start + change.size.value)},
              colour::vermilion, 2.5, render::figure::LineStyle::solid));
   }
@@ -134,19 +148,23 @@ bool is_visibly_corrected(const history::QuantityTrend& trend) {
 render::figure::Panel trend_panel(const history::QuantityTrend& trend,
                                   const wording::AxisScale& scale) {
   render::figure::Panel panel;
-  panel.y.title = wording::axis_title(trend.words, scale, trend.unit);
+  panel.y.title = wording::axis_title(name_of(trend), scale, trend.unit);
   set_time_axis(trend, panel);
   add_reference(trend, scale, panel);
   const bool is_corrected = is_visibly_corrected(trend);
   const std::size_t all = trend.points.size();
-  const char* const at = is_corrected ? " (at one temperature)" : "";
-  render::figure::Series learned = marks(std::string("the first, only learned from") + at,
-                                         colour::sky_blue, render::figure::Marker::square, all);
-  render::figure::Series judged = marks(std::string("calibration, 95 % interval") + at,
-                                        colour::blue, render::figure::Marker::circle, all);
+  render::figure::Series learned =
+      marks(is_corrected ? tr("the first, only learned from (at one temperature)")
+                         : tr("the first, only learned from"),
+            colour::sky_blue, render::figure::Marker::square, all);
+  render::figure::Series judged =
+      marks(is_corrected ? tr("calibration, 95 % interval (at one temperature)")
+                         : tr("calibration, 95 % interval"),
+            colour::blue, render::figure::Marker::circle, all);
   render::figure::Series as_measured =
-      marks("as measured", colour::orange, render::figure::Marker::plus, all);
-  render::figure::Series left = marks("left out", colour::grey, render::figure::Marker::cross, all);
+      marks(tr("as measured"), colour::orange, render::figure::Marker::plus, all);
+  render::figure::Series left =
+      marks(tr("left out"), colour::grey, render::figure::Marker::cross, all);
   for (const history::HistoryPoint& p : trend.points) {
     const double day = day_of(p.measured_at);
     if (p.left_out != history::LeftOut::none) {
@@ -173,11 +191,11 @@ render::figure::Panel trend_panel(const history::QuantityTrend& trend,
 /// Both sums of the chart and their limit.
 render::figure::Panel sum_panel(const history::QuantityTrend& trend) {
   render::figure::Panel panel;
-  panel.y.title = "CUSUM [standard deviations]";
+  panel.y.title = tr("CUSUM [standard deviations]");
   set_time_axis(trend, panel);
-  render::figure::Series above = line("C^{+}, risen", {}, {}, colour::blue, 3.0);
+  render::figure::Series above = line(tr("C^{{+}}, risen"), {}, {}, colour::blue, 3.0);
   render::figure::Series below =
-      line("−C^{−}, fallen", {}, {}, colour::orange, 3.0, render::figure::LineStyle::dash);
+      line(tr("−C^{{−}}, fallen"), {}, {}, colour::orange, 3.0, render::figure::LineStyle::dash);
   for (render::figure::Series* s : {&above, &below}) {
     s->marker = render::figure::Marker::circle;
     s->marker_size_px = trend.points.size() > many_points ? 5.0 : 8.0;
@@ -194,7 +212,8 @@ render::figure::Panel sum_panel(const history::QuantityTrend& trend) {
     render::figure::ReferenceLine line;
     line.direction = render::figure::ReferenceLine::Direction::horizontal;
     line.at = side * trend.limit;
-    line.text = fmt::format("limit {}{:.1f}", side > 0 ? "" : "−", trend.limit);
+    line.text =
+        tr("limit {limit}", {{"limit", fmt::format("{}{:.1f}", side > 0 ? "" : "−", trend.limit)}});
     line.colour = colour::vermilion;
     panel.reference_lines.push_back(std::move(line));
   }
@@ -204,47 +223,98 @@ render::figure::Panel sum_panel(const history::QuantityTrend& trend) {
 
 using wording::AxisScale;
 
+std::string drift_words(const history::FoundChange& change, const std::string& size) {
+  const std::initializer_list<StatedValue> values{{"change", size},
+                                                  {"first_date", date_of(change.from)},
+                                                  {"visible_date", date_of(change.alarm)}};
+  return change.direction > 0
+             ? tr("slowly risen by {change} since {first_date}, visible from {visible_date}",
+                  values)
+             : tr("slowly fallen by {change} since {first_date}, visible from {visible_date}",
+                  values);
+}
+
+std::string shift_words(const history::FoundChange& change, const std::string& size) {
+  const std::initializer_list<StatedValue> values{{"change", size},
+                                                  {"visible_date", date_of(change.from)},
+                                                  {"alarm_date", date_of(change.alarm)},
+                                                  {"back_date", date_of(change.back)}};
+  if (change.back.empty()) {
+    return change.direction > 0
+               ? tr("risen by {change}, visible from {visible_date}, alarm {alarm_date}", values)
+               : tr("fallen by {change}, visible from {visible_date}, alarm {alarm_date}", values);
+  }
+  return change.direction > 0
+             ? tr("risen by {change}, visible from {visible_date}, alarm {alarm_date}, back from "
+                  "{back_date}",
+                  values)
+             : tr("fallen by {change}, visible from {visible_date}, alarm {alarm_date}, back from "
+                  "{back_date}",
+                  values);
+}
+
 std::string change_words(const history::FoundChange& change, const wording::AxisScale& scale) {
   const std::string size = change.percent ? fmt::format("{:.2g} %", std::abs(*change.percent))
                                           : wording::with_unit(std::abs(change.size.value),
                                                                {scale.factor, scale.unit}, 2);
-  if (change.is_slow) {
-    return fmt::format("slowly {} by {} since {}, visible from {}",
-                       change.direction > 0 ? "risen" : "fallen", size, date_of(change.from),
-                       date_of(change.alarm));
+  return change.is_slow ? drift_words(change, size) : shift_words(change, size);
+}
+
+/// What came of it, as a sentence.
+std::string finding(const history::QuantityTrend& trend, const wording::AxisScale& scale) {
+  const std::size_t used = trend.count(history::LeftOut::none);
+  const auto n = static_cast<std::int64_t>(used);
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(trend)},
+                                                  {"calibrations", used}};
+  if (trend.state == history::TrendState::too_few) {
+    return tr_count(n,
+                    "{quantity}: {calibrations} calibration that can be used, too few to say "
+                    "anything yet.",
+                    "{quantity}: {calibrations} calibrations that can be used, too few to say "
+                    "anything yet.",
+                    values);
   }
-  std::string words =
-      fmt::format("{} by {}, visible from {}, alarm {}", change.direction > 0 ? "risen" : "fallen",
-                  size, date_of(change.from), date_of(change.alarm));
-  if (!change.back.empty()) words += ", back from " + date_of(change.back);
-  return words;
+  if (trend.changes.empty()) {
+    return tr_count(n, "{quantity}: no change visible over {calibrations} calibration.",
+                    "{quantity}: no change visible over {calibrations} calibrations.", values);
+  }
+  std::vector<std::string> changes;
+  for (const history::FoundChange& change : trend.changes) {
+    changes.push_back(change_words(change, scale));
+  }
+  return fmt::format("{}: {}.", name_of(trend), fmt::join(changes, "; "));
 }
 
 std::string caption_of(const history::QuantityTrend& trend, const wording::AxisScale& scale) {
-  const std::size_t used = trend.count(history::LeftOut::none);
-  std::string caption = trend.words + ": ";
-  if (trend.state == history::TrendState::too_few) {
-    caption += fmt::format("{} that can be used, too few to say anything yet",
-                           wording::counted(used, "calibration"));
-  } else if (trend.changes.empty()) {
-    caption += fmt::format("no change visible over {}", wording::counted(used, "calibration"));
-  } else {
-    std::vector<std::string> changes;
-    for (const history::FoundChange& change : trend.changes)
-      changes.push_back(change_words(change, scale));
-    for (std::size_t k = 0; k < changes.size(); ++k) caption += (k > 0 ? "; " : "") + changes[k];
+  std::string caption = finding(trend, scale);
+  if (!trend.reference) return caption;
+  const std::size_t members = trend.reference->members;
+  const double half_width = statistics::normal_975 * std::sqrt(trend.reference->level_variance);
+  const std::initializer_list<StatedValue> values{
+      {"reference", wording::with_interval(
+                        statistics::symmetric_estimate(trend.reference->level, half_width), scale)},
+      {"calibrations", members}};
+  return caption + " " +
+         tr_count(static_cast<std::int64_t>(members),
+                  "Reference {reference} from {calibrations} calibration.",
+                  "Reference {reference} from {calibrations} calibrations.", values);
+}
+
+std::string how_to_read(const history::QuantityTrend& trend) {
+  std::string words =
+      tr("Above, points that leave the band to one side for good are a change; single ones are "
+         "not.");
+  words += " ";
+  if (is_visibly_corrected(trend)) {
+    words += tr("All but the plus signs are brought to one temperature.");
+    words += " ";
   }
-  if (trend.reference) {
-    caption +=
-        fmt::format(". Reference {} from {}",
-                    wording::with_interval(
-                        statistics::symmetric_estimate(
-                            trend.reference->level,
-                            statistics::normal_975 * std::sqrt(trend.reference->level_variance)),
-                        scale),
-                    wording::counted(trend.reference->members, "calibration"));
+  if (trend.judged > 0) {
+    words +=
+        tr("Below, a sum that climbs to its limit is the alarm; the change began where the climb "
+           "did. Behind the alarm it is drawn up to twice the limit.");
   }
-  return caption + ".";
+  return words;
 }
 
 ReportFigure figure_of(const history::QuantityTrend& trend, std::string id) {
@@ -256,7 +326,7 @@ ReportFigure figure_of(const history::QuantityTrend& trend, std::string id) {
   const wording::AxisScale scale = quantity_axis(trend.unit, extent.largest());
   ReportFigure out;
   out.id = std::move(id);
-  out.title = trend.words + " over time";
+  out.title = tr("{quantity} over time", {{"quantity", name_of(trend)}});
   out.stage = "trend";
   out.figure.panels.push_back(trend_panel(trend, scale));
   if (trend.judged > 0) out.figure.panels.push_back(sum_panel(trend));
@@ -265,20 +335,12 @@ ReportFigure figure_of(const history::QuantityTrend& trend, std::string id) {
   out.figure.id = out.id;
   out.figure.title = out.title;
   out.caption = caption_of(trend, scale);
-  out.how_to_read =
-      "Above, points that leave the band to one side for good are a change; single ones are not. ";
-  if (is_visibly_corrected(trend)) {
-    out.how_to_read += "All but the plus signs are brought to one temperature. ";
-  }
-  if (trend.judged > 0) {
-    out.how_to_read +=
-        "Below, a sum that climbs to its limit is the alarm; the change began where the climb did. "
-        "Behind the "
-        "alarm it is drawn up to twice the limit.";
-  }
-  out.alt = fmt::format("{} over time from {} to {}. {}", trend.words,
-                        date_of(trend.points.front().measured_at),
-                        date_of(trend.points.back().measured_at), out.caption);
+  out.how_to_read = how_to_read(trend);
+  out.alt = tr("{quantity} over time from {first_date} to {last_date}.",
+               {{"quantity", name_of(trend)},
+                {"first_date", date_of(trend.points.front().measured_at)},
+                {"last_date", date_of(trend.points.back().measured_at)}}) +
+            " " + out.caption;
   return out;
 }
 

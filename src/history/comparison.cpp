@@ -62,11 +62,26 @@ using calibration::Facts;
 using calibration::Measured;
 using calibration::Quantity;
 
-std::string payload_text(const calibration::Facts& f) {
-  std::string text = f.payload.empty() ? "" : "“" + f.payload + "”";
-  if (f.payload_kg) text += fmt::format("{}{:.6g} kg", text.empty() ? "" : ", ", *f.payload_kg);
-  if (f.payload_distance_m) text += fmt::format(" at {:.6g} m", *f.payload_distance_m);
-  return text.empty() ? "none stated" : text;
+Statement payload_statement(const calibration::Facts& f) {
+  const double kg = f.payload_kg.value_or(0);
+  const double metres = f.payload_distance_m.value_or(0);
+  if (f.payload.empty() && !f.payload_kg) {
+    if (!f.payload_distance_m) return {"payload.none_stated"};
+    return {"payload.distance", {{"distance_m", metres}}};
+  }
+  if (f.payload.empty()) {
+    if (!f.payload_distance_m) return {"payload.mass", {{"mass_kg", kg}}};
+    return {"payload.mass_at_distance", {{"mass_kg", kg}, {"distance_m", metres}}};
+  }
+  if (!f.payload_kg) {
+    if (!f.payload_distance_m) return {"payload.named", {{"payload", f.payload}}};
+    return {"payload.named_at_distance", {{"payload", f.payload}, {"distance_m", metres}}};
+  }
+  if (!f.payload_distance_m) {
+    return {"payload.named_mass", {{"payload", f.payload}, {"mass_kg", kg}}};
+  }
+  return {"payload.named_mass_at_distance",
+          {{"payload", f.payload}, {"mass_kg", kg}, {"distance_m", metres}}};
 }
 
 void judge_temperature(const calibration::Facts& a, const calibration::Facts& b,
@@ -74,17 +89,18 @@ void judge_temperature(const calibration::Facts& a, const calibration::Facts& b,
   if (a.temperature_C && b.temperature_C) {
     const double apart = std::abs(*a.temperature_C - *b.temperature_C);
     if (apart <= allowed.temperature_K) return;
-    q.why_not.push_back(
-        fmt::format("the temperatures differ by {:.3g} K ({:.4g} °C and {:.4g} °C), more than the "
-                    "{:.3g} K allowed, and friction changes with temperature",
-                    apart, *a.temperature_C, *b.temperature_C, allowed.temperature_K));
-    return;
+    q.why_not.push_back({"comparison.temperatures_differ",
+                         {{"difference_K", apart},
+                          {"first_temperature_C", *a.temperature_C},
+                          {"second_temperature_C", *b.temperature_C},
+                          {"allowed_difference_K", allowed.temperature_K}}});
+  } else if (a.temperature_C) {
+    q.cautions.push_back({"comparison.no_second_temperature"});
+  } else if (b.temperature_C) {
+    q.cautions.push_back({"comparison.no_first_temperature"});
+  } else {
+    q.cautions.push_back({"comparison.no_temperature"});
   }
-  const char* const which = a.temperature_C   ? "of the second calibration"
-                            : b.temperature_C ? "of the first calibration"
-                                              : "of both calibrations";
-  q.cautions.push_back(
-      fmt::format("the temperature {} is not stated; it alone can change friction", which));
 }
 
 void judge_sampling(const calibration::Facts& a, const calibration::Facts& b,
@@ -92,40 +108,59 @@ void judge_sampling(const calibration::Facts& a, const calibration::Facts& b,
   if (!a.sampling_Hz || !b.sampling_Hz) return;
   const auto [slow, fast] = std::minmax(*a.sampling_Hz, *b.sampling_Hz);
   if (fast <= allowed.rate_factor * slow) return;
-  q.why_not.push_back(
-      fmt::format("the sampling rates differ more than {:.3g}-fold ({:.4g} Hz and "
-                  "{:.4g} Hz), and it is read from fast changes",
-                  allowed.rate_factor, *a.sampling_Hz, *b.sampling_Hz));
+  q.why_not.push_back({"comparison.sampling_rates_differ",
+                       {{"allowed_factor", allowed.rate_factor},
+                        {"first_rate_Hz", *a.sampling_Hz},
+                        {"second_rate_Hz", *b.sampling_Hz}}});
+}
+
+void judge_payload(const calibration::Facts& a, const calibration::Facts& b, ComparedQuantity& q) {
+  if (has_same_payload(a, b)) return;
+  const Statement first = payload_statement(a);
+  const Statement second = payload_statement(b);
+  if (traits_of(q.name).depends_on_payload) {
+    q.why_not.push_back(
+        {"comparison.payloads_differ", {{"first_payload", first}, {"second_payload", second}}});
+  } else {
+    q.cautions.push_back({"comparison.payloads_load_the_gear",
+                          {{"first_payload", first}, {"second_payload", second}}});
+  }
 }
 
 void judge_conditions(const calibration::Facts& a, const calibration::Facts& b,
                       const AllowedDifference& allowed, ComparedQuantity& q) {
   const QuantityTraits traits = traits_of(q.name);
   if (!has_same_gear(a, b)) {
-    q.why_not.push_back(
-        fmt::format("the gear ratios differ ({:.6g} and {:.6g})", a.gear_ratio, b.gear_ratio));
+    q.why_not.push_back({"comparison.gear_ratios_differ",
+                         {{"first_ratio", a.gear_ratio}, {"second_ratio", b.gear_ratio}}});
   }
-  if (!has_same_payload(a, b)) {
-    const std::string words =
-        fmt::format("the payloads differ ({} and {})", payload_text(a), payload_text(b));
-    if (traits.depends_on_payload) {
-      q.why_not.push_back(words);
-    } else {
-      q.cautions.push_back(words + "; friction grows with the load of the gear");
-    }
-  }
+  judge_payload(a, b, q);
   if (traits.depends_on_temperature) judge_temperature(a, b, allowed, q);
   if (traits.depends_on_sampling) judge_sampling(a, b, allowed, q);
 }
 
+Statement verdict_statement(calibration::Verdict verdict) {
+  return Code::of("archived_verdict." + calibration::to_string(verdict));
+}
+
+bool is_usable(const calibration::Quantity& q) {
+  return q.verdict == calibration::Verdict::usable && q.estimate;
+}
+
 void judge_verdicts(const calibration::Quantity& a, const calibration::Quantity& b,
                     ComparedQuantity& q) {
-  for (const auto& [one, which] : {std::pair{&a, "first"}, std::pair{&b, "second"}}) {
-    if (one->verdict == calibration::Verdict::usable && one->estimate) continue;
-    q.why_not.push_back(fmt::format("the {} calibration's verdict on it is “{}”", which,
-                                    calibration::to_string(one->verdict)));
+  if (!is_usable(a)) {
+    q.why_not.push_back(
+        {"comparison.verdict_of_first", {{"verdict", verdict_statement(a.verdict)}}});
   }
-  if (a.unit != b.unit) q.why_not.push_back("the units differ (" + a.unit + " and " + b.unit + ")");
+  if (!is_usable(b)) {
+    q.why_not.push_back(
+        {"comparison.verdict_of_second", {{"verdict", verdict_statement(b.verdict)}}});
+  }
+  if (a.unit != b.unit) {
+    q.why_not.push_back(
+        {"comparison.units_differ", {{"first_unit", a.unit}, {"second_unit", b.unit}}});
+  }
 }
 
 ComparedQuantity compared(const calibration::Quantity& a, const calibration::Quantity& b,
@@ -167,43 +202,27 @@ std::string name_text(const calibration::JointName& of) {
                      printable(of.joint));
 }
 
-std::vector<std::string> remarks_on(const calibration::Facts& a, const calibration::Facts& b) {
-  std::vector<std::string> remarks;
+std::vector<Statement> remarks_on(const calibration::Facts& a, const calibration::Facts& b) {
+  std::vector<Statement> remarks;
   if (a.of != b.of) {
-    remarks.push_back(
-        fmt::format("these are different joints ({} and {}): a difference is no change",
-                    name_text(a.of), name_text(b.of)));
+    remarks.push_back({"comparison.different_joints",
+                       {{"first_robot", printable(a.of.robot)},
+                        {"first_serial", printable(a.of.serial)},
+                        {"first_joint", printable(a.of.joint)},
+                        {"second_robot", printable(b.of.robot)},
+                        {"second_serial", printable(b.of.serial)},
+                        {"second_joint", printable(b.of.joint)}}});
   }
-  if (a.measured_at > b.measured_at) {
-    remarks.push_back("the first one was measured after the second: changes run backwards in time");
-  }
-  if (!a.time_is_stated || !b.time_is_stated) {
-    remarks.push_back("not both say when they were measured; the time of identification stands in");
-  }
-  if (a.configuration != b.configuration) {
-    remarks.push_back("they were identified with different settings, which the intervals feel");
-  }
+  if (a.measured_at > b.measured_at) remarks.push_back({"comparison.backwards_in_time"});
+  if (!a.time_is_stated || !b.time_is_stated) remarks.push_back({"comparison.time_not_stated"});
+  if (a.configuration != b.configuration) remarks.push_back({"comparison.different_settings"});
   if (a.tool_version != b.tool_version || a.git_revision != b.git_revision) {
-    remarks.push_back(
-        "they were identified by different versions of the program; the same inputs identified "
-        "again by one version would exclude that");
+    remarks.push_back({"comparison.different_versions"});
   }
   return remarks;
 }
 
 }  // namespace
-
-std::string to_string(ChangeWord word) {
-  switch (word) {
-    case ChangeWord::no_change_seen:
-      return "no change seen";
-    case ChangeWord::changed:
-      return "changed";
-    case ChangeWord::not_comparable:
-      break;
-  }
-  return "not comparable";
-}
 
 std::size_t Comparison::count(ChangeWord word) const {
   return static_cast<std::size_t>(

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "calibration/archived_calibration.h"
 #include "statistics/estimate.h"
 
@@ -46,7 +47,7 @@ std::vector<double> holm_adjusted(const std::vector<double>& chances);
 
 enum class ChangeWord { no_change_seen, changed, not_comparable };
 
-std::string to_string(ChangeWord word);  ///< "no change seen"
+Statement statement_of(ChangeWord word);  ///< "no change seen"
 
 /// What may differ between two that are compared.
 struct AllowedDifference {
@@ -65,8 +66,8 @@ struct ComparedQuantity {
   std::optional<Change> change;  ///< Where both have an estimate, comparable or not.
   double adjusted_chance{1};     ///< By Holm; of those that are comparable.
   ChangeWord word{ChangeWord::not_comparable};
-  std::vector<std::string> why_not;   ///< Empty unless not comparable.
-  std::vector<std::string> cautions;  ///< What else may have made a change.
+  std::vector<Statement> why_not;   ///< Empty unless not comparable.
+  std::vector<Statement> cautions;  ///< What else may have made a change.
 };
 
 struct Comparison {
@@ -75,7 +76,7 @@ struct Comparison {
   AllowedDifference allowed;
   std::vector<ComparedQuantity> quantities;  ///< In the first's order; those without an estimate in
                                              ///< both are left out.
-  std::vector<std::string> remarks;          ///< On the pair as a whole.
+  std::vector<Statement> remarks;            ///< On the pair as a whole.
 
   [[nodiscard]] std::size_t count(ChangeWord word) const;
 };

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
+#include "wording/language.h"
+#include "wording/words.h"
 
 namespace tribolog::history {
 
@@ -24,6 +26,11 @@ OrderedJson calibration(const calibration::Entry& e) {
           {"sampling_Hz", json_of(f.sampling_Hz)}};
 }
 
+const char* key_of(ChangeWord word) {
+  static const char* const keys[] = {"no change seen", "changed", "not comparable"};
+  return keys[static_cast<std::size_t>(word)];
+}
+
 OrderedJson quantity(const ComparedQuantity& q) {
   const bool is_comparable = q.word != ChangeWord::not_comparable;
   return {{"name", q.name},
@@ -35,14 +42,15 @@ OrderedJson quantity(const ComparedQuantity& q) {
           {"change_percent", q.change ? json_of(q.change->percent) : OrderedJson()},
           {"chance", q.change ? OrderedJson(q.change->chance) : OrderedJson()},
           {"adjusted_chance", is_comparable ? OrderedJson(q.adjusted_chance) : OrderedJson()},
-          {"word", to_string(q.word)},
-          {"why_not", q.why_not},
-          {"cautions", q.cautions}};
+          {"word", key_of(q.word)},
+          {"why_not", wording::words(q.why_not)},
+          {"cautions", wording::words(q.cautions)}};
 }
 
 }  // namespace
 
 std::string comparison_json(const Comparison& c) {
+  const wording::WordsIn english({});
   OrderedJson json{{"schema", "tribolog-archive-diff-1"},
                    {"first", calibration(c.first)},
                    {"second", calibration(c.second)},
@@ -53,7 +61,7 @@ std::string comparison_json(const Comparison& c) {
                    {"no_change_seen", c.count(ChangeWord::no_change_seen)},
                    {"not_comparable", c.count(ChangeWord::not_comparable)},
                    {"quantities", OrderedJson::array()},
-                   {"remarks", c.remarks}};
+                   {"remarks", wording::words(c.remarks)}};
   for (const ComparedQuantity& q : c.quantities) json["quantities"].push_back(quantity(q));
   return text_of(json);
 }
@@ -63,6 +71,16 @@ namespace {
 const char* key_of(TrendState state) {
   static const char* const keys[] = {"too_few", "steady", "recovered", "warning"};
   return keys[static_cast<std::size_t>(state)];
+}
+
+const char* key_of(LeftOut why) {
+  static const char* const keys[] = {"used",
+                                     "before the baseline",
+                                     "verdict not usable",
+                                     "another gear ratio than the latest",
+                                     "another payload than the latest",
+                                     "temperature not stated"};
+  return keys[static_cast<std::size_t>(why)];
 }
 
 const char* key_of(TemperatureUse use) {
@@ -75,7 +93,7 @@ OrderedJson point(const HistoryPoint& p) {
   OrderedJson made{{"id", p.id}, {"measured_at", p.measured_at}};
   made.update(json_of(p.estimate));
   made["temperature_C"] = json_of(p.temperature_C);
-  made["left_out"] = is_charted ? OrderedJson() : OrderedJson(to_string(p.left_out));
+  made["left_out"] = is_charted ? OrderedJson() : OrderedJson(key_of(p.left_out));
   made["corrected"] = json_of(p.corrected);
   const bool is_judged = is_charted && p.chart.is_judged;
   made["score"] = is_judged ? OrderedJson(p.chart.score) : OrderedJson();
@@ -116,7 +134,7 @@ OrderedJson quantity(const QuantityTrend& q) {
   OrderedJson left_out = OrderedJson::object();
   for (const LeftOut why : {LeftOut::before_baseline, LeftOut::not_usable, LeftOut::other_gear,
                             LeftOut::other_payload, LeftOut::no_temperature}) {
-    if (q.count(why) > 0) left_out[to_string(why)] = q.count(why);
+    if (q.count(why) > 0) left_out[key_of(why)] = q.count(why);
   }
   if (q.without_estimate > 0) left_out["without an estimate"] = q.without_estimate;
   OrderedJson made{{"name", q.name},
@@ -145,7 +163,7 @@ OrderedJson joint(const JointTrend& t) {
                    {"first_at", t.first_at},
                    {"last_at", t.last_at},
                    {"quantities_watched", t.watched},
-                   {"cautions", t.cautions},
+                   {"cautions", wording::words(t.cautions)},
                    {"quantities", OrderedJson::array()}};
   for (const QuantityTrend& q : t.quantities) made["quantities"].push_back(quantity(q));
   return made;
@@ -154,6 +172,7 @@ OrderedJson joint(const JointTrend& t) {
 }  // namespace
 
 std::string trend_json(const std::vector<JointTrend>& trends) {
+  const wording::WordsIn english({});
   OrderedJson json{{"schema", "tribolog-archive-trend-1"},
                    {"allowance", cusum_allowance},
                    {"largest_score", largest_score},

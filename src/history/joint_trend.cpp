@@ -146,19 +146,17 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
   trend.state = drift ? TrendState::warning : TrendState::steady;
 }
 
-std::vector<std::string> cautions_on(const std::vector<calibration::Measured>& calibrations) {
-  std::vector<std::string> cautions;
+std::vector<Statement> cautions_on(const std::vector<calibration::Measured>& calibrations) {
+  std::vector<Statement> cautions;
   const auto without_time =
       std::count_if(calibrations.begin(), calibrations.end(),
                     [](const calibration::Measured& m) { return !m.entry.facts.time_is_stated; });
   if (without_time > 0) {
-    cautions.push_back(fmt::format(
-        "{} of {} calibrations do not say when they were measured; they stand at the time of their "
-        "identification",
-        without_time, calibrations.size()));
+    cautions.push_back({"trend.time_not_stated",
+                        {{"undated", without_time}, {"calibrations", calibrations.size()}}});
   }
-  if (const std::string words = words_on_warming(calibrations); !words.empty()) {
-    cautions.push_back(words);
+  if (const Statement warming = caution_on_warming(calibrations); !warming.empty()) {
+    cautions.push_back(warming);
   }
   return cautions;
 }

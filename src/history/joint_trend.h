@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "calibration/archived_calibration.h"
 #include "history/control_chart.h"
 
@@ -29,7 +30,6 @@ enum class LeftOut {
   other_payload,   ///< Another payload than the latest, and the quantity holds it.
   no_temperature,  ///< Not stated, where the others' is taken into account.
 };
-std::string to_string(LeftOut why);  ///< In words.
 
 /// How temperature was treated.
 enum class TemperatureUse {
@@ -38,7 +38,6 @@ enum class TemperatureUse {
   too_even,      ///< It varied by less than least_temperature_span_K.
   not_recorded,  ///< By fewer than half of the calibrations.
 };
-std::string to_string(TemperatureUse use);  ///< A sentence.
 
 struct HistoryPoint {
   std::string id;
@@ -56,7 +55,7 @@ enum class TrendState {
   recovered,  ///< There was one; the values are back.
   warning,    ///< One stands.
 };
-std::string to_string(TrendState state);  ///< In words.
+Statement statement_of(TrendState state);
 
 /// A change that was found, in the quantity's unit.
 struct FoundChange {
@@ -97,7 +96,7 @@ struct JointTrend {
   Baseline baseline;
   std::size_t watched{};  ///< Quantities with a chart.
   std::vector<QuantityTrend> quantities;
-  std::vector<std::string> cautions;
+  std::vector<Statement> cautions;
 
   /// The worst of all.
   [[nodiscard]] TrendState state() const;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "history/quantity_traits.h"
 #include "statistics/distributions.h"
 
@@ -112,7 +110,7 @@ SeriesPoint series_point(const HistoryPoint& point) {
           point.temperature_C.value_or(0)};
 }
 
-std::string words_on_warming(const std::vector<calibration::Measured>& calibrations) {
+Statement caution_on_warming(const std::vector<calibration::Measured>& calibrations) {
   constexpr double strong = 0.9;
   double n = 0, t = 0, x = 0, tt = 0, xx = 0, tx = 0;
   double low = 0, high = 0;
@@ -125,13 +123,10 @@ std::string words_on_warming(const std::vector<calibration::Measured>& calibrati
     n += 1, t += *temperature, x += order;
     tt += *temperature * *temperature, xx += order * order, tx += *temperature * order;
   }
-  if (n <= fewest_learned || high - low < least_temperature_span_K) return "";
+  if (n <= fewest_learned || high - low < least_temperature_span_K) return {};
   const double correlation = (tx - t * x / n) / std::sqrt((tt - t * t / n) * (xx - x * x / n));
-  if (!(std::abs(correlation) > strong)) return "";
-  return fmt::format(
-      "temperature and time went together (correlation {:.2f}): what is taken for temperature may "
-      "be drift, and a calibration at an earlier temperature would tell",
-      correlation);
+  if (!(std::abs(correlation) > strong)) return {};
+  return {"trend.warming", {{"correlation", correlation}}};
 }
 
 }  // namespace tribolog::history

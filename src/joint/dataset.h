@@ -91,7 +91,7 @@ struct Dataset {
   Manifest manifest;
   std::vector<Recording> recordings;  ///< In the manifest's order.
   std::vector<InputFile> inputs;      ///< The manifest, the robot's description, the logs.
-  std::vector<std::string> notes;     ///< What the reader noticed and the user should know.
+  std::vector<Statement> notes;       ///< What the reader noticed and the user should know.
   std::shared_ptr<const robot::RobotDescription>
       robot;  ///< For drawings; null where none is stated.
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
+
 namespace tribolog::joint {
 
 /// What the joint was made to do. A recording has one role; a dataset any number of each.
@@ -20,7 +22,7 @@ std::string to_string(Role role);
 
 /// Why a row of the file is not among the samples.
 struct SkippedRows {
-  std::string reason;  ///< "outside the window 5..62.3 s", "gap (nan) in column 'tau'", ...
+  Statement reason;  ///< Outside the window, a gap in a column, ...
   std::size_t count{};
 };
 

@@ -35,16 +35,17 @@ class Assumer {
       : facts_(facts), list_(list) {}
 
   /// @param name of the fact. @param why the usual value is what it is.
-  double take(const char* name, const std::optional<double>& stated, double usual, const char* what,
-              const char* unit, const char* why, double shown_per_si = 1) {
+  double take(const char* name, const std::optional<double>& stated, double usual, Code what,
+              const char* unit, Code why, double shown_per_si = 1) {
     const double value = stated.value_or(usual);
     list_.push_back(
         {what, value * shown_per_si, unit, stated ? known_from(name) : why, stated.has_value()});
     return value;
   }
 
-  [[nodiscard]] std::string known_from(const char* name) const {
-    return facts_.identified.count(name) > 0 ? "identified" : "stated";
+  [[nodiscard]] Code known_from(const char* name) const {
+    return facts_.identified.count(name) > 0 ? Code("assumed_from.identified")
+                                             : Code("assumed_from.stated");
   }
 
  private:
@@ -66,61 +67,58 @@ AssumedJoint assume_joint(const joint::JointFacts& f) {
   Assumer a(f, j.assumptions);
   const double limit = f.torque_limit_Nm;
   j.peak_is_known = f.q_peak_rad.has_value();
-  j.q_peak_rad = a.take(
-      "q_peak_rad", f.q_peak_rad, (f.lowest_rad + f.highest_rad) / 2, "Angle of the gravity peak",
-      "°", "not known: middle of the range, for the simulation only", joint::degrees_per_rad);
-  j.gravity_Nm = a.take("gravity_Nm", f.gravity_Nm, usual_gravity_share * limit,
-                        "Gravity torque at the motor, centre of gravity level", "N·m",
-                        "40 % of the torque limit");
+  j.q_peak_rad =
+      a.take("q_peak_rad", f.q_peak_rad, (f.lowest_rad + f.highest_rad) / 2, "assumed.q_peak", "°",
+             "assumed_from.middle_of_range", joint::degrees_per_rad);
+  j.gravity_Nm = a.take("gravity_Nm", f.gravity_Nm, usual_gravity_share * limit, "assumed.gravity",
+                        "N·m", "assumed_from.torque_limit_40_percent");
   const double usual_inertia =
       usual_inertia_share * limit / (f.gear_ratio * f.acceleration_limit_rad_s2);
-  j.inertia_kgm2 = a.take("inertia_kgm2", f.inertia_kgm2, usual_inertia, "Inertia at the motor",
-                          "kg·m²", "takes 25 % of the torque limit at the acceleration limit");
+  j.inertia_kgm2 = a.take("inertia_kgm2", f.inertia_kgm2, usual_inertia, "assumed.inertia", "kg·m²",
+                          "assumed_from.torque_limit_25_percent");
   const double usual_static =
       f.coulomb_Nm ? *f.coulomb_Nm / coulomb_share : usual_static_share * limit;
-  j.static_Nm = a.take("static_Nm", f.static_Nm, usual_static, "Break-away torque at the motor",
-                       "N·m", f.coulomb_Nm ? "Coulomb torque / 0.68" : "10 % of the torque limit");
+  j.static_Nm = a.take("static_Nm", f.static_Nm, usual_static, "assumed.static_torque", "N·m",
+                       f.coulomb_Nm ? Code("assumed_from.coulomb_torque")
+                                    : Code("assumed_from.torque_limit_10_percent"));
   j.coulomb_Nm =
-      a.take("coulomb_Nm", f.coulomb_Nm, coulomb_share * j.static_Nm, "Coulomb torque at the motor",
-             "N·m", "68 % of the break-away torque, as at the paper's joint");
+      a.take("coulomb_Nm", f.coulomb_Nm, coulomb_share * j.static_Nm, "assumed.coulomb_torque",
+             "N·m", "assumed_from.break_away_torque_68_percent");
   j.stribeck_speed_rad_s =
       a.take("stribeck_speed_rad_s", f.stribeck_speed_rad_s, usual_stribeck_rad_s,
-             "Stribeck velocity of the motor", "rad/s", "as at the paper's joint");
-  j.viscous_coefficient =
-      a.take("", {}, viscous_share * j.static_Nm, "Viscous coefficient c_v of eq. (6)",
-             "N·m·(s/rad)^0.4", "share of the break-away torque as at the paper's joint");
-  j.bristle_stiffness_Nm_rad =
-      a.take("bristle_stiffness_Nm_rad", f.bristle_stiffness_Nm_rad,
-             j.static_Nm / usual_deflection_rad, "Bristle stiffness", "N·m/rad",
-             "break-away after 1.9 mrad at the motor, as at the paper's joint");
-  j.sample_rate_Hz =
-      a.take("sample_rate_Hz", f.sample_rate_Hz, 1000, "Sampling rate of the log", "Hz", "usual");
+             "assumed.stribeck_speed", "rad/s", "assumed_from.papers_joint");
+  j.viscous_coefficient = a.take("", {}, viscous_share * j.static_Nm, "assumed.viscous_coefficient",
+                                 "N·m·(s/rad)^0.4", "assumed_from.break_away_torque");
+  j.bristle_stiffness_Nm_rad = a.take(
+      "bristle_stiffness_Nm_rad", f.bristle_stiffness_Nm_rad, j.static_Nm / usual_deflection_rad,
+      "assumed.bristle_stiffness", "N·m/rad", "assumed_from.papers_deflection");
+  j.sample_rate_Hz = a.take("sample_rate_Hz", f.sample_rate_Hz, 1000, "assumed.sample_rate", "Hz",
+                            "assumed_from.usual");
   j.set_point_rate_Hz =
       a.take("set_point_rate_Hz", f.set_point_rate_Hz, std::min(250.0, j.sample_rate_Hz),
-             "Rate of the set points", "Hz", "usual; the drive interpolates between them");
+             "assumed.set_point_rate", "Hz", "assumed_from.usual_interpolated");
   j.noise.encoder_counts_per_turn =
-      a.take("encoder_counts_per_turn", f.encoder_counts_per_turn, 131072,
-             "Encoder counts of a motor turn", "", "usual: 2^17");
+      a.take("encoder_counts_per_turn", f.encoder_counts_per_turn, 131072, "assumed.encoder_counts",
+             "", "assumed_from.usual_encoder");
   j.noise.torque_white_Nm =
       a.take("torque_noise_Nm", f.torque_noise_Nm, usual_noise_share * limit,
-             "White torque noise, standard deviation", "N·m", "1/400 of the torque limit");
+             "assumed.torque_noise", "N·m", "assumed_from.torque_limit_400th");
   j.noise.torque_step_Nm = a.take("torque_step_Nm", f.torque_step_Nm, usual_step_share * limit,
-                                  "Torque step", "N·m", "1/1600 of the torque limit");
+                                  "assumed.torque_step", "N·m", "assumed_from.torque_limit_1600th");
   const double ripple =
       a.take("ripple_amplitude_Nm", f.ripple_amplitude_Nm, usual_noise_share * limit,
-             "Torque ripple, amplitude of each period", "N·m", "1/400 of the torque limit");
+             "assumed.ripple_amplitude", "N·m", "assumed_from.torque_limit_400th");
   // An eccentric shaft, the wave generator of a strain wave gear, a motor of three pole pairs.
   const std::vector<double> usual_periods{1, 2, 6};
   const bool periods_are_stated = !f.ripple_periods_per_turn.empty();
   for (const double periods : periods_are_stated ? f.ripple_periods_per_turn : usual_periods) {
     j.noise.ripple.push_back({ripple, periods, 0});
-    j.assumptions.push_back({"Ripple periods of a motor turn", periods, "",
-                             periods_are_stated ? a.known_from("ripple_periods_per_turn")
-                             : periods == 1     ? std::string("usual: an eccentric shaft")
-                             : periods == 2
-                                 ? std::string("usual: wave generator of a strain wave gear")
-                                 : std::string("usual: a motor with three pole pairs"),
-                             periods_are_stated});
+    const Code source = periods_are_stated ? a.known_from("ripple_periods_per_turn")
+                        : periods == 1     ? Code("assumed_from.eccentric_shaft")
+                        : periods == 2     ? Code("assumed_from.wave_generator")
+                                           : Code("assumed_from.pole_pairs");
+    j.assumptions.push_back(
+        {Code("assumed.ripple_periods"), periods, "", source, periods_are_stated});
   }
   j.noise.speed_filter_Hz = 100;
   return j;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/joint_facts.h"
 #include "simulate/scenario.h"
 
@@ -17,11 +18,11 @@ namespace tribolog::plan {
 
 /// One number that the plan rests on.
 struct Assumption {
-  std::string what;    ///< "Break-away torque"
-  double value{};      ///< In the unit.
-  std::string unit;    ///< "N·m"; empty: a pure number.
-  std::string source;  ///< "stated", "identified", or why it is usual: a few words.
-  bool is_known{};     ///< Stated or identified.
+  Statement what;    ///< "Break-away torque"
+  double value{};    ///< In the unit.
+  std::string unit;  ///< "N·m"; empty: a pure number.
+  Statement source;  ///< "stated", "identified", or why it is usual: a few words.
+  bool is_known{};   ///< Stated or identified.
 };
 
 struct AssumedJoint {

@@ -20,21 +20,20 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What a plan is made for, in the order of the table: the paper's single points are not.
-constexpr std::array<std::pair<const char*, const char*>, 14> wanted{
-    {{"midline", "gravity torque, mid-line of the loops"},
-     {"fit", "gravity torque, LuGre fit"},
-     {"sweep", "gravity torque, sweep"},
-     {"q_peak", "angle of the gravity peak"},
-     {"bristle_stiffness", "bristle stiffness σ₀"},
-     {"static_torque", "break-away torque T_s, LuGre fit"},
-     {"break_away", "break-away torque, ramps"},
-     {"sweep_friction", "friction of the slow sweep"},
-     {"coulomb", "Coulomb torque T_c, straight line"},
-     {"viscous", "viscous coefficient c, straight line"},
-     {"asperity_torque", "asperity torque T_a, eq. (6)"},
-     {"stribeck_speed", "Stribeck velocity ω_s, eq. (6)"},
-     {"viscous_coefficient", "viscous coefficient c_v, eq. (6)"},
-     {"viscous_power", "viscous power δ_v, eq. (6)"}}};
+constexpr std::array wanted{"midline",
+                            "fit",
+                            "sweep",
+                            "q_peak",
+                            "bristle_stiffness",
+                            "static_torque",
+                            "break_away",
+                            "sweep_friction",
+                            "coulomb",
+                            "viscous",
+                            "asperity_torque",
+                            "stribeck_speed",
+                            "viscous_coefficient",
+                            "viscous_power"};
 
 calibration::Calibration identify_once(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
@@ -65,7 +64,7 @@ std::vector<truth::Reading> truths_of(const simulate::Scenario& joint,
   return truths;
 }
 
-ExpectedInterval expected(const char* name, const char* words, const truth::Reading& truth,
+ExpectedInterval expected(const char* name, const truth::Reading& truth,
                           const std::vector<std::vector<truth::Reading>>& runs) {
   std::vector<statistics::Estimate> estimates;
   std::vector<double> half_widths;
@@ -80,7 +79,6 @@ ExpectedInterval expected(const char* name, const char* words, const truth::Read
   ExpectedInterval e;
   e.name = name;
   e.quantity = truth.quantity;
-  e.words = words;
   e.truth = truth.estimate.value;
   e.runs = runs.size();
   e.found = estimates.size();
@@ -120,9 +118,9 @@ ExpectedIntervals expect_intervals(const ExperimentPlan& plan, const Expectation
         runs[run] = readings_with_ramps(identify_once(dataset, noise.seed));
       },
       options.threads);
-  for (const auto& [name, words] : wanted) {
+  for (const char* name : wanted) {
     if (const truth::Reading* truth = truth::find_reading(truths, name)) {
-      out.quantities.push_back(expected(name, words, *truth, runs));
+      out.quantities.push_back(expected(name, *truth, runs));
     }
   }
   return out;

@@ -13,10 +13,9 @@
 namespace tribolog::plan {
 
 struct ExpectedInterval {
-  std::string name;  ///< Of the reading (truth/readings.h), or "break_away".
+  std::string name;  ///< Of the reading (truth/readings.h), or "break_away"; words: "expected".
   truth::ReadingKind quantity{truth::ReadingKind::gravity};
-  std::string words;  ///< "gravity torque, mid-line"
-  double truth{};     ///< Of the assumed joint.
+  double truth{};  ///< Of the assumed joint.
   std::size_t runs{};
   std::size_t found{};   ///< Runs in which it was identified.
   std::size_t inside{};  ///< Of these, those whose interval holds the truth.

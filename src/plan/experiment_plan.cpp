@@ -4,8 +4,6 @@
 #include <array>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "plan/plan_builder.h"
 
@@ -28,18 +26,18 @@ ExperimentPlan plan_with(const AssumedJoint& joint, double effort) {
 
 }  // namespace
 
-std::string to_string(PartState state) {
+Statement stated(PartState state) {
   switch (state) {
     case PartState::planned:
-      return "planned";
+      return {"plan_state.planned"};
     case PartState::later:
-      return "follows from the rough sweep";
+      return {"plan_state.later"};
     case PartState::limited:
-      return "planned, limited";
+      return {"plan_state.limited"};
     case PartState::impossible:
       break;
   }
-  return "not possible";
+  return {"plan_state.impossible"};
 }
 
 double ExperimentPlan::duration_s() const {
@@ -92,9 +90,8 @@ ExperimentPlan plan_experiment(const joint::JointFacts& facts, const PlanOptions
   }
   ExperimentPlan shortest = plan_with(joint, efforts.back());
   shortest.remarks.push_back(
-      fmt::format("the shortest plan takes {:.0f} s, more than the time budget of {:.0f} s: leave "
-                  "parts out, from the last one on, or allow more time",
-                  shortest.duration_s(), *facts.time_budget_s));
+      {"plan.longer_than_budget",
+       {{"duration", shortest.duration_s()}, {"budget", *facts.time_budget_s}}});
   return shortest;
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "plan/assumed_joint.h"
 #include "plan/planned_motions.h"
@@ -30,7 +31,7 @@ struct PlannedRamp {
 };
 
 struct PlannedSegment {
-  std::string name;                 ///< "oscillation 3 of 8", "travel"
+  Statement name;                   ///< "oscillation 3 of 8", "travel"
   std::optional<joint::Role> role;  ///< Absent: travel and rest, which are no recording.
   double start_s{};
   double from_s{};  ///< Window of the recording, absolute times.
@@ -50,7 +51,7 @@ enum class PartState {
 };
 
 /// "planned", "follows from the rough sweep", "planned, limited", "not possible"
-std::string to_string(PartState state);
+Statement stated(PartState state);
 
 /// One row of the plan's table.
 struct PlannedPart {
@@ -58,10 +59,10 @@ struct PlannedPart {
   PartState state{PartState::planned};
   std::size_t recordings{};
   double duration_s{};  ///< With the travels to and within it.
-  std::string motion;   ///< "from −80° to 60° and back at 2°/s"; empty: not planned.
-  std::string gives;    ///< What it is for.
-  std::string why;      ///< Why it is limited or impossible, with numbers; else empty.
-  std::string help;     ///< What would change that; else empty.
+  Statement motion;     ///< "from −80° to 60° and back at 2°/s"; empty: not planned.
+  Statement gives;      ///< What it is for.
+  Statement why;        ///< Why it is limited or impossible, with numbers; else empty.
+  Statement help;       ///< What would change that; else empty.
 };
 
 /// How much work is put in; 1 is usual. Sweeps take so much longer, the oscillation has so many
@@ -82,7 +83,7 @@ struct ExperimentPlan {
   double amplitude_rad{};  ///< Of the oscillations, joint side.
   double frequency_Hz{};
   std::vector<double> motor_speeds_rad_s;  ///< Of the runs.
-  std::vector<std::string> remarks;        ///< Whole plan: budget, range that the torque leaves.
+  std::vector<Statement> remarks;          ///< Whole plan: budget, range that the torque leaves.
 
   [[nodiscard]] double duration_s() const;
   [[nodiscard]] const PlannedPart& part(joint::Role role) const;

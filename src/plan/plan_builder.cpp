@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,7 @@ std::string degrees_text(double angle_rad, int decimals) {
   return text + "°";
 }
 
-WorkingRange working_range(const AssumedJoint& j, std::vector<std::string>& remarks) {
+WorkingRange working_range(const AssumedJoint& j, std::vector<Statement>& remarks) {
   const joint::JointFacts& f = j.facts;
   WorkingRange r;
   const double margin = std::min(largest_margin_rad, margin_share * (f.highest_rad - f.lowest_rad));
@@ -72,22 +73,27 @@ WorkingRange working_range(const AssumedJoint& j, std::vector<std::string>& rema
     const Stretch s = stretch_within_torque(j, r.low_rad, r.high_rad);
     const bool is_all = s.found && s.low_rad <= r.low_rad && s.high_rad >= r.high_rad;
     if (!is_all) {
-      remarks.push_back(fmt::format(
-          "the torque limit of {:.4g} N·m at the motor holds gravity of {:.4g} N·m and friction of "
-          "{:.3g} N·m only {}: a lighter load, or a drive of {:.3g} N·m, would open the whole "
-          "range",
-          f.torque_limit_Nm, j.gravity_Nm, j.static_Nm,
-          s.found ? fmt::format("from {} to {}", degrees_text(s.low_rad), degrees_text(s.high_rad))
-                  : "nowhere within the angle limits",
-          (j.gravity_Nm + j.static_Nm) / usable_torque));
+      const double torque_needed = (j.gravity_Nm + j.static_Nm) / usable_torque;
+      remarks.push_back(s.found ? Statement{"plan.torque_holds_stretch",
+                                            {{"torque_limit", f.torque_limit_Nm},
+                                             {"gravity_torque", j.gravity_Nm},
+                                             {"break_away_torque", j.static_Nm},
+                                             {"lowest", degrees_text(s.low_rad)},
+                                             {"highest", degrees_text(s.high_rad)},
+                                             {"torque_needed", torque_needed}}}
+                                : Statement{"plan.torque_holds_nowhere",
+                                            {{"torque_limit", f.torque_limit_Nm},
+                                             {"gravity_torque", j.gravity_Nm},
+                                             {"break_away_torque", j.static_Nm},
+                                             {"torque_needed", torque_needed}}});
     }
     r.low_rad = s.found ? s.low_rad : j.q_peak_rad;
     r.high_rad = s.found ? s.high_rad : j.q_peak_rad;
   } else if (spare_torque_Nm(j) < 0) {
-    remarks.push_back(fmt::format(
-        "gravity of {:.4g} N·m and friction of {:.3g} N·m exceed 95 % of the torque limit of "
-        "{:.4g} N·m at the motor: while the angle of the peak is not known, the sweep may stall",
-        j.gravity_Nm, j.static_Nm, f.torque_limit_Nm));
+    remarks.push_back({"plan.sweep_may_stall",
+                       {{"gravity_torque", j.gravity_Nm},
+                        {"break_away_torque", j.static_Nm},
+                        {"torque_limit", f.torque_limit_Nm}}});
   }
   r.holds_peak = j.peak_is_known && j.q_peak_rad >= r.low_rad && j.q_peak_rad <= r.high_rad &&
                  r.high_rad > r.low_rad;
@@ -101,7 +107,7 @@ WorkingRange working_range(const AssumedJoint& j, std::vector<std::string>& rema
 void Timeline::go_to(double angle_rad) {
   if (has_place_ && std::abs(angle_rad - angle_rad_) > same_place_rad) {
     PlannedSegment s;
-    s.name = "travel";
+    s.name = {"plan_segment.travel"};
     s.start_s = now_s();
     s.motion = travel(angle_rad_, angle_rad, range_.travel_speed_rad_s, range_.acceleration_rad_s2,
                       false, rest_s / 2);
@@ -111,11 +117,10 @@ void Timeline::go_to(double angle_rad) {
   angle_rad_ = angle_rad;
 }
 
-void Timeline::record(const std::string& name, joint::Role role,
-                      std::shared_ptr<const PlannedMotion> motion, double from_s, double to_s,
-                      const std::optional<PlannedRamp>& ramp) {
+void Timeline::record(Statement name, joint::Role role, std::shared_ptr<const PlannedMotion> motion,
+                      double from_s, double to_s, const std::optional<PlannedRamp>& ramp) {
   PlannedSegment s;
-  s.name = name;
+  s.name = std::move(name);
   s.role = role;
   s.start_s = now_s();
   s.from_s = s.start_s + from_s;
@@ -133,16 +138,15 @@ PlannedPart part_about_the_peak(joint::Role role, const WorkingRange& range,
   const AssumedJoint& j = plan.joint;
   if (!j.peak_is_known) {
     part.state = PartState::later;
-    part.why = "it lies about the gravity peak, whose angle the rough sweep gives";
-    part.help = "record this plan, identify it, and plan again with --calibration and the result";
+    part.why = {"plan_limit.peak_unknown"};
+    part.help = {"plan_help.plan_again"};
   } else if (!range.holds_peak) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "the gravity peak at {} lies outside the range that can be used, {} to {}",
-        degrees_text(j.q_peak_rad), degrees_text(range.low_rad), degrees_text(range.high_rad));
-    part.help =
-        "wider angle limits, a lighter load where the torque is what limits, or another "
-        "pose of the arm that brings the peak inside";
+    part.why = {"plan_limit.peak_outside",
+                {{"peak", degrees_text(j.q_peak_rad)},
+                 {"lowest", degrees_text(range.low_rad)},
+                 {"highest", degrees_text(range.high_rad)}}};
+    part.help = {"plan_help.bring_peak_inside"};
   }
   return part;
 }

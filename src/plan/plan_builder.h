@@ -24,7 +24,7 @@ inline constexpr double usable_torque = 0.95;
 
 /// Limits less a margin, and of that the stretch over which the drive can hold gravity and
 /// friction. What the torque takes away becomes a remark.
-WorkingRange working_range(const AssumedJoint& joint, std::vector<std::string>& remarks);
+WorkingRange working_range(const AssumedJoint& joint, std::vector<Statement>& remarks);
 
 /// Puts segments one behind the other, with the travels between them.
 class Timeline {
@@ -35,9 +35,8 @@ class Timeline {
   void go_to(double angle_rad);
   /// The motion begins where the joint stands.
   /// @param from_s, to_s window of the recording within the motion.
-  void record(const std::string& name, joint::Role role,
-              std::shared_ptr<const PlannedMotion> motion, double from_s, double to_s,
-              const std::optional<PlannedRamp>& ramp = {});
+  void record(Statement name, joint::Role role, std::shared_ptr<const PlannedMotion> motion,
+              double from_s, double to_s, const std::optional<PlannedRamp>& ramp = {});
   [[nodiscard]] double now_s() const { return plan_.duration_s(); }
 
  private:

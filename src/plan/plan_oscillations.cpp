@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/motion/encoder_resolution.h"
@@ -131,12 +129,25 @@ std::vector<Shape> other_shapes(const AssumedJoint& j, const WorkingRange& range
   return shapes;
 }
 
-std::string amplitudes_text(const std::vector<Shape>& shapes) {
-  std::string text;
-  for (const Shape& s : shapes) {
-    text += fmt::format("{}{:.3g} µrad", text.empty() ? "" : " and ", s.amplitude_rad * 1e6);
+Statement motion_of(const std::vector<Shape>& others) {
+  if (others.empty()) return {};
+  const double first = others.front().amplitude_rad * 1e6;
+  if (others.size() == 1) return {"plan_motion.other_amplitude", {{"amplitude", first}}};
+  return {"plan_motion.other_amplitudes",
+          {{"smaller", first}, {"larger", others.back().amplitude_rad * 1e6}}};
+}
+
+Statement ripple_that_stays(const AssumedJoint& j, const Positions& positions) {
+  const double amplitude = j.noise.ripple.front().amplitude_Nm;
+  const std::string motor_turn = degrees_text(2 * pi / j.facts.gear_ratio, 1);
+  if (positions.q_rad.size() == 1) {
+    return {"plan_limit.all_ripple_stays",
+            {{"ripple_amplitude", amplitude}, {"motor_turn", motor_turn}}};
   }
-  return text;
+  return {"plan_limit.ripple_stays",
+          {{"left_percent", 100 * positions.left},
+           {"ripple_amplitude", amplitude},
+           {"motor_turn", motor_turn}}};
 }
 
 std::size_t wanted_positions(double effort) {
@@ -148,27 +159,24 @@ std::size_t wanted_positions(double effort) {
 void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   const AssumedJoint& j = plan.joint;
   PlannedPart part = part_about_the_peak(joint::Role::oscillation, range, plan);
-  part.gives =
-      "gravity torque free of friction, surrogate mass, bristle stiffness, break-away torque";
+  part.gives = {"plan_gives.oscillations"};
   const Shape shape = oscillation_shape(j, range);
   const double steps = steps_across(j, shape);
   if (steps < method::motion::fewest_steps_in_presliding) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "the encoder is too coarse for pre-sliding: {:.0f} counts a motor turn give {:.2g} steps "
-        "across a loop of {:.2g} rad at the motor, {:.0f} are needed",
-        j.noise.encoder_counts_per_turn, steps, 2 * shape.amplitude_rad * j.facts.gear_ratio,
-        method::motion::fewest_steps_in_presliding);
-    part.help = fmt::format(
-        "an encoder of {:.0f} counts or more, interpolated lines counted; the sweep and the runs "
-        "give gravity and sliding friction without it",
-        std::ceil(j.noise.encoder_counts_per_turn * method::motion::fewest_steps_in_presliding /
-                  steps));
+    constexpr double steps_needed = method::motion::fewest_steps_in_presliding;
+    part.why = {"plan_limit.encoder_in_presliding",
+                {{"counts", j.noise.encoder_counts_per_turn},
+                 {"steps", steps},
+                 {"loop_width", 2 * shape.amplitude_rad * j.facts.gear_ratio},
+                 {"steps_needed", steps_needed}}};
+    part.help = {"plan_help.finer_encoder_for_loop",
+                 {{"counts", std::ceil(j.noise.encoder_counts_per_turn * steps_needed / steps)}}};
   } else if (part.state == PartState::planned && 2 * shape.amplitude_rad > range.span_rad()) {
     part.state = PartState::impossible;
-    part.why = fmt::format("its width of {:.3g} rad exceeds the range of {:.3g} rad",
-                           2 * shape.amplitude_rad, range.span_rad());
-    part.help = "wider angle limits";
+    part.why = {"plan_limit.oscillation_too_wide",
+                {{"width", 2 * shape.amplitude_rad}, {"range", range.span_rad()}}};
+    part.help = {"plan_help.wider_angle_limits"};
   }
   if (part.state == PartState::planned) {
     const std::vector<Shape> others = other_shapes(j, range);
@@ -181,19 +189,14 @@ void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentP
     plan.frequency_Hz = shape.frequency_Hz;
     if (positions.left > ripple_of_no_matter) {
       part.state = PartState::limited;
-      part.why = fmt::format(
-          "{} of the ripple's amplitude of {:.2g} N·m stays in the mean over the positions: a "
-          "motor turn is {} at the joint",
-          positions.q_rad.size() == 1 ? std::string("all")
-                                      : fmt::format("{:.0f} %", 100 * positions.left),
-          j.noise.ripple.front().amplitude_Nm, degrees_text(2 * pi / j.facts.gear_ratio, 1));
-      part.help = "a wider range about the gravity peak";
+      part.why = ripple_that_stays(j, positions);
+      part.help = {"plan_help.wider_range_about_peak"};
     }
     const int cycles =
         static_cast<int>(std::round(std::max(fewest_cycles, usual_cycles * plan.effort)));
     const double begins_s = timeline.now_s();
     const std::size_t count = positions.q_rad.size();
-    const auto oscillate = [&](const std::string& name, const Shape& s, double centre_rad) {
+    const auto oscillate = [&](const Statement& name, const Shape& s, double centre_rad) {
       const auto motion = std::make_shared<EasedSine>(centre_rad, s.amplitude_rad, s.frequency_Hz,
                                                       cycles, s.ease_s);
       timeline.go_to(motion->start_rad());
@@ -201,25 +204,25 @@ void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentP
                       motion->duration_s() - s.ease_s);
     };
     for (std::size_t k = 0; k < count; ++k) {
-      oscillate(fmt::format("oscillation {} of {}", k + 1, count), shape, positions.q_rad[k]);
+      oscillate({"plan_segment.oscillation", {{"number", k + 1}, {"oscillations", count}}}, shape,
+                positions.q_rad[k]);
       if (k != count / 2) continue;
       for (const Shape& other : others) {
-        oscillate(fmt::format("oscillation of {:.3g} µrad", other.amplitude_rad * 1e6), other,
-                  positions.q_rad[k]);
+        oscillate({"plan_segment.other_oscillation", {{"amplitude", other.amplitude_rad * 1e6}}},
+                  other, positions.q_rad[k]);
       }
     }
     part.recordings = count + others.size();
     part.duration_s = timeline.now_s() - begins_s;
-    part.motion = fmt::format(
-        "{} cycles at {:.3g} Hz, amplitude {:.3g} µrad ({:.3g} mrad at the motor), at {} "
-        "position{} from {} to {}{}",
-        cycles, shape.frequency_Hz, shape.amplitude_rad * 1e6,
-        shape.amplitude_rad * j.facts.gear_ratio * 1e3, count, count == 1 ? "" : "s",
-        degrees_text(positions.q_rad.front(), 3), degrees_text(positions.q_rad.back(), 3),
-        others.empty() ? ""
-                       : fmt::format("; as the bristle stiffness is assumed, at the middle one "
-                                     "also with {}",
-                                     amplitudes_text(others)));
+    part.motion = {"plan_motion.oscillations",
+                   {{"cycles", Statement{"plan_motion.cycles", {{"cycles", cycles}}}},
+                    {"frequency", shape.frequency_Hz},
+                    {"amplitude", shape.amplitude_rad * 1e6},
+                    {"motor_amplitude", shape.amplitude_rad * j.facts.gear_ratio * 1e3},
+                    {"positions", count},
+                    {"first", degrees_text(positions.q_rad.front(), 3)},
+                    {"last", degrees_text(positions.q_rad.back(), 3)}}};
+    part.motion.add(motion_of(others));
   }
   plan.parts.push_back(std::move(part));
 }

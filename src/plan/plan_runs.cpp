@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "plan/plan_builder.h"
 #include "simulate/motion.h"
@@ -29,7 +27,8 @@ constexpr double least_ratio_of_speeds = 2;
 /// The fastest joint speed whose plateau and ramps fit the range, and whose torque the drive has.
 struct Fastest {
   double speed_rad_s{};
-  const char* limited_by{"speed limit"};
+  const char* limited_by{"speed_limit"};  ///< As codes of what is said of it end.
+  [[nodiscard]] Code code(const std::string& topic) const { return Code::of(topic + limited_by); }
 };
 
 Fastest fastest_speed(const AssumedJoint& j, const WorkingRange& range) {
@@ -55,9 +54,9 @@ Fastest fastest_speed(const AssumedJoint& j, const WorkingRange& range) {
     }
     fastest = {low, why};
   };
-  lower_to(fits, "angle range");
+  lower_to(fits, "angle_range");
   // Where the drive cannot even start, less acceleration is a question of its own.
-  if (is_driven(0)) lower_to(is_driven, "torque limit");
+  if (is_driven(0)) lower_to(is_driven, "torque_limit");
   return fastest;
 }
 
@@ -75,9 +74,9 @@ void record_run(double speed_rad_s, std::size_t number, const WorkingRange& rang
   const double to = std::min(range.high_rad, centre + half_way);
   timeline.go_to(from);
   const auto motion = travel(from, to, speed_rad_s, range.acceleration_rad_s2, true, rest_s / 2);
-  timeline.record(
-      fmt::format("constant speed {}: {:.3g} rad/s", number, speed_rad_s * j.facts.gear_ratio),
-      joint::Role::constant_speed, motion, 0, motion->duration_s());
+  timeline.record({"plan_segment.constant_speed",
+                   {{"number", number}, {"motor_speed", speed_rad_s * j.facts.gear_ratio}}},
+                  joint::Role::constant_speed, motion, 0, motion->duration_s());
 }
 
 }  // namespace
@@ -86,29 +85,26 @@ void add_runs(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pla
   const AssumedJoint& j = plan.joint;
   PlannedPart part;
   part.role = joint::Role::constant_speed;
-  part.gives = "friction against speed: Coulomb, Stribeck and viscous parameters";
+  part.gives = {"plan_gives.runs"};
   const double n = j.facts.gear_ratio;
   const Fastest fastest = fastest_speed(j, range);
   const double top = n * fastest.speed_rad_s;
   const double bottom = slowest_over_stribeck * j.stribeck_speed_rad_s;
   if (top < least_ratio_of_speeds * bottom) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "the {} allows {:.3g} rad/s at the motor, below {:.3g} rad/s where runs would begin "
-        "(a fifth of the Stribeck velocity)",
-        fastest.limited_by, top, bottom);
-    part.help = std::string("a higher ") + fastest.limited_by;
+    part.why = {fastest.code("plan_no_runs_within."), {{"fastest", top}, {"slowest", bottom}}};
+    part.help = fastest.code("plan_higher.");
     plan.parts.push_back(std::move(part));
     return;
   }
   if (top < fastest_over_stribeck * j.stribeck_speed_rad_s) {
     part.state = PartState::limited;
-    part.why = fmt::format(
-        "the {} allows {:.3g} rad/s at the motor, {:.2g} times the Stribeck velocity of {:.3g} "
-        "rad/s: viscous friction cannot be told from the Stribeck fall",
-        fastest.limited_by, top, top / j.stribeck_speed_rad_s, j.stribeck_speed_rad_s);
-    part.help = fmt::format("{:.3g} rad/s at the motor and more",
-                            fastest_over_stribeck * j.stribeck_speed_rad_s);
+    part.why = {fastest.code("plan_slow_runs_within."),
+                {{"fastest", top},
+                 {"times", top / j.stribeck_speed_rad_s},
+                 {"stribeck_speed", j.stribeck_speed_rad_s}}};
+    part.help = {"plan_help.motor_speed",
+                 {{"motor_speed", fastest_over_stribeck * j.stribeck_speed_rad_s}}};
   }
   const auto count = static_cast<std::size_t>(
       std::clamp(std::round(usual_speeds * std::sqrt(plan.effort)), fewest_speeds, most_speeds));
@@ -121,11 +117,12 @@ void add_runs(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pla
   }
   part.recordings = count;
   part.duration_s = timeline.now_s() - begins_s;
-  part.motion = fmt::format(
-      "{} speeds in both directions from {:.3g} to {:.3g} rad/s at the motor ({:.3g}°/s to "
-      "{:.3g}°/s), the fastest by the {}",
-      count, bottom, top, bottom / n * joint::degrees_per_rad, top / n * joint::degrees_per_rad,
-      fastest.limited_by);
+  part.motion = {fastest.code("plan_runs_to."),
+                 {{"speeds", count},
+                  {"slowest", bottom},
+                  {"fastest", top},
+                  {"slowest_joint", bottom / n * joint::degrees_per_rad},
+                  {"fastest_joint", top / n * joint::degrees_per_rad}}};
   plan.parts.push_back(std::move(part));
 }
 
@@ -153,7 +150,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
   const AssumedJoint& j = plan.joint;
   const double n = j.facts.gear_ratio;
   PlannedPart part = part_about_the_peak(joint::Role::break_away, range, plan);
-  part.gives = "break-away torque without any model";
+  part.gives = {"plan_gives.ramps"};
   const double spare = usable_torque * j.facts.torque_limit_Nm - j.gravity_Nm;
   const double change = std::min(usual_change * j.static_Nm, spare);
   const double steps = j.breakaway_deflection_rad() * j.noise.encoder_counts_per_turn / (2 * pi);
@@ -164,18 +161,20 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
       {travel_over_breakaway * j.breakaway_deflection_rad() / n, by_speed, range.span_rad() / 2});
   if (part.state == PartState::planned && change < least_change * j.static_Nm) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "holding gravity of {:.4g} N·m, the torque limit of {:.4g} N·m leaves {:.3g} N·m; {:.3g} "
-        "N·m are needed to pass the break-away torque of {:.3g} N·m",
-        j.gravity_Nm, j.facts.torque_limit_Nm, spare, least_change * j.static_Nm, j.static_Nm);
-    part.help = "a lighter load";
+    part.why = {"plan_limit.torque_left_for_ramp",
+                {{"gravity_torque", j.gravity_Nm},
+                 {"torque_limit", j.facts.torque_limit_Nm},
+                 {"torque_left", spare},
+                 {"torque_needed", least_change * j.static_Nm},
+                 {"break_away_torque", j.static_Nm}}};
+    part.help = {"plan_help.lighter_load"};
   } else if (part.state == PartState::planned && steps < fewest_steps) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "the {:.2g} rad of the motor up to break-away are {:.2g} steps of the encoder, {:.0f} are "
-        "needed",
-        j.breakaway_deflection_rad(), steps, fewest_steps);
-    part.help = "a finer encoder";
+    part.why = {"plan_limit.encoder_before_break_away",
+                {{"deflection", j.breakaway_deflection_rad()},
+                 {"steps", steps},
+                 {"steps_needed", fewest_steps}}};
+    part.help = {"plan_help.finer_encoder"};
   }
   if (part.state == PartState::planned) {
     const PlannedRamp up{1, j.static_Nm / seconds_to_break_away, change, travel};
@@ -188,17 +187,19 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
     for (int k = 0; k < 2 * repeats; ++k) {
       PlannedRamp ramp = up;
       ramp.direction = k % 2 == 0 ? 1 : -1;
-      timeline.record(fmt::format("break-away {} of {}, torque {}", k + 1, 2 * repeats,
-                                  k % 2 == 0 ? "rising" : "falling"),
+      timeline.record({k % 2 == 0 ? Code("plan_segment.ramp_up") : Code("plan_segment.ramp_down"),
+                       {{"number", k + 1}, {"ramps", 2 * repeats}}},
                       joint::Role::break_away, hold(q, rest_s + ramp_s + return_s), rest_s,
                       rest_s + ramp_s, ramp);
     }
     part.recordings = static_cast<std::size_t>(2 * repeats);
     part.duration_s = timeline.now_s() - begins_s;
-    part.motion = fmt::format(
-        "at {}, {} ramps up and {} down at {:.3g} N·m/s, by up to {:.3g} N·m at the motor from "
-        "what holds the arm; a ramp ends when the joint has slid {:.2g}°",
-        degrees_text(q), repeats, repeats, up.rate_Nm_s, change, travel * joint::degrees_per_rad);
+    part.motion = {"plan_motion.ramps",
+                   {{"angle", degrees_text(q)},
+                    {"ramps", repeats},
+                    {"rate", up.rate_Nm_s},
+                    {"change", change},
+                    {"travel", travel * joint::degrees_per_rad}}};
   }
   plan.parts.push_back(std::move(part));
 }
@@ -220,7 +221,7 @@ double sweep_speed(const ExperimentPlan& plan, double way_rad, double stroke_s) 
                   fastest_sweep_share * plan.joint.facts.speed_limit_rad_s);
 }
 
-void add_sweep(const std::string& name, double from_rad, double to_rad, double speed_rad_s,
+void add_sweep(Code name, double from_rad, double to_rad, double speed_rad_s,
                const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan,
                PlannedPart& part) {
   const double begins_s = timeline.now_s();
@@ -230,10 +231,11 @@ void add_sweep(const std::string& name, double from_rad, double to_rad, double s
   timeline.record(name, part.role, motion, 0, motion->duration_s());
   part.recordings = 1;
   part.duration_s = timeline.now_s() - begins_s;
-  part.motion =
-      fmt::format("from {} to {} and back at {:.3g}°/s, {:.3g} rad/s at the motor",
-                  degrees_text(from_rad), degrees_text(to_rad),
-                  speed_rad_s * joint::degrees_per_rad, speed_rad_s * plan.joint.facts.gear_ratio);
+  part.motion = {"plan_motion.sweep",
+                 {{"start", degrees_text(from_rad)},
+                  {"end", degrees_text(to_rad)},
+                  {"joint_speed", speed_rad_s * joint::degrees_per_rad},
+                  {"motor_speed", speed_rad_s * plan.joint.facts.gear_ratio}}};
 }
 
 }  // namespace
@@ -241,49 +243,45 @@ void add_sweep(const std::string& name, double from_rad, double to_rad, double s
 void add_rough_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   PlannedPart part;
   part.role = joint::Role::rough_sweep;
-  part.gives =
-      "gravity torque, angle of the gravity peak, friction of the slow joint, torque ripple";
+  part.gives = {"plan_gives.rough_sweep"};
   const double span = range.span_rad();
   if (span < least_range_rad) {
     part.state = PartState::impossible;
-    part.why = fmt::format(
-        "over the {} that can be used a cosine cannot be told from a constant; {} are needed",
-        degrees_text(span, 1), degrees_text(least_range_rad, 0));
-    part.help = "wider angle limits";
+    part.why = {"plan_limit.range_too_small",
+                {{"range", degrees_text(span, 1)}, {"needed", degrees_text(least_range_rad, 0)}}};
+    part.help = {"plan_help.wider_angle_limits"};
   } else {
     if (span < good_range_rad) {
       part.state = PartState::limited;
-      part.why = fmt::format(
-          "{} is a short range: gravity is told from friction the less surely; {} and more are "
-          "good",
-          degrees_text(span, 1), degrees_text(good_range_rad, 0));
-      part.help = "wider angle limits";
+      part.why = {"plan_limit.short_range",
+                  {{"range", degrees_text(span, 1)}, {"good", degrees_text(good_range_rad, 0)}}};
+      part.help = {"plan_help.wider_angle_limits"};
     } else if (plan.joint.peak_is_known && !range.holds_peak) {
       part.state = PartState::limited;
-      part.why = fmt::format("the sweep does not cross the gravity peak at {}",
-                             degrees_text(plan.joint.q_peak_rad));
-      part.help = "an angle range that holds the peak";
+      part.why = {"plan_limit.peak_not_crossed", {{"peak", degrees_text(plan.joint.q_peak_rad)}}};
+      part.help = {"plan_help.range_with_peak"};
     }
-    add_sweep("rough sweep", range.low_rad, range.high_rad, sweep_speed(plan, span, rough_stroke_s),
-              range, timeline, plan, part);
+    add_sweep("plan_segment.rough_sweep", range.low_rad, range.high_rad,
+              sweep_speed(plan, span, rough_stroke_s), range, timeline, plan, part);
   }
   plan.parts.push_back(std::move(part));
 }
 
 void add_precise_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   PlannedPart part = part_about_the_peak(joint::Role::precise_sweep, range, plan);
-  part.gives = "angle of the gravity peak, closer";
+  part.gives = {"plan_gives.precise_sweep"};
   if (part.state == PartState::planned) {
     const double peak = plan.joint.q_peak_rad;
     const double reach = std::min({precise_reach_rad, peak - range.low_rad, range.high_rad - peak});
     if (reach < least_precise_reach_rad) {
       part.state = PartState::impossible;
-      part.why = fmt::format(
-          "the gravity peak at {} is {} from the end of the range; {} are needed",
-          degrees_text(peak), degrees_text(reach), degrees_text(least_precise_reach_rad));
-      part.help = "wider angle limits";
+      part.why = {"plan_limit.peak_at_end",
+                  {{"peak", degrees_text(peak)},
+                   {"distance", degrees_text(reach)},
+                   {"needed", degrees_text(least_precise_reach_rad)}}};
+      part.help = {"plan_help.wider_angle_limits"};
     } else {
-      add_sweep("precise sweep", peak - reach, peak + reach,
+      add_sweep("plan_segment.precise_sweep", peak - reach, peak + reach,
                 sweep_speed(plan, 2 * reach, precise_stroke_s), range, timeline, plan, part);
     }
   }

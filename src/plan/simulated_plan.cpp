@@ -10,6 +10,8 @@
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/motion.h"
+#include "wording/language.h"
+#include "wording/words.h"
 
 namespace tribolog::plan {
 namespace {
@@ -149,6 +151,7 @@ joint::Recording simulate_plan(const ExperimentPlan& plan, const simulate::Scena
 std::vector<simulate::IdealRecording> cut_by_plan(const ExperimentPlan& plan,
                                                   const joint::Recording& log,
                                                   double sample_rate_Hz) {
+  const wording::WordsIn english({});  // names of recordings are the same in every language
   std::vector<simulate::IdealRecording> all;
   for (const PlannedSegment& segment : plan.segments) {
     if (!segment.role) continue;
@@ -159,7 +162,7 @@ std::vector<simulate::IdealRecording> cut_by_plan(const ExperimentPlan& plan,
     const std::size_t first = at(segment.from_s);
     const std::size_t last = at(std::nextafter(segment.to_s, 1e300));
     joint::Recording r;
-    r.name = segment.name;
+    r.name = wording::words(segment.name);
     r.role = *segment.role;
     r.t_s = cut(log.t_s, first, last);
     r.q_rad = cut(log.q_rad, first, last);

@@ -35,6 +35,6 @@ std::string comparison_page(const history::Comparison& comparison,
                             const std::string& curves_missing,
                             const std::vector<figures::ReportFigure>& figures,
                             const std::vector<render::workers::DrawnFigure>& drawn,
-                            wording::Language language = wording::Language::english);
+                            wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report

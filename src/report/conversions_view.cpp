@@ -7,11 +7,15 @@
 
 #include "joint/dataset.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 
 namespace tribolog::report {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr int digits_of_time = 3;
 constexpr std::size_t most_logs_named = 3;
@@ -19,39 +23,38 @@ constexpr std::size_t most_logs_named = 3;
 std::string signal_in_words(joint::LoggedSignal signal) {
   switch (signal) {
     case joint::LoggedSignal::time:
-      return "Time";
+      return tr("Time");
     case joint::LoggedSignal::angle:
-      return "Angle of the joint";
+      return tr("Angle of the joint");
     case joint::LoggedSignal::speed:
-      return "Speed of the joint";
+      return tr("Speed of the joint");
     case joint::LoggedSignal::effort:
-      return "Torque at the motor";
+      return tr("Torque at the motor");
     case joint::LoggedSignal::bristle:
-      return "Bristle deflection";
+      return tr("Bristle deflection");
     case joint::LoggedSignal::bristle_rate:
-      return "Bristle rate";
+      return tr("Bristle rate");
     case joint::LoggedSignal::temperature:
-      return "Temperature";
+      return tr("Temperature");
   }
   return "–";
 }
 
 /// In quotes a name is no symbol with an index.
-std::string named(const std::string& column) { return "“" + column + "”"; }
+std::string named(const std::string& column) { return tr("“{column}”", {{"column", column}}); }
 
 std::string step_in_words(const joint::ConversionStep& step,
                           const joint::ColumnConversion& conversion) {
-  const std::string by = step.divides ? "÷ " : "× ";
+  const std::string factor = (step.divides ? "÷ " : "× ") + wording::as_stated(step.number);
   switch (step.reason) {
     case joint::ConversionStep::Reason::unit:
-      return by + wording::as_stated(step.number) + " (from " + conversion.unit + ")";
+      return tr("{factor} (from {unit})", {{"factor", factor}, {"unit", conversion.unit}});
     case joint::ConversionStep::Reason::sign:
-      return by + wording::as_stated(step.number) + " (sign stated)";
+      return tr("{factor} (sign stated)", {{"factor", factor}});
     case joint::ConversionStep::Reason::torque_constant:
-      return by + wording::with_unit(wording::as_stated(step.number), "N·m/A") +
-             " (torque constant)";
+      return tr("{factor} (torque constant)", {{"factor", wording::with_unit(factor, "N·m/A")}});
     case joint::ConversionStep::Reason::gear:
-      return by + wording::as_stated(step.number) + " (gear ratio)";
+      return tr("{factor} (gear ratio)", {{"factor", factor}});
   }
   return "";
 }
@@ -62,18 +65,17 @@ std::string steps_in_words(const joint::ColumnConversion& conversion) {
     if (!words.empty()) words += ' ';
     words += step_in_words(step, conversion);
   }
-  return words.empty() ? "as logged" : words;
+  return words.empty() ? tr("as logged") : words;
 }
 
 std::string logs_in_words(const std::vector<std::string>& files) {
-  std::string words;
+  std::string named;
   for (std::size_t i = 0; i < std::min(files.size(), most_logs_named); ++i) {
-    words += (words.empty() ? "" : ", ") + log_name(files[i]);
+    named += (named.empty() ? "" : ", ") + log_name(files[i]);
   }
-  if (files.size() > most_logs_named) {
-    words += " and " + wording::count(files.size() - most_logs_named) + " more";
-  }
-  return words;
+  if (files.size() <= most_logs_named) return named;
+  return tr("{logs} and {others} more",
+            {{"logs", named}, {"others", wording::count(files.size() - most_logs_named)}});
 }
 
 std::string unit_of_angles(const joint::KnownLoad& load) {
@@ -85,37 +87,47 @@ std::string roles_in_words(const std::vector<joint::Role>& roles) {
   std::string words;
   for (const joint::Role role : roles)
     words += (words.empty() ? "" : ", ") + joint::to_string(role);
-  return words.empty() ? "all" : words;
+  return words.empty() ? tr("all") : words;
+}
+
+std::string at_the_side(const std::string& unit, joint::Side side) {
+  return side == joint::Side::motor ? tr("{unit}, motor side", {{"unit", unit}})
+                                    : tr("{unit}, joint side", {{"unit", unit}});
+}
+
+/// As a torque of the joint that is subtracted at the motor.
+std::string load_at_motor(const joint::KnownLoad& load, double gear_ratio) {
+  if (gear_ratio == 1) return load_formula(load);
+  return tr("{load} ÷ {gear_ratio} (gear ratio)",
+            {{"load", load_formula(load)}, {"gear_ratio", wording::as_stated(gear_ratio)}});
 }
 
 Table conversions_table(const calibration::Calibration& c) {
   Table table;
   table.id = "table-conversions";
   table.is_stacked = true;
-  table.caption = "What was made of each column";
+  table.caption = tr("What was made of each column");
   table.columns = {
-      {"Signal", "", false},      {"Column", "", false}, {"Unit in the log", "", false},
-      {"Steps", "", false, true}, {"Factor", "", true},  {"Result", "", false},
-      {"Logs", "", false}};
+      {tr("Signal"), "", false},      {tr("Column"), "", false}, {tr("Unit in the log"), "", false},
+      {tr("Steps"), "", false, true}, {tr("Factor"), "", true},  {tr("Result"), "", false},
+      {tr("Logs"), "", false}};
   for (const joint::SharedConversion& shared : joint::shared_conversions(c.inputs)) {
     const joint::ColumnConversion& one = shared.conversion;
-    table.rows.push_back(
-        {{signal_in_words(one.signal), named(one.column), one.unit, steps_in_words(one),
-          wording::as_stated(one.factor()),
-          one.si_unit + (one.side ? ", " + joint::to_string(*one.side) + " side" : ""),
-          shared.is_of_all ? "all" : logs_in_words(shared.files)},
-         false});
+    table.rows.push_back({{signal_in_words(one.signal), named(one.column), one.unit,
+                           steps_in_words(one), wording::as_stated(one.factor()),
+                           one.side ? at_the_side(one.si_unit, *one.side) : one.si_unit,
+                           shared.is_of_all ? tr("all") : logs_in_words(shared.files)},
+                          false});
   }
   const double n = c.manifest.drive.gear_ratio();
   for (const joint::KnownLoad& load : c.manifest.known_loads) {
     std::string angles;
     for (const std::string& name : load.angles)
       angles += (angles.empty() ? "" : ", ") + named(name);
-    table.rows.push_back(
-        {{"Known load, subtracted from the torque", angles, unit_of_angles(load),
-          load_formula(load) + (n == 1 ? "" : " ÷ " + wording::as_stated(n) + " (gear ratio)"), "–",
-          "N·m, motor side", roles_in_words(load.roles)},
-         false});
+    table.rows.push_back({{tr("Known load, subtracted from the torque"), angles,
+                           unit_of_angles(load), load_at_motor(load, n), "–",
+                           at_the_side("N·m", joint::Side::motor), roles_in_words(load.roles)},
+                          false});
   }
   return table;
 }
@@ -124,14 +136,15 @@ std::string way_to_speed(joint::Role role) {
   switch (role) {
     case joint::Role::rough_sweep:
     case joint::Role::precise_sweep:
-      return "local slope of the angle at every sample";
+      return tr("local slope of the angle at every sample");
     case joint::Role::constant_speed:
-      return "way of a plateau over its time; the local slope of the angle finds the plateaus";
+      return tr("way of a plateau over its time; the local slope of the angle finds the plateaus");
     case joint::Role::oscillation:
-      return "derivative of what is fitted to the angle: harmonics, or a smoothing spline where a "
-             "torque drives it";
+      return tr(
+          "derivative of what is fitted to the angle: harmonics, or a smoothing spline where a "
+          "torque drives it");
     case joint::Role::break_away:
-      return "way over time across 20 steps of the angle or a tenth of the travel";
+      return tr("way over time across 20 steps of the angle or a tenth of the travel");
   }
   return "–";
 }
@@ -147,17 +160,35 @@ std::string range_in_words(double low, double high, const std::string& unit) {
   return wording::with_unit(first == last ? first : first + " … " + last, unit);
 }
 
+/// In how many of the recordings.
+std::string logged_in_words(std::size_t logged, std::size_t recordings) {
+  if (logged == 0) return tr("no");
+  if (logged == recordings) return tr("yes");
+  return tr("in {recordings}", {{"recordings", wording::count(logged)}});
+}
+
+/// "9.0 … 12 ms, 9 … 12 samples"
+std::string window_in_words(const method::motion::SpeedSource& shortest,
+                            const method::motion::SpeedSource& longest) {
+  constexpr double ms_per_s = 1000;
+  const auto [fewest, most] = std::minmax(shortest.window, longest.window);
+  const std::string samples = wording::count(fewest);
+  return tr_count(
+      most, "{time}, {samples} sample", "{time}, {samples} samples",
+      {{"time", range_in_words(ms_per_s * shortest.window_s, ms_per_s * longest.window_s, "ms")},
+       {"samples", fewest == most ? samples : samples + " … " + wording::count(most)}});
+}
+
 Table speeds_table(const std::vector<method::motion::SpeedSource>& sources) {
   Table table;
   table.id = "table-speeds";
   table.is_stacked = true;
-  table.caption = "Where speeds come from";
-  table.columns = {{"Recordings", "", false},
-                   {"Speed logged", "", false},
-                   {"Speed that is used", "", false, true},
-                   {"Window", "", false},
-                   {"Cut-off", "", false}};
-  constexpr double ms_per_s = 1000;
+  table.caption = tr("Where speeds come from");
+  table.columns = {{tr("Recordings"), "", false},
+                   {tr("Speed logged"), "", false},
+                   {tr("Speed that is used"), "", false, true},
+                   {tr("Window"), "", false},
+                   {tr("Cut-off"), "", false}};
   for (const joint::Role role :
        {joint::Role::rough_sweep, joint::Role::precise_sweep, joint::Role::oscillation,
         joint::Role::constant_speed, joint::Role::break_away}) {
@@ -178,27 +209,19 @@ Table speeds_table(const std::vector<method::motion::SpeedSource>& sources) {
     const auto [shortest, longest] = range(&method::motion::SpeedSource::window_s);
     const auto [lowest, highest] = range(&method::motion::SpeedSource::cut_off_Hz);
     const bool has_window = uses_local_slope(role);
-    const auto [fewest, most] = std::minmax(shortest->window, longest->window);
     table.rows.push_back(
         {{joint::to_string(role) + " (" + wording::count(of_role.size()) + ")",
-          logged == 0                ? "no"
-          : logged == of_role.size() ? "yes"
-                                     : "in " + wording::count(logged),
-          way_to_speed(role),
-          has_window
-              ? range_in_words(ms_per_s * shortest->window_s, ms_per_s * longest->window_s, "ms") +
-                    ", " + wording::count(fewest) +
-                    (fewest == most ? "" : " … " + wording::count(most)) + " samples"
-              : "–",
+          logged_in_words(logged, of_role.size()), way_to_speed(role),
+          has_window ? window_in_words(*shortest, *longest) : "–",
           has_window ? range_in_words(lowest->cut_off_Hz, highest->cut_off_Hz, "Hz") : "–"},
          false});
   }
-  table.note =
+  table.note = tr(
       "Speeds are derivatives of the angle, whether one is logged or not; a logged speed is only "
       "held against it in the checks on the data. Local slope: mean angle of half a window from a "
       "sample on, less that of half a window before it, over the distance of their times. That is "
       "the derivative of the angle smoothed by a triangle as wide as the window, without phase; at "
-      "the cut-off it has fallen by 3 dB.";
+      "the cut-off it has fallen by 3 dB.");
   return table;
 }
 

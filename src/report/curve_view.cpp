@@ -5,11 +5,15 @@
 
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 
 namespace tribolog::report {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr std::size_t most_rows = 48;  ///< A printed page; the rest is in the embedded result.
 
@@ -27,27 +31,43 @@ std::string mean_text(const method::viscous::ConstantSpeedRun& run) {
   return wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus();
 }
 
+std::string run_gravity_in_words(const method::gravity::RunGravityResult& r, double gear_ratio) {
+  const statistics::Estimate gravity = statistics::scaled(r.gravity_Nm, gear_ratio);
+  const std::string left_out =
+      tr_count(r.runs_left_out, "{runs} travels too short a way", "{runs} travel too short a way",
+               {{"runs", wording::count(r.runs_left_out)}});
+  const std::string words = tr_count(
+      r.runs_used,
+      "{gravity_torque} at the joint, largest at {angle}; one offset for {runs} run, {left_out}.",
+      "{gravity_torque} at the joint, largest at {angle}; one offset for each of {runs} runs, "
+      "{left_out}.",
+      {{"gravity_torque", wording::in_words(gravity, wording::torque_scale(gravity.value))},
+       {"angle", wording::in_words(r.q_peak_rad, wording::degree_scale())},
+       {"runs", wording::count(r.runs_used)},
+       {"left_out", left_out}});
+  if (!r.always_lifts) return words;
+  return words + " " +
+         tr("The drive lifts the load all the way: friction that grows with the load is in it.");
+}
+
 void describe_run_gravity(const calibration::Calibration& c, Section& section) {
   const method::gravity::RunGravityResult& r = c.run_gravity;
   if (c.viscous.from_sweep) return;
   if (!r.found && r.reason.empty()) return;
-  if (!r.found) {
-    if (!r.reason.empty()) {
-      section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
-    }
-    return;
-  }
-  const statistics::Estimate gravity =
-      statistics::scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
   section.facts.push_back(
-      {"Gravity from the runs",
-       wording::in_words(gravity, wording::torque_scale(gravity.value)) +
-           " at the joint, largest at " + wording::in_words(r.q_peak_rad, wording::degree_scale()) +
-           "; one offset for each of " + wording::count(r.runs_used) + " runs, " +
-           wording::count(r.runs_left_out) + " travel too short a way." +
-           (r.always_lifts ? " The drive lifts the load all the way: friction that grows with the "
-                             "load is in it."
-                           : "")});
+      {tr("Gravity from the runs"),
+       r.found ? run_gravity_in_words(r, c.manifest.drive.gear_ratio()) : as_sentence(r.reason)});
+}
+
+std::string runs_in_words(const method::viscous::ViscousCurvesResult& v) {
+  const std::size_t runs = v.runs.size();
+  if (v.from_sweep) {
+    return tr_count(runs, "{bins} angle bin of a sweep in both directions",
+                    "{bins} angle bins of a sweep in both directions",
+                    {{"bins", wording::count(runs)}});
+  }
+  return tr_count(runs, "{plateaus} plateau of constant speed",
+                  "{plateaus} plateaus of constant speed", {{"plateaus", wording::count(runs)}});
 }
 
 }  // namespace
@@ -55,20 +75,19 @@ void describe_run_gravity(const calibration::Calibration& c, Section& section) {
 void describe_viscous_curves(const calibration::Calibration& c, Section& section) {
   const method::viscous::ViscousCurvesResult& v = c.viscous;
   if (v.samples_used + v.samples_left_out > 0) {
-    section.facts.push_back({"Samples used", wording::count(v.samples_used)});
-    section.facts.push_back({"Samples left out", wording::count(v.samples_left_out) +
-                                                     " (rest, acceleration, reversal, settling)"});
+    section.facts.push_back({tr("Samples used"), wording::count(v.samples_used)});
+    section.facts.push_back(
+        {tr("Samples left out"), tr("{samples} (rest, acceleration, reversal, settling)",
+                                    {{"samples", wording::count(v.samples_left_out)}})});
   }
   if (v.recordings_without_plateau > 0) {
     section.facts.push_back(
-        {"Recordings without a plateau", wording::count(v.recordings_without_plateau)});
+        {tr("Recordings without a plateau"), wording::count(v.recordings_without_plateau)});
   }
   if (v.runs.empty()) return;
-  section.facts.push_back({"Runs", wording::count(v.runs.size()) +
-                                       (v.from_sweep ? " angle bins of a sweep in both directions"
-                                                     : " plateaus of constant speed")});
+  section.facts.push_back({tr("Runs"), runs_in_words(v)});
 
-  if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.described())});
+  if (!v.from_sweep) section.facts.push_back({tr("Angles"), as_sentence(v.angles.described())});
   describe_run_gravity(c, section);
 
   const method::viscous::ViscousCurve* recommended = v.find(c.selection.recommended);
@@ -76,19 +95,19 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
       c.selection.paper_rule.empty() ? nullptr : v.find(c.selection.paper_rule);
   Table table;
   table.id = section.id + "-runs";
-  table.caption = "Driving torque and friction of each run, at the motor";
-  table.columns = {{"Motor speed", "rad/s", true},
-                   {"Joint speed", "°/s", true},
-                   {"Joint angle", "°", true},
-                   {"Driving torque T", "N·m", true},
-                   {"Samples", "", true}};
+  table.caption = tr("Driving torque and friction of each run, at the motor");
+  table.columns = {{tr("Motor speed"), "rad/s", true},
+                   {tr("Joint speed"), "°/s", true},
+                   {tr("Joint angle"), "°", true},
+                   {tr("Driving torque T"), "N·m", true},
+                   {tr("Samples"), "", true}};
   if (recommended != nullptr) {
     table.columns.push_back({"T_f, " + estimator_name(recommended->estimator), "N·m", true});
   }
   if (papers != nullptr) {
     table.columns.push_back({"T_f, " + estimator_name(papers->estimator), "N·m", true});
   }
-  table.columns.push_back({"Recording", "", false});
+  table.columns.push_back({tr("Recording"), "", false});
 
   const double n = c.manifest.drive.gear_ratio();
   const std::size_t step = (v.runs.size() + most_rows - 1) / most_rows;
@@ -104,10 +123,11 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
     row.cells.push_back(or_dash(log_name(run.recording)));
     table.rows.push_back(row);
   }
-  table.note = "T with the 95 % interval of its mean.";
+  table.note = tr("T with the 95 % interval of its mean.");
   if (step > 1) {
-    table.note += " One row in " + std::to_string(step) +
-                  " is shown; all of them are in the result embedded in this file.";
+    table.note += " " + tr("One row in {rows} is shown; all of them are in the result embedded in "
+                           "this file.",
+                           {{"rows", step}});
   }
   section.tables.push_back(table);
 }
@@ -117,12 +137,13 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
 namespace {
 
 std::string reference_in_words(const std::string& reference) {
-  if (reference == "analytic") return "the analytic curve that the simulation was made with";
+  if (reference == "analytic") return tr("the analytic curve that the simulation was made with");
   if (reference == "direction_difference") {
-    return "half the difference of the two directions at the same angle, which gravity cannot "
-           "enter";
+    return tr(
+        "half the difference of the two directions at the same angle, which gravity cannot "
+        "enter");
   }
-  return reference.empty() ? "none" : reference;
+  return reference.empty() ? tr("none") : reference;
 }
 
 /// Index of the largest deviation, or the list's size if there is none.
@@ -140,24 +161,25 @@ std::size_t worst_run(const std::vector<double>& percent) {
 void describe_quality_errors(const calibration::Calibration& c, Section& section) {
   const method::selection::QualityErrorsResult& q = c.quality;
   if (q.errors.empty()) return;
-  section.facts.push_back({"Reference", reference_in_words(q.reference)});
+  section.facts.push_back({tr("Reference"), reference_in_words(q.reference)});
   section.facts.push_back(
-      {"Runs compared", wording::count(c.viscous.runs.size() - q.runs_left_out)});
-  section.facts.push_back({"Runs left out", wording::count(q.runs_left_out) +
-                                                " (no reference, or driving torque near zero)"});
+      {tr("Runs compared"), wording::count(c.viscous.runs.size() - q.runs_left_out)});
+  section.facts.push_back(
+      {tr("Runs left out"), tr("{runs} (no reference, or driving torque near zero)",
+                               {{"runs", wording::count(q.runs_left_out)}})});
 
   if (!q.evidence.empty()) {
-    section.facts.push_back({"What the reference can tell", as_sentence(q.evidence)});
+    section.facts.push_back({tr("What the reference can tell"), as_sentence(q.evidence)});
   }
 
   Table table;
   table.id = section.id + "-results";
-  table.caption = "Deviation of each candidate's curve from the reference";
-  table.columns = {{"Estimator", "", false},
-                   {"What it is", "", false, true},
-                   {"Root mean square", "% of T", true},
-                   {"Largest", "% of T", true},
-                   {"at motor speed", "rad/s", true}};
+  table.caption = tr("Deviation of each candidate's curve from the reference");
+  table.columns = {{tr("Estimator"), "", false},
+                   {tr("What it is"), "", false, true},
+                   {tr("Root mean square"), tr("% of T"), true},
+                   {tr("Largest"), tr("% of T"), true},
+                   {tr("at motor speed"), "rad/s", true}};
   constexpr int digits = 3;
   for (const method::selection::QualityError& e : q.errors) {
     const std::size_t worst = worst_run(e.percent);
@@ -171,8 +193,8 @@ void describe_quality_errors(const calibration::Calibration& c, Section& section
          e.estimator == c.selection.recommended});
   }
   table.note =
-      "100 (T_f,candidate − T_f,reference) / T: the share of the total driving torque. The "
-      "marked row is the recommended estimator.";
+      tr("100 (T_f,candidate − T_f,reference) / T: the share of the total driving torque. The "
+         "marked row is the recommended estimator.");
   section.tables.push_back(table);
 }
 
@@ -185,7 +207,7 @@ void add_choice(const calibration::Calibration& c, const std::string& label,
   const method::hysteresis::SurrogateMass* mass =
       estimator.empty() ? nullptr : c.masses.find(estimator);
   if (mass == nullptr) {
-    table.rows.push_back({{label, "cannot be said", "–", "–", "–", "–"}, false});
+    table.rows.push_back({{label, tr("cannot be said"), "–", "–", "–", "–"}, false});
     return;
   }
   const method::selection::QualityError* error = c.quality.find(estimator);
@@ -203,22 +225,20 @@ void add_choice(const calibration::Calibration& c, const std::string& label,
 
 void describe_selection(const calibration::Calibration& c, Section& section) {
   const method::selection::SelectionResult& s = c.selection;
-  if (!s.why.empty()) section.facts.push_back({"Why", as_sentence(s.why)});
+  if (!s.why.empty()) section.facts.push_back({tr("Why"), as_sentence(s.why)});
   if (!s.paper_rule.empty() || !s.recommended.empty()) {
     Table table;
     table.id = section.id + "-results";
-    table.caption = "The choice";
-    table.columns = {{"Rule", "", false},       {"Estimator", "", false},
-                     {"Torque T", "N·m", true}, {"Surrogate mass", "kg", true},
-                     {"Read at q", "°", true},  {"Quality error, rms", "% of T", true}};
-    add_choice(c, "Recommended by this program", s.recommended, true, table);
-    add_choice(c, "The paper's: smallest error among A to F", s.paper_rule, false, table);
+    table.caption = tr("The choice");
+    table.columns = {{tr("Rule"), "", false},       {tr("Estimator"), "", false},
+                     {tr("Torque T"), "N·m", true}, {tr("Surrogate mass"), "kg", true},
+                     {tr("Read at q"), "°", true},  {tr("Quality error, rms"), tr("% of T"), true}};
+    add_choice(c, tr("Recommended by this program"), s.recommended, true, table);
+    add_choice(c, tr("The paper's: smallest error among A to F"), s.paper_rule, false, table);
     section.tables.push_back(table);
   }
-  Table angles;
-  angles.id = section.id + "-angle";
-  angles.caption = "Angle of the centre of gravity in the link, q_c = −q_peak";
-  angles.columns = estimate_columns();
+  Table angles = estimates_table(section.id + "-angle",
+                                 tr("Angle of the centre of gravity in the link, q_c = −q_peak"));
   if (s.q_c_rad) {
     angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, wording::degree_scale()));
     angles.rows.back().is_chosen = true;
@@ -227,12 +247,12 @@ void describe_selection(const calibration::Calibration& c, Section& section) {
   if (s.q_c_corrected_rad) {
     // As many places as q_c has: the correction is far smaller than its interval.
     const double corrected = *s.q_c_corrected_rad;
-    const std::string from = "eq. (14) for the paper's choice";
+    const std::string from = tr("eq. (14) for the paper's choice");
     for (const wording::Scale& scale :
          {wording::degree_scale(), wording::radian_scale(corrected)}) {
       constexpr int digits = 7;
       angles.rows.push_back(
-          {{"q_c less the angle at which the torque was read",
+          {{tr("q_c less the angle at which the torque was read"),
             wording::significant(corrected * scale.factor, digits), scale.unit, "–", from},
            false});
     }

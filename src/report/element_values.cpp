@@ -46,8 +46,9 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
   TemplateValues& out = values.add_include(marker, "table.tpl");
   out.set("TABLE_ID", table.id);
   out.set("TABLE_CAPTION", table.caption);
-  const bool are_estimates = table.columns == estimate_columns();
-  out.set("TABLE_KIND", are_estimates ? "estimates" : table.is_stacked ? "judged" : "plain");
+  out.set("TABLE_KIND", table.is_of_estimates ? "estimates"
+                        : table.is_stacked    ? "judged"
+                                              : "plain");
   for (const Column& column : table.columns) {
     TemplateValues& heading = out.add_section("COLUMN");
     heading.set("HEADING", column.heading);

@@ -1,6 +1,7 @@
 #include "report/fleet_page.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -11,9 +12,14 @@
 #include "report/sparkline.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 /// SVG path data that draws nothing.
 constexpr char no_path[] = "M0 0";
@@ -24,7 +30,7 @@ void fill_cell(const history::FleetCell& cell, const history::Fleet& fleet,
                TemplateValues& values) {
   const history::FleetColumn& column = fleet.columns[cell.column];
   const statistics::Estimate& latest = cell.results.back().estimate;
-  values.set("NAME", or_dash(calibration::without_side(column.words)));
+  values.set("NAME", or_dash(column_name(column)));
   values.set("VALUE", wording::round_by_interval(latest, {1.0, column.unit}).estimate);
   if (cell.furthest() > fleet.limit) {
     values.set_optional("KIND", "out");
@@ -39,7 +45,10 @@ void fill_joint(const history::FleetJoint& joint, const history::Fleet& fleet,
   fill_link(links, joint.latest.id, or_dash(joint.latest.facts.of.joint), values);
   values.set("ID", joint.latest.id.substr(0, calibration::shown_digits));
   values.set("DAY", or_dash(joint.latest.facts.measured_at.substr(0, 10)));
-  if (joint.decision) values.set_optional("DECISION", calibration::to_string(*joint.decision));
+  if (joint.decision) {
+    values.set_optional("DECISION", wording::words_for("archived_decision",
+                                                       calibration::to_string(*joint.decision)));
+  }
   std::size_t column = 0;
   const auto leave_out_before = [&](std::size_t next) {
     for (; column < next; ++column) values.add_section("CELL").add_section("EMPTY");
@@ -57,7 +66,7 @@ void fill_robot(const history::FleetRobot& robot, const history::Fleet& fleet,
   values.set("ROBOT", robot_name(robot.robot, robot.serial));
   for (const history::FleetColumn& column : fleet.columns) {
     TemplateValues& head = values.add_section("HEAD");
-    head.set("WORDS", or_dash(calibration::without_side(column.words)));
+    head.set("WORDS", or_dash(column_name(column)));
     head.set("UNIT", or_dash(column.unit));
   }
   for (const history::FleetJoint& joint : robot.joints) {
@@ -77,34 +86,54 @@ std::vector<Fact> facts_of(const history::Fleet& fleet, const std::string& archi
       to = std::max(to, at);
     }
   }
-  return {{"Archive", archive},
-          {"Robots", wording::count(fleet.robots.size())},
-          {"Joints", wording::count(fleet.joints)},
-          {"Calibrations", wording::count(fleet.calibrations)},
-          {"Latest ones", from.empty() ? "none"
-                          : from == to ? from
-                                       : from + " to " + to},
-          {"Joints that stand out", wording::count(outliers)}};
+  const std::string latest =
+      from.empty() ? tr("none")
+      : from == to ? from
+                   : tr("{first_date} to {last_date}", {{"first_date", from}, {"last_date", to}});
+  return {{tr("Archive"), archive},
+          {tr("Robots"), wording::count(fleet.robots.size())},
+          {tr("Joints"), wording::count(fleet.joints)},
+          {tr("Calibrations"), wording::count(fleet.calibrations)},
+          {tr("Latest ones"), latest},
+          {tr("Joints that stand out"), wording::count(outliers)}};
+}
+
+struct FleetOutcome {
+  std::string word;
+  std::string sentence;
+  Outcome outcome;
+};
+
+FleetOutcome outcome_of(const history::Fleet& fleet, std::size_t outliers) {
+  if (fleet.distances == 0) {
+    return {tr("NOTHING TO COMPARE"),
+            tr("A joint is held against at least {others} of the same name on other robots, or "
+               "{earlier} earlier calibrations of its own.",
+               {{"others", history::fewest_others}, {"earlier", history::fewest_earlier}}),
+            Outcome::absent};
+  }
+  if (outliers == 0) {
+    return {tr("NO OUTLIER"),
+            tr("No joint of {joints} stands out from the others or from its own history.",
+               {{"joints", fleet.joints}}),
+            Outcome::good};
+  }
+  return {tr("OUTLIERS"),
+          tr_count(static_cast<std::int64_t>(outliers),
+                   "{outliers} of {joints} joints stands out from the others or from its own "
+                   "history.",
+                   "{outliers} of {joints} joints stand out from the others or from their own "
+                   "history.",
+                   {{"outliers", outliers}, {"joints", fleet.joints}}),
+          Outcome::partial};
 }
 
 void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const bool can_tell = fleet.distances > 0;
-  verdict.set("WORD", !can_tell ? "NOTHING TO COMPARE" : outliers > 0 ? "OUTLIERS" : "NO OUTLIER");
-  verdict.set(
-      "SENTENCE",
-      !can_tell ? fmt::format("A joint is held against at least {} of the same name on other "
-                              "robots, or {} earlier calibrations of its own.",
-                              history::fewest_others, history::fewest_earlier)
-      : outliers > 0
-          ? fmt::format("{} of {} joints stand out from the others or from their own history.",
-                        outliers, fleet.joints)
-          : fmt::format("No joint of {} stands out from the others or from its own history.",
-                        fleet.joints));
-  fill_outcome(!can_tell      ? Outcome::absent
-               : outliers > 0 ? Outcome::partial
-                              : Outcome::good,
-               verdict);
+  const FleetOutcome found = outcome_of(fleet, outliers);
+  verdict.set("WORD", found.word);
+  verdict.set("SENTENCE", found.sentence);
+  fill_outcome(found.outcome, verdict);
 }
 
 }  // namespace
@@ -118,6 +147,12 @@ std::string FleetLinks::href(const std::string& id) const {
     text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return text;
+}
+
+std::string column_name(const history::FleetColumn& column) {
+  const std::string bare = calibration::without_side(column.words);
+  return bare != column.words ? wording::words_for("quantity_without_side", column.name, bare)
+                              : wording::words_for("quantity", column.name, bare);
 }
 
 std::string robot_name(const std::string& robot, const std::string& serial) {
@@ -144,6 +179,7 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
 std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
                        const std::string& archive, const calibration::Provenance& provenance,
                        wording::Language language) {
+  const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values, PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);

@@ -25,6 +25,6 @@ inline constexpr std::size_t most_cards = 120;
 /// @param archive its name, to show.
 std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
                        const std::string& archive, const calibration::Provenance& provenance,
-                       wording::Language language = wording::Language::english);
+                       wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report

@@ -19,6 +19,9 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
 /// The section OUTLIERS with its cards; nothing where there is no outlier.
 void fill_outliers(const history::Fleet& fleet, const FleetLinks& links, TemplateValues& values);
 
+/// "Inertia": the side of the gear stands beside it.
+std::string column_name(const history::FleetColumn& column);
+
 /// "R1 · S1"
 std::string robot_name(const std::string& robot, const std::string& serial);
 

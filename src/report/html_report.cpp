@@ -14,9 +14,10 @@ std::string html_report(const calibration::Calibration& calibration,
                         const calibration::Provenance& provenance,
                         const std::optional<history::Comparison>& since_last,
                         wording::Language language) {
+  const wording::WordsIn words(language);
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
   TemplateValues values;
-  const std::string loops = review_json(calibration, language);
+  const std::string loops = review_json(calibration);
   fill_report(view, !loops.empty(), values);
   if (loops.empty()) {
     fill_style(values);

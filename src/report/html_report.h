@@ -30,7 +30,7 @@ std::string html_report(const calibration::Calibration& calibration,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance,
                         const std::optional<history::Comparison>& since_last = std::nullopt,
-                        wording::Language language = wording::Language::english);
+                        wording::Language language = wording::Language{});
 
 /// The graphics stack as the provenance keeps it.
 calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info);

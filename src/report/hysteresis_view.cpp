@@ -6,15 +6,18 @@
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
 #include "wording/axis_scale.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
 
+using wording::tr;
+
 /// The step of the angle; of one that the print sets, only a bound is known.
 std::string step_text(const method::hysteresis::Oscillation& o, const wording::Scale& angle) {
-  if (!(o.encoder_step_rad > 0.0)) return "continuous";
+  if (!(o.encoder_step_rad > 0.0)) return tr("continuous");
   return (o.step_is_of_print ? "≥ " : "") +
          wording::significant(o.encoder_step_rad * angle.factor, 3);
 }
@@ -22,18 +25,18 @@ std::string step_text(const method::hysteresis::Oscillation& o, const wording::S
 Table oscillations_table(const method::hysteresis::HysteresisResult& r, const Section& section) {
   Table table;
   table.id = section.id + "-oscillations";
-  table.caption = "The oscillations that were used";
+  table.caption = tr("The oscillations that were used");
   double stroke = 0.0;
   for (const method::hysteresis::Oscillation& o : r.oscillations)
     stroke = std::max(stroke, std::abs(o.amplitude_rad));
   const wording::Scale angle = wording::radian_scale(stroke);
-  table.columns = {{"No.", "", false},
-                   {"Centre", "°", true},
-                   {"Amplitude", angle.unit, true},
-                   {"Frequency", "Hz", true},
-                   {"Cycles", "", true},
-                   {"Steady cycles", "", true},
-                   {"Encoder step", angle.unit, true}};
+  table.columns = {{tr("No."), "", false},
+                   {tr("Centre"), "°", true},
+                   {tr("Amplitude"), angle.unit, true},
+                   {tr("Frequency"), "Hz", true},
+                   {tr("Cycles"), "", true},
+                   {tr("Steady cycles"), "", true},
+                   {tr("Encoder step"), angle.unit, true}};
   for (std::size_t i = 0; i < r.oscillations.size(); ++i) {
     const method::hysteresis::Oscillation& o = r.oscillations[i];
     table.rows.push_back(
@@ -43,12 +46,11 @@ Table oscillations_table(const method::hysteresis::HysteresisResult& r, const Se
           wording::significant(o.steady_cycles, 3), step_text(o, angle)},
          false});
   }
-  table.note = "Angles are of the joint. Steady cycles are those behind the start-up stroke.";
+  table.note = tr("Angles are of the joint. Steady cycles are those behind the start-up stroke.");
   if (std::any_of(r.oscillations.begin(), r.oscillations.end(),
                   [](const method::hysteresis::Oscillation& o) { return o.step_is_of_print; })) {
-    table.note +=
-        " Encoder step with ≥: that of the decimals in the log, which hide anything finer; the "
-        "encoder's own may be larger.";
+    table.note += " " + tr("Encoder step with ≥: that of the decimals in the log, which hide "
+                           "anything finer; the encoder's own may be larger.");
   }
   return table;
 }
@@ -66,30 +68,28 @@ int column_decimals(const std::vector<method::hysteresis::LoopPoint>& points,
 }
 
 void add_results(const method::hysteresis::HysteresisResult& r, Section& section) {
-  Table table;
-  table.id = section.id + "-results";
-  table.caption = "Results of stage 3";
-  table.columns = estimate_columns();
+  Table table = estimates_table(section.id + "-results",
+                                tr("Results of stage {stage}", {{"stage", section.number}}));
   if (r.midline_Nm) {
-    table.rows.push_back(estimate_row("Mid-line torque at q_peak, at the motor", *r.midline_Nm,
+    table.rows.push_back(estimate_row(tr("Mid-line torque at q_peak, at the motor"), *r.midline_Nm,
                                       wording::torque_scale(r.midline_Nm->value)));
     table.rows.back().is_chosen = true;
   }
   if (r.found) {
-    table.rows.push_back(number_row("Height of the loop, at the motor", r.loop_height_Nm,
+    table.rows.push_back(number_row(tr("Height of the loop, at the motor"), r.loop_height_Nm,
                                     wording::torque_scale(r.loop_height_Nm),
-                                    "largest less smallest torque"));
+                                    tr("largest less smallest torque")));
   }
   if (r.presliding_travel_rad) {
     table.rows.push_back(number_row(
-        "Travel in which the torque turns over after a reversal", *r.presliding_travel_rad,
-        wording::radian_scale(*r.presliding_travel_rad), "reversals of the recordings"));
+        tr("Travel in which the torque turns over after a reversal"), *r.presliding_travel_rad,
+        wording::radian_scale(*r.presliding_travel_rad), tr("reversals of the recordings")));
   }
   if (r.encoder_step_rad) {
-    table.rows.push_back(
-        number_row("Encoder step", *r.encoder_step_rad, wording::radian_scale(*r.encoder_step_rad),
-                   r.step_is_of_print ? "decimals of the log; the encoder's may be larger"
-                                      : "smallest step of the angle"));
+    table.rows.push_back(number_row(
+        tr("Encoder step"), *r.encoder_step_rad, wording::radian_scale(*r.encoder_step_rad),
+        r.step_is_of_print ? tr("decimals of the log; the encoder's may be larger")
+                           : tr("smallest step of the angle")));
   }
   if (!table.rows.empty()) section.tables.push_back(table);
 }
@@ -107,10 +107,14 @@ Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points
   }
   const wording::AxisScale shown = wording::prefixed("rad", z);  // as in the figures
   const wording::Scale bristle{shown.factor, shown.unit};
-  table.columns = {{"Point", "", false},      {"Where", "", false, true},
-                   {"t", "s", true},          {"q", "°", true},
-                   {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
-                   {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
+  table.columns = {{tr("Point"), "", false},
+                   {tr("Where"), "", false, true},
+                   {"t", "s", true},
+                   {"q", "°", true},
+                   {tr("Torque T"), "N·m", true},
+                   {tr("95 % interval"), "N·m", true},
+                   {"z", bristle.unit, true},
+                   {"dz/dt", bristle.unit + "/s", true}};
   const int z_decimals =
       column_decimals(points, &method::hysteresis::LoopPoint::z_rad, bristle.factor);
   const int rate_decimals =
@@ -131,25 +135,26 @@ Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points
 
 void describe_hysteresis(const method::hysteresis::HysteresisResult& r, Section& section) {
   if (r.found) {
-    section.facts.push_back({"Oscillations used", wording::count(r.oscillations.size())});
-    section.facts.push_back({"Bristle deflection z", r.bristle_source.empty()
-                                                         ? "not known"
-                                                         : wording::words(r.bristle_source)});
+    section.facts.push_back({tr("Oscillations used"), wording::count(r.oscillations.size())});
+    section.facts.push_back({tr("Bristle deflection z"), r.bristle_source.empty()
+                                                             ? tr("not known")
+                                                             : wording::words(r.bristle_source)});
   }
   add_results(r, section);
   if (!r.oscillations.empty()) section.tables.push_back(oscillations_table(r, section));
   if (!r.points.empty()) {
-    section.tables.push_back(loop_points_table(r.points, section.id + "-points",
-                                               "Points A to F, read from the first strokes as the "
-                                               "paper does"));
+    section.tables.push_back(
+        loop_points_table(r.points, section.id + "-points",
+                          tr("Points A to F, read from the first strokes as the "
+                             "paper does")));
     section.tables.back().note =
-        "Torques at the motor. The first stroke starts from rest: A is read before the loop has "
-        "closed, which is why A and B do not mirror each other here.";
+        tr("Torques at the motor. The first stroke starts from rest: A is read before the loop has "
+           "closed, which is why A and B do not mirror each other here.");
   }
   if (!r.steady_points.empty()) {
     section.tables.push_back(
         loop_points_table(r.steady_points, section.id + "-steady-points",
-                          "Points A to F of the steady loop, mean of its cycles"));
+                          tr("Points A to F of the steady loop, mean of its cycles")));
   }
 }
 

@@ -4,12 +4,16 @@
 
 #include "base/requirements.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {
 
 namespace {
+
+using wording::to_translate;
+using wording::tr;
 
 struct Words {
   const char* name;
@@ -25,41 +29,49 @@ wording::Scale weakening(double) { return wording::plain_scale("N·m·s²/rad²"
 wording::Scale inertia(double) { return wording::plain_scale("kg·m²"); }
 
 const Words exact_names[] = {
-    {"q_peak_rough_rad", "q_peak, rough sweep", degree},
-    {"q_peak_precise_rad", "q_peak, precise sweep", degree},
-    {"q_peak_rad", "q_peak, used", degree},
-    {"q_c_corrected_rad", "q_c corrected, eq. (14), with the choice of the point", degree},
-    {"coulomb_of_sweep_Nm", "Coulomb torque of the sweep", wording::torque_scale},
-    {"lugre.bristle_stiffness_Nm_rad", "LuGre: bristle stiffness σ0", wording::stiffness_scale},
-    {"lugre.bristle_damping_Nms_rad", "LuGre: bristle damping σ1", wording::viscous_scale},
-    {"lugre.viscous_Nms_rad", "LuGre: viscous coefficient σ2", wording::viscous_scale},
-    {"lugre.static_Nm", "LuGre: static torque Ts", wording::torque_scale},
-    {"lugre.coulomb_Nm", "LuGre: Coulomb torque Tc", wording::torque_scale},
-    {"lugre.stribeck_speed_rad_s", "LuGre: Stribeck velocity ws", speed},
-    {"lugre.speed_weakening_Nms2_rad2", "LuGre: fall with speed (Ts − Tc)/ws²", weakening},
-    {"lugre.inertia_kgm2", "LuGre: inertia", inertia},
-    {"waiboer.asperity_torque_Nm", "Eq. (6): asperity torque Ta", wording::torque_scale},
-    {"waiboer.stribeck_speed_rad_s", "Eq. (6): Stribeck velocity", speed},
-    {"waiboer.stribeck_power", "Eq. (6): Stribeck power δa", plain},
-    {"waiboer.viscous_coefficient", "Eq. (6): viscous coefficient cv", plain},
-    {"waiboer.viscous_power", "Eq. (6): viscous power δv", plain},
-    {"line.coulomb_Nm", "Straight line: Coulomb torque", wording::torque_scale},
-    {"line.viscous_Nms_rad", "Straight line: viscous coefficient", wording::viscous_scale}};
+    {"q_peak_rough_rad", to_translate("q_peak, rough sweep"), degree},
+    {"q_peak_precise_rad", to_translate("q_peak, precise sweep"), degree},
+    {"q_peak_rad", to_translate("q_peak, used"), degree},
+    {"q_c_corrected_rad", to_translate("q_c corrected, eq. (14), with the choice of the point"),
+     degree},
+    {"coulomb_of_sweep_Nm", to_translate("Coulomb torque of the sweep"), wording::torque_scale},
+    {"lugre.bristle_stiffness_Nm_rad", to_translate("LuGre: bristle stiffness σ0"),
+     wording::stiffness_scale},
+    {"lugre.bristle_damping_Nms_rad", to_translate("LuGre: bristle damping σ1"),
+     wording::viscous_scale},
+    {"lugre.viscous_Nms_rad", to_translate("LuGre: viscous coefficient σ2"),
+     wording::viscous_scale},
+    {"lugre.static_Nm", to_translate("LuGre: static torque Ts"), wording::torque_scale},
+    {"lugre.coulomb_Nm", to_translate("LuGre: Coulomb torque Tc"), wording::torque_scale},
+    {"lugre.stribeck_speed_rad_s", to_translate("LuGre: Stribeck velocity ws"), speed},
+    {"lugre.speed_weakening_Nms2_rad2", to_translate("LuGre: fall with speed (Ts − Tc)/ws²"),
+     weakening},
+    {"lugre.inertia_kgm2", to_translate("LuGre: inertia"), inertia},
+    {"waiboer.asperity_torque_Nm", to_translate("Eq. (6): asperity torque Ta"),
+     wording::torque_scale},
+    {"waiboer.stribeck_speed_rad_s", to_translate("Eq. (6): Stribeck velocity"), speed},
+    {"waiboer.stribeck_power", to_translate("Eq. (6): Stribeck power δa"), plain},
+    {"waiboer.viscous_coefficient", to_translate("Eq. (6): viscous coefficient cv"), plain},
+    {"waiboer.viscous_power", to_translate("Eq. (6): viscous power δv"), plain},
+    {"line.coulomb_Nm", to_translate("Straight line: Coulomb torque"), wording::torque_scale},
+    {"line.viscous_Nms_rad", to_translate("Straight line: viscous coefficient"),
+     wording::viscous_scale}};
 
 /// The row's quantity and unit; nothing for what other rows say already (gravity says it as mass).
 std::optional<std::pair<std::string, wording::Scale>> words_for(
     const method::intervals::TwoIntervals& q, double size) {
   for (const Words& words : exact_names) {
-    if (q.name == words.name) return std::pair{std::string(words.quantity), words.scale(size)};
+    if (q.name == words.name) return std::pair{tr(words.quantity), words.scale(size)};
   }
   const std::size_t dot = q.name.find('.');
   if (dot == std::string::npos) return std::nullopt;
   const std::string estimator = estimator_name(q.name.substr(dot + 1));
   if (q.name.starts_with("mass_kg.")) {
-    return std::pair{"Surrogate mass, " + estimator, kilogram(size)};
+    return std::pair{tr("Surrogate mass, {estimator}", {{"estimator", estimator}}), kilogram(size)};
   }
   if (q.name.starts_with("quality_error_percent.")) {
-    return std::pair{"Quality error (rms), " + estimator, wording::plain_scale("% of T")};
+    return std::pair{tr("Quality error (rms), {estimator}", {{"estimator", estimator}}),
+                     wording::plain_scale(tr("% of T"))};
   }
   return std::nullopt;
 }
@@ -72,11 +84,11 @@ std::string range(const std::optional<statistics::Estimate>& estimate,
 Table intervals_table(const method::intervals::IntervalsResult& intervals) {
   Table table;
   table.id = "table-intervals";
-  table.caption = "95 % intervals by closed form and by bootstrap";
-  table.columns = {{"Quantity", "", false, true}, {"Estimate", "", true},
-                   {"Unit", "", false},           {"Closed form", "", true},
-                   {"Bootstrap", "", true},       {"Ratio of widths", "", true},
-                   {"Stated", "", false}};
+  table.caption = tr("95 % intervals by closed form and by bootstrap");
+  table.columns = {{tr("Quantity"), "", false, true}, {tr("Estimate"), "", true},
+                   {tr("Unit"), "", false},           {tr("Closed form"), "", true},
+                   {tr("Bootstrap"), "", true},       {tr("Ratio of widths"), "", true},
+                   {tr("Stated"), "", false}};
   for (const method::intervals::TwoIntervals& q : intervals.quantities) {
     const statistics::Estimate* stated = q.stated();
     if (stated == nullptr || !std::isfinite(stated->value)) continue;
@@ -85,25 +97,25 @@ Table intervals_table(const method::intervals::IntervalsResult& intervals) {
     const auto& [quantity, scale] = *words;
     const double ratio = q.ratio();
     const bool by_bootstrap = q.bootstrap && stated == &*q.bootstrap;
-    table.rows.push_back(
-        {{quantity, wording::round_by_interval(*stated, scale).estimate, or_dash(scale.unit),
-          range(q.closed_form, scale), range(q.bootstrap, scale),
-          ratio > 0 ? wording::fixed(ratio, 2) : "–", by_bootstrap ? "bootstrap" : "closed form"},
-         false});
+    table.rows.push_back({{quantity, wording::round_by_interval(*stated, scale).estimate,
+                           or_dash(scale.unit), range(q.closed_form, scale),
+                           range(q.bootstrap, scale), ratio > 0 ? wording::fixed(ratio, 2) : "–",
+                           by_bootstrap ? tr("bootstrap") : tr("closed form")},
+                          false});
   }
-  table.note =
+  table.note = tr(
       "Torques, stiffnesses and coefficients are at the motor. The interval stated is the closed "
       "form wherever it was found to cover as often as it says, the bootstrap elsewhere. Both "
       "need at least a handful of blocks; neither knows of an error that is the same in all of "
-      "them.";
+      "them.");
   return table;
 }
 
 Table choices_table(const std::vector<method::intervals::ChoiceShare>& choices) {
   Table table;
   table.id = "table-choices";
-  table.caption = "How often the paper's rule chose each point";
-  table.columns = {{"Point", "", false}, {"Share of the resamples", "%", true}};
+  table.caption = tr("How often the paper's rule chose each point");
+  table.columns = {{tr("Point"), "", false}, {tr("Share of the resamples"), "%", true}};
   for (const method::intervals::ChoiceShare& choice : choices) {
     table.rows.push_back({{choice.estimator, wording::fixed(100 * choice.share, 1)}, false});
   }
@@ -114,10 +126,12 @@ Table choices_table(const std::vector<method::intervals::ChoiceShare>& choices) 
 
 void add_interval_tables(const calibration::Calibration& c, Section& section) {
   const method::intervals::IntervalsResult& intervals = c.intervals;
-  section.facts.push_back({"Resamples", intervals.resamples == 0
-                                            ? std::string("none: intervals by closed forms alone")
-                                            : wording::count(intervals.resamples) + ", seed " +
-                                                  std::to_string(intervals.seed)});
+  section.facts.push_back(
+      {tr("Resamples"),
+       intervals.resamples == 0
+           ? tr("none: intervals by closed forms alone")
+           : tr("{resamples}, seed {seed}", {{"resamples", wording::count(intervals.resamples)},
+                                             {"seed", std::to_string(intervals.seed)}})});
   section.tables.push_back(intervals_table(intervals));
   if (!intervals.choices.empty()) section.tables.push_back(choices_table(intervals.choices));
 }
@@ -135,15 +149,15 @@ std::string signed_percent(double percent) {
 Table masses_table(const method::intervals::CrossChecksResult& r) {
   Table table;
   table.id = "table-cross-checks";
-  table.caption = "Surrogate mass by every way, against the recommended one";
-  table.columns = {{"Way", "", false, true},
-                   {"Surrogate mass", "kg", true},
-                   {"95 % interval, closed form", "kg", true},
-                   {"95 % interval, bootstrap", "kg", true},
-                   {"Difference", "%", true},
-                   {"95 % of the difference", "± %", true},
-                   {"In intervals", "", true},
-                   {"Outcome", "", false}};
+  table.caption = tr("Surrogate mass by every way, against the recommended one");
+  table.columns = {{tr("Way"), "", false, true},
+                   {tr("Surrogate mass"), "kg", true},
+                   {tr("95 % interval, closed form"), "kg", true},
+                   {tr("95 % interval, bootstrap"), "kg", true},
+                   {tr("Difference"), "%", true},
+                   {tr("95 % of the difference"), "± %", true},
+                   {tr("In intervals"), "", true},
+                   {tr("Outcome"), "", false}};
   for (std::size_t k = 0; k < r.checks.size(); ++k) {
     const method::intervals::CrossCheck& c = r.checks[k];
     const wording::RoundedEstimate closed =
@@ -156,48 +170,47 @@ Table masses_table(const method::intervals::CrossChecksResult& r) {
              closed.estimate, or_dash(closed.range()), or_dash(resampled)},
             c.is_recommended};
     if (c.is_recommended) {
-      row.cells.insert(row.cells.end(), {"–", "–", "–", "recommended"});
+      row.cells.insert(row.cells.end(), {"–", "–", "–", tr("recommended")});
     } else {
       row.cells.insert(row.cells.end(), {signed_percent(c.difference_percent),
                                          wording::significant(c.difference_half_width_percent, 2),
                                          wording::fixed(c.difference_in_intervals, 2),
-                                         c.disagrees ? "disagrees" : "agrees"});
+                                         c.disagrees ? tr("disagrees") : tr("agrees")});
     }
     table.rows.push_back(row);
   }
-  table.note =
+  table.note = tr(
       "Estimates from the same recordings share their errors: each difference is judged by an "
       "interval of its own, from resampling both together. Up to 1 interval, or up to 0.1 %, two "
-      "ways agree.";
+      "ways agree.");
   return table;
 }
 
 Table classical_table(const method::selection::ClassicalRegression& c) {
-  Table table;
-  table.id = "table-classical";
-  table.caption = "The classical regression over everything that moves";
-  table.columns = estimate_columns();
+  Table table =
+      estimates_table("table-classical", tr("The classical regression over everything that moves"));
   const double g = c.gravity_Nm.value;
   table.rows = {
-      estimate_row("Gravity torque G/n, at the motor", c.gravity_Nm, wording::torque_scale(g)),
-      estimate_row("The same", c.textbook_gravity_Nm, wording::torque_scale(g)),
-      estimate_row("Gravity peak", c.q_peak_rad, wording::degree_scale()),
-      estimate_row("Coulomb torque, at the motor", c.coulomb_Nm,
+      estimate_row(tr("Gravity torque G/n, at the motor"), c.gravity_Nm, wording::torque_scale(g)),
+      estimate_row(tr("The same"), c.textbook_gravity_Nm, wording::torque_scale(g)),
+      estimate_row(tr("Gravity peak"), c.q_peak_rad, wording::degree_scale()),
+      estimate_row(tr("Coulomb torque, at the motor"), c.coulomb_Nm,
                    wording::torque_scale(c.coulomb_Nm.value)),
-      estimate_row("Viscous coefficient, at the motor", c.viscous_Nms_rad,
+      estimate_row(tr("Viscous coefficient, at the motor"), c.viscous_Nms_rad,
                    wording::viscous_scale(c.viscous_Nms_rad.value)),
-      estimate_row("Inertia, reflected to the motor", c.inertia_kgm2,
+      estimate_row(tr("Inertia, reflected to the motor"), c.inertia_kgm2,
                    wording::plain_scale("kg·m²")),
-      number_row("Scatter left by the fit", c.residual_Nm, wording::torque_scale(c.residual_Nm),
-                 "rows as averaged"),
-      number_row("What the torque's noise would leave", c.row_noise_Nm,
-                 wording::torque_scale(c.row_noise_Nm), "third differences")};
+      number_row(tr("Scatter left by the fit"), c.residual_Nm, wording::torque_scale(c.residual_Nm),
+                 tr("rows as averaged")),
+      number_row(tr("What the torque's noise would leave"), c.row_noise_Nm,
+                 wording::torque_scale(c.row_noise_Nm), tr("third differences"))};
   const double times = c.row_noise_Nm > 0 ? c.residual_Nm / c.row_noise_Nm : 0.0;
   if (times > 2) {
-    table.note = "It leaves " + wording::significant(times, 2) +
-                 " times the scatter of the noise: friction is no straight line of speed, and the "
-                 "rest goes into the parameters. The interval for independent errors does not see "
-                 "that; the one of blocks does in part.";
+    table.note =
+        tr("It leaves {ratio} times the scatter of the noise: friction is no straight line of "
+           "speed, and the rest goes into the parameters. The interval for independent errors does "
+           "not see that; the one of blocks does in part.",
+           {{"ratio", wording::significant(times, 2)}});
   }
   return table;
 }
@@ -205,26 +218,28 @@ Table classical_table(const method::selection::ClassicalRegression& c) {
 Table ripple_table(const method::gravity::Ripple& ripple) {
   Table table;
   table.id = "table-ripple";
-  table.caption = "Torque ripple that the rough sweep shows";
-  table.columns = {{"Periods a motor turn", "", true}, {"Amplitude", "mN·m", true}};
+  table.caption = tr("Torque ripple that the rough sweep shows");
+  table.columns = {{tr("Periods a motor turn"), "", true}, {tr("Amplitude"), "mN·m", true}};
   for (const method::gravity::RippleLine& line : ripple.lines) {
     table.rows.push_back({{wording::fixed(line.periods_per_turn, 3),
                            wording::significant(1000 * line.amplitude_Nm, 3)},
                           false});
   }
-  table.note = "At any motor angle it lies within ±" +
-               wording::with_unit(wording::significant(1000 * ripple.half_width_Nm(), 2), "mN·m") +
-               " (95 %). At a single position the loop's interval cannot be narrower.";
+  table.note =
+      tr("At any motor angle it lies within ±{torque} (95 %). At a single position the loop's "
+         "interval cannot be narrower.",
+         {{"torque",
+           wording::with_unit(wording::significant(1000 * ripple.half_width_Nm(), 2), "mN·m")}});
   return table;
 }
 
 Table plan_table(const method::hysteresis::PositionPlan& plan, const calibration::Calibration& c) {
   Table table;
   table.id = "table-positions";
-  table.caption = "Where to oscillate next";
-  table.columns = {{"Position", "", true},
-                   {"Joint angle", "°", true},
-                   {"From the first, at the motor", "°", true}};
+  table.caption = tr("Where to oscillate next");
+  table.columns = {{tr("Position"), "", true},
+                   {tr("Joint angle"), "°", true},
+                   {tr("From the first, at the motor"), "°", true}};
   const double first = c.hysteresis.oscillations.front().centre_rad;
   const double to_degrees = wording::degree_scale().factor;
   for (std::size_t k = 0; k < plan.further_rad.size(); ++k) {
@@ -238,12 +253,14 @@ Table plan_table(const method::hysteresis::PositionPlan& plan, const calibration
   const auto percent = [&](double half_width_Nm) {
     return "±" + wording::significant(100 * half_width_Nm / g, 2) + " %";
   };
-  table.note = "The same oscillation at each, spread evenly over " +
-               wording::fixed(plan.spread_motor_rad * to_degrees, 0) +
-               "° of the motor. The mid-line's gravity torque is known to " +
-               percent(plan.half_width_now_Nm) + " now, of which ripple alone demands " +
-               percent(plan.ripple_half_width_Nm) + "; with all eight expect " +
-               percent(plan.expected_half_width_Nm) + ".";
+  table.note =
+      tr("The same oscillation at each, spread evenly over {spread}° of the motor. The mid-line's "
+         "gravity torque is known to {known_now} now, of which ripple alone demands {of_ripple}; "
+         "with all eight expect {expected}.",
+         {{"spread", wording::fixed(plan.spread_motor_rad * to_degrees, 0)},
+          {"known_now", percent(plan.half_width_now_Nm)},
+          {"of_ripple", percent(plan.ripple_half_width_Nm)},
+          {"expected", percent(plan.expected_half_width_Nm)}});
   return table;
 }
 
@@ -252,18 +269,18 @@ Table plan_table(const method::hysteresis::PositionPlan& plan, const calibration
 Section cross_checks_section(const calibration::Calibration& c) {
   Section section;
   section.id = "cross-checks";
-  section.title = "Cross-checks and intervals";
+  section.title = tr("Cross-checks and intervals");
   section.explanation = "explain_cross_checks.tpl";
   section.outcome = c.cross_checks.checks.size() < 2 ? Outcome::absent
                     : c.cross_checks.doubtful        ? Outcome::partial
                                                      : Outcome::good;
-  section.status = c.cross_checks.checks.size() < 2 ? "nothing to compare"
-                   : c.cross_checks.doubtful        ? "disagreement"
-                                                    : "agreement";
+  section.status = c.cross_checks.checks.size() < 2 ? tr("nothing to compare")
+                   : c.cross_checks.doubtful        ? tr("disagreement")
+                                                    : tr("agreement");
   if (c.cross_checks.checks.size() < 2) {
     section.reason =
-        "Fewer than two ways gave a gravity torque, so there is nothing to hold against each "
-        "other.";
+        tr("Fewer than two ways gave a gravity torque, so there is nothing to hold against each "
+           "other.");
   }
   section.tables.push_back(masses_table(c.cross_checks));
   section.tables.push_back(ripple_table(c.rough.ripple));

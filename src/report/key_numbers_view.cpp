@@ -4,36 +4,31 @@
 #include <cmath>
 
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {
 
+namespace {
+
+using wording::tr;
+
+}  // namespace
+
 std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
 
-std::string as_sentence(const std::string& text) {
-  if (text.empty()) return text;
-  const std::string first_word = text.substr(0, text.find(' '));
-  const bool is_symbol =
-      (first_word.size() == 1 && first_word != "a") || first_word.find('_') != std::string::npos;
-  std::string sentence = text;
-  if (!is_symbol && sentence.front() >= 'a' && sentence.front() <= 'z') {
-    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-  }
-  const char last = sentence.back();
-  return last == '.' || last == '!' || last == '?' || last == ':' ? sentence : sentence + ".";
-}
-
-std::string as_sentence(const Statement& statement) {
-  return as_sentence(wording::words(statement));
-}
-
-std::vector<Column> estimate_columns() {
-  return {{"Quantity", "", false, true},
-          {"Estimate", "", true},
-          {"Unit", "", false},
-          {"95 % interval", "", true},
-          {"From", "", false}};
+Table estimates_table(const std::string& id, const std::string& caption) {
+  Table table;
+  table.id = id;
+  table.caption = caption;
+  table.columns = {{tr("Quantity"), "", false, true},
+                   {tr("Estimate"), "", true},
+                   {tr("Unit"), "", false},
+                   {tr("95 % interval"), "", true},
+                   {tr("From"), "", false}};
+  table.is_of_estimates = true;
+  return table;
 }
 
 Row estimate_row(const std::string& quantity, const statistics::Estimate& estimate,
@@ -57,19 +52,37 @@ Row number_row(const std::string& quantity, double value, const wording::Scale& 
 }
 
 Row not_identified_row(const std::string& quantity, const std::string& why) {
-  return {{quantity, "not identified", "–", "–", or_dash(why)}, false};
+  return {{quantity, tr("not identified"), "–", "–", or_dash(why)}, false};
+}
+
+std::string at_motor(const std::string& quantity) {
+  return tr("{quantity}, at the motor", {{"quantity", quantity}});
+}
+
+std::string at_joint(const std::string& quantity) {
+  return tr("{quantity}, at the joint", {{"quantity", quantity}});
+}
+
+void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
+                    const Gear& gear, wording::Scale (*scale_for)(double), Table& table) {
+  table.rows.push_back(estimate_row(gear.ratio == 1.0 ? quantity : at_motor(quantity), motor,
+                                    scale_for(motor.value)));
+  if (gear.ratio == 1.0) return;
+  const statistics::Estimate joint = statistics::scaled(motor, gear.to_joint);
+  table.rows.push_back(estimate_row(at_joint(quantity), joint, scale_for(joint.value)));
 }
 
 std::string estimator_name(const std::string& estimator) {
-  if (estimator.size() == 1) return "Point " + estimator;
+  if (estimator.size() == 1) return tr("Point {point}", {{"point", estimator}});
   if (estimator.size() == 2) {
-    return std::string("Mean of ") + estimator.front() + " and " + estimator.back();
+    return tr("Mean of {first_point} and {second_point}",
+              {{"first_point", estimator.substr(0, 1)}, {"second_point", estimator.substr(1)}});
   }
-  if (estimator == "midline") return "Mid-line";
-  if (estimator == "fit") return "LuGre fit";
-  if (estimator == "sweep") return "Sweep";
-  if (estimator == "runs") return "Runs at constant speed";
-  if (estimator == "stated") return "Stated";
+  if (estimator == "midline") return tr("Mid-line");
+  if (estimator == "fit") return tr("LuGre fit");
+  if (estimator == "sweep") return tr("Sweep");
+  if (estimator == "runs") return tr("Runs at constant speed");
+  if (estimator == "stated") return tr("Stated");
   return estimator;
 }
 
@@ -85,14 +98,12 @@ class KeyNumbers {
  public:
   explicit KeyNumbers(const calibration::Calibration& calibration)
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()) {
-    table_.id = "table-key-numbers";
-    table_.caption = "Key numbers with 95 % intervals";
-    table_.columns = estimate_columns();
+    table_ = estimates_table("table-key-numbers", tr("Key numbers with 95 % intervals"));
     table_.note =
-        n_ == 1.0 ? "Gear ratio 1: motor side and joint side are the same."
-                  : "At the joint, torques are n times and viscous coefficients and stiffnesses "
-                    "n² times those at the motor; n = " +
-                        wording::as_stated(n_) + ".";
+        n_ == 1.0 ? tr("Gear ratio 1: motor side and joint side are the same.")
+                  : tr("At the joint, torques are n times and viscous coefficients and stiffnesses "
+                       "n² times those at the motor; n = {gear_ratio}.",
+                       {{"gear_ratio", wording::as_stated(n_)}});
   }
 
   Table make() {
@@ -114,21 +125,18 @@ class KeyNumbers {
   void sides(const std::string& quantity, statistics::Estimate motor, double to_joint,
              wording::Scale (*scale_for)(double), const std::string& from) {
     motor.method = Statement::verbatim(from);
-    const std::string at_motor = n_ == 1.0 ? "" : ", at the motor";
-    table_.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
-    if (n_ == 1.0) return;
-    const statistics::Estimate joint = statistics::scaled(motor, to_joint);
-    table_.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale_for(joint.value)));
+    add_both_sides(quantity, motor, {n_, to_joint}, scale_for, table_);
   }
 
   void missing(const std::string& quantity, StageId stage) {
     const statistics::StageReport& report = stage_report(c_, stage);
     table_.rows.push_back(not_identified_row(
-        quantity, stage_reference(stage) + ": " + status_in_words(report.state)));
+        quantity, tr("stage {stage}: {status}",
+                     {{"stage", stage_number(stage)}, {"status", status_in_words(report.state)}})));
   }
 
   void angles() {
-    const char* const peak = "Joint angle of largest gravity torque, q_peak";
+    const std::string peak = tr("Joint angle of largest gravity torque, q_peak");
     if (c_.q_peak_rad && refused("cog_angle")) {
       see_the_verdict(peak);
       return;
@@ -136,14 +144,16 @@ class KeyNumbers {
     if (c_.q_peak_rad) {
       if (c_.q_peak_source == "runs") {
         angle(peak, *c_.q_peak_rad,
-              stage_reference(StageId::viscous_curves) + ", fit of the runs at constant speed");
+              tr("stage {stage}, fit of the runs at constant speed",
+                 {{"stage", stage_number(StageId::viscous_curves)}}));
         link_angle();
         return;
       }
-      const bool precise = c_.q_peak_source == "cog_precise";
-      const StageId stage = precise ? StageId::cog_precise : StageId::cog_rough;
       angle(peak, *c_.q_peak_rad,
-            stage_reference(stage) + ", fit of the " + (precise ? "precise" : "rough") + " sweep");
+            c_.q_peak_source == "cog_precise" ? tr("stage {stage}, fit of the precise sweep",
+                                                   {{"stage", stage_number(StageId::cog_precise)}})
+                                              : tr("stage {stage}, fit of the rough sweep",
+                                                   {{"stage", stage_number(StageId::cog_rough)}}));
     } else {
       missing(peak, StageId::cog_rough);
     }
@@ -151,7 +161,7 @@ class KeyNumbers {
   }
 
   void link_angle() {
-    const char* const link = "Link angle of the centre of gravity, q_c = −q_peak";
+    const std::string link = tr("Link angle of the centre of gravity, q_c = −q_peak");
     if (c_.selection.q_c_rad) {
       angle(link, *c_.selection.q_c_rad, stage_reference(StageId::selection));
     } else if (c_.q_peak_rad) {
@@ -160,12 +170,11 @@ class KeyNumbers {
   }
 
   void gravity() {
-    const char* const name = "Gravity torque";
+    const std::string name = tr("Gravity torque");
     if (refused("gravity_torque") && recommended_mass(c_) != nullptr) {
       see_the_verdict(name);
     } else if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
-      sides(name, mass->gravity_Nm, n_, wording::torque_scale,
-            stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass->estimator));
+      sides(name, mass->gravity_Nm, n_, wording::torque_scale, from_mass(*mass));
     } else if (c_.rough.found) {
       sides(name, c_.rough.gravity_Nm, n_, wording::torque_scale,
             stage_reference(StageId::cog_rough));
@@ -175,28 +184,35 @@ class KeyNumbers {
   }
 
   void masses() {
-    const std::string at =
-        " at r = " + wording::as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
+    const std::string r =
+        wording::with_unit(wording::as_stated(c_.manifest.surrogate_distance_m), "m");
+    const std::string name = tr("Surrogate mass at r = {distance}", {{"distance", r}});
     if (refused("surrogate_mass") && recommended_mass(c_) != nullptr) {
-      see_the_verdict("Surrogate mass" + at);
+      see_the_verdict(name);
       return;
     }
     if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
-      mass_row("Surrogate mass" + at + ", recommended", *mass, true);
+      mass_row(tr("Surrogate mass at r = {distance}, recommended", {{"distance", r}}), *mass, true);
     } else {
-      missing("Surrogate mass" + at, StageId::surrogate_masses);
+      missing(name, StageId::surrogate_masses);
     }
     const method::hysteresis::SurrogateMass* papers =
         c_.selection.paper_rule.empty() ? nullptr : c_.masses.find(c_.selection.paper_rule);
-    if (papers != nullptr)
-      mass_row("Surrogate mass" + at + ", by the paper's rule", *papers, false);
+    if (papers != nullptr) {
+      mass_row(tr("Surrogate mass at r = {distance}, by the paper's rule", {{"distance", r}}),
+               *papers, false);
+    }
+  }
+
+  static std::string from_mass(const method::hysteresis::SurrogateMass& mass) {
+    return tr("stage {stage}, {estimator}", {{"stage", stage_number(StageId::surrogate_masses)},
+                                             {"estimator", estimator_name(mass.estimator)}});
   }
 
   void mass_row(const std::string& quantity, const method::hysteresis::SurrogateMass& mass,
                 bool is_chosen) {
     statistics::Estimate e = mass.mass_kg;
-    e.method = Statement::verbatim(stage_reference(StageId::surrogate_masses) + ", " +
-                                   estimator_name(mass.estimator));
+    e.method = Statement::verbatim(from_mass(mass));
     table_.rows.push_back(estimate_row(quantity, e, wording::plain_scale("kg")));
     table_.rows.back().is_chosen = is_chosen;
   }
@@ -206,38 +222,42 @@ class KeyNumbers {
     const auto shown = [&](const char* name) {
       return loop.lugre ? loop.lugre->shown(name) : std::nullopt;
     };
-    const std::string from_loop = stage_reference(StageId::parameters) + ", LuGre fit of the loops";
+    const std::string from_loop =
+        tr("stage {stage}, LuGre fit of the loops", {{"stage", stage_number(StageId::parameters)}});
+    const std::string break_away = tr("Break-away torque");
     const auto level = shown("static_Nm");
     if (refused("break_away_torque") && (level || c_.break_away.mean_Nm)) {
-      see_the_verdict("Break-away torque");
+      see_the_verdict(break_away);
     } else if (c_.break_away.mean_Nm) {
-      sides("Break-away torque", *c_.break_away.mean_Nm, n_, wording::torque_scale,
-            stage_reference(StageId::break_away) + ", ramps of the torque");
+      sides(
+          break_away, *c_.break_away.mean_Nm, n_, wording::torque_scale,
+          tr("stage {stage}, ramps of the torque", {{"stage", stage_number(StageId::break_away)}}));
     } else if (level) {
-      sides("Break-away torque", *level, n_, wording::torque_scale, from_loop);
+      sides(break_away, *level, n_, wording::torque_scale, from_loop);
     } else if (!c_.break_away.ramps.empty()) {
-      see_the_verdict("Break-away torque");
+      see_the_verdict(break_away);
     } else {
-      missing("Break-away torque", StageId::hysteresis);
+      missing(break_away, StageId::hysteresis);
     }
     coulomb_and_viscous();
-    if (loop.found && std::isfinite(loop.loop_height_Nm)) {
-      const double height = loop.loop_height_Nm;
-      const std::string from = stage_reference(StageId::hysteresis);
-      const std::string name = "Height of the hysteresis loop";
-      table_.rows.push_back(number_row(n_ == 1.0 ? name : name + ", at the motor", height,
-                                       wording::torque_scale(height), from));
-      if (n_ != 1.0) {
-        table_.rows.push_back(number_row(name + ", at the joint", n_ * height,
-                                         wording::torque_scale(n_ * height), from));
-      }
-    }
+    if (loop.found && std::isfinite(loop.loop_height_Nm)) loop_height(loop.loop_height_Nm);
     const auto stiffness = shown("bristle_stiffness_Nm_rad");
+    const std::string name = tr("Bristle stiffness σ₀");
     if (refused("bristle_stiffness") && stiffness) {
-      see_the_verdict("Bristle stiffness σ₀");
+      see_the_verdict(name);
     } else if (stiffness) {
-      sides("Bristle stiffness σ₀", *stiffness, n_ * n_, wording::stiffness_scale, from_loop);
+      sides(name, *stiffness, n_ * n_, wording::stiffness_scale, from_loop);
     }
+  }
+
+  void loop_height(double height_Nm) {
+    const std::string from = stage_reference(StageId::hysteresis);
+    const std::string name = tr("Height of the hysteresis loop");
+    table_.rows.push_back(number_row(n_ == 1.0 ? name : at_motor(name), height_Nm,
+                                     wording::torque_scale(height_Nm), from));
+    if (n_ == 1.0) return;
+    table_.rows.push_back(
+        number_row(at_joint(name), n_ * height_Nm, wording::torque_scale(n_ * height_Nm), from));
   }
 
   /// A number that its verdict refuses is none to file.
@@ -249,14 +269,16 @@ class KeyNumbers {
   }
 
   void see_the_verdict(const std::string& quantity) {
-    table_.rows.push_back(not_identified_row(quantity, "see the verdict on it"));
+    table_.rows.push_back(not_identified_row(quantity, tr("see the verdict on it")));
   }
 
   void coulomb_and_viscous() {
     const auto& line = c_.friction.coulomb_viscous;
-    const std::string from_line = stage_reference(StageId::parameters) + ", straight line";
-    const std::string from_sweep = stage_reference(StageId::cog_rough) + ", sweep";
-    const char* const coulomb = "Coulomb torque";
+    const std::string from_line =
+        tr("stage {stage}, straight line", {{"stage", stage_number(StageId::parameters)}});
+    const std::string from_sweep =
+        tr("stage {stage}, sweep", {{"stage", stage_number(StageId::cog_rough)}});
+    const std::string coulomb = tr("Coulomb torque");
     if (refused("coulomb_torque") && (line || c_.rough.coulomb_Nm)) {
       see_the_verdict(coulomb);
     } else if (line) {
@@ -266,7 +288,7 @@ class KeyNumbers {
     } else {
       missing(coulomb, StageId::parameters);
     }
-    const char* const viscous = "Viscous coefficient";
+    const std::string viscous = tr("Viscous coefficient");
     if (refused("viscous_coefficient") && (line || c_.rough.viscous_Nms_rad)) {
       see_the_verdict(viscous);
     } else if (line) {

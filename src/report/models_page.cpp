@@ -3,21 +3,24 @@
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
 
+using wording::tr;
+
 Table models_table() {
   Table table;
   table.id = "table-models";
-  table.caption = "What each model claims to show, in the order of publication";
-  table.columns = {{"Model", "", false},        {"As a scenario says it", "", false},
-                   {"Source", "", false, true}, {"Pre-sliding", "", false},
-                   {"Break-away", "", false},   {"Stribeck", "", false},
-                   {"Lag", "", false},          {"Non-local memory", "", false},
-                   {"Drifts", "", false},       {"Rate independent", "", false}};
-  const auto word = [](bool shows) { return std::string(shows ? "yes" : "–"); };
+  table.caption = tr("What each model claims to show, in the order of publication");
+  table.columns = {{tr("Model"), "", false},        {tr("As a scenario says it"), "", false},
+                   {tr("Source"), "", false, true}, {tr("Pre-sliding"), "", false},
+                   {tr("Break-away"), "", false},   {tr("Stribeck"), "", false},
+                   {tr("Lag"), "", false},          {tr("Non-local memory"), "", false},
+                   {tr("Drifts"), "", false},       {tr("Rate independent"), "", false}};
+  const auto word = [](bool shows) { return shows ? tr("yes") : std::string("–"); };
   for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     const friction::FrictionTraits& t = one.traits;
     table.rows.push_back({{wording::words_for("friction_model", one.name), one.name,
@@ -27,22 +30,22 @@ Table models_table() {
                           false});
   }
   table.note =
-      "Break-away: more torque to start than to keep sliding. Drifts: creeps under an oscillating "
-      "torque that stays below break-away. Tests hold each model to its row.";
+      tr("Break-away: more torque to start than to keep sliding. Drifts: creeps under an "
+         "oscillating torque that stays below break-away. Tests hold each model to its row.");
   return table;
 }
 
 std::vector<Fact> contact_facts(const friction::ContactParameters& c) {
   constexpr int digits = 4;
-  const auto fact = [](const char* name, double value, const char* unit) {
+  const auto fact = [](const std::string& name, double value, const char* unit) {
     return Fact{name, wording::with_unit(wording::significant(value, digits), unit)};
   };
-  return {fact("Stiffness", c.stiffness_Nm_rad, "N/m"),
-          fact("Damping", c.damping_Nms_rad, "N·s/m"),
-          fact("Viscous coefficient", c.viscous_Nms_rad, "N·s/m"),
-          fact("Break-away force", c.static_Nm, "N"),
-          fact("Coulomb force", c.coulomb_Nm, "N"),
-          fact("Stribeck velocity", c.stribeck_speed_rad_s, "m/s")};
+  return {fact(tr("Stiffness"), c.stiffness_Nm_rad, "N/m"),
+          fact(tr("Damping"), c.damping_Nms_rad, "N·s/m"),
+          fact(tr("Viscous coefficient"), c.viscous_Nms_rad, "N·s/m"),
+          fact(tr("Break-away force"), c.static_Nm, "N"),
+          fact(tr("Coulomb force"), c.coulomb_Nm, "N"),
+          fact(tr("Stribeck velocity"), c.stribeck_speed_rad_s, "m/s")};
 }
 
 }  // namespace
@@ -51,6 +54,7 @@ std::string models_page(const friction::ContactParameters& contact,
                         const std::vector<figures::ModelExperiment>& experiments,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance, wording::Language language) {
+  const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values);
   fill_facts(contact_facts(contact), values);

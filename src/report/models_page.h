@@ -17,6 +17,6 @@ std::string models_page(const friction::ContactParameters& contact,
                         const std::vector<figures::ModelExperiment>& experiments,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance,
-                        wording::Language language = wording::Language::english);
+                        wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report

@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
-#include "calibration/gear_side.h"
 #include "report/fleet_values.h"
 #include "report/sparkline.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 struct OutlyingJoint {
   const history::FleetRobot* robot;
@@ -30,27 +35,63 @@ std::vector<OutlyingJoint> outlying_joints(const history::Fleet& fleet) {
   return all;
 }
 
-std::string distance_words(const std::optional<history::Distance>& d, const std::string& of,
-                           const statistics::Estimate& latest, const std::string& unit,
-                           double limit) {
-  if (!d || std::abs(d->z) <= limit) return "";
+bool is_beyond(const std::optional<history::Distance>& d, double limit) {
+  return d && std::abs(d->z) > limit;
+}
+
+std::string z_text(double z) {
   constexpr double shown_in_full = 100;
+  return std::abs(z) > shown_in_full ? tr("beyond 100")
+                                     : wording::with_minus_sign(fmt::format("{:.1f}", z));
+}
+
+std::string median_text(double median, const statistics::Estimate& latest,
+                        const std::string& unit) {
+  const statistics::Estimate as_sure{
+      median, median - latest.half_width(), median + latest.half_width(), {}};
+  return wording::with_unit(wording::round_by_interval(as_sure, {1.0, unit}).estimate, unit);
+}
+
+/// "+3.2 %"; empty of an angle, of which a share says nothing: its zero is a convention.
+std::string difference_text(double median, const statistics::Estimate& latest,
+                            const std::string& unit) {
   constexpr double shown_with_decimal = 10;
-  const statistics::Estimate median{
-      d->median, d->median - latest.half_width(), d->median + latest.half_width(), {}};
-  const std::string z = std::abs(d->z) > shown_in_full
-                            ? std::string("beyond 100")
-                            : wording::with_minus_sign(fmt::format("{:.1f}", d->z));
-  // A share of an angle says nothing: its zero is a convention.
-  std::string share;
-  if (unit != "rad" && d->median != 0) {
-    const double percent = 100 * std::abs(latest.value / d->median - 1);
-    share = fmt::format(", {}{:.{}f}\u00a0%", latest.value > d->median ? "+" : "−", percent,
-                        percent < shown_with_decimal ? 1 : 0);
-  }
-  return fmt::format(
-      "z {} against {} {}, median {}{}", z, d->count, of,
-      wording::with_unit(wording::round_by_interval(median, {1.0, unit}).estimate, unit), share);
+  if (unit == "rad" || median == 0) return {};
+  const double percent = 100 * std::abs(latest.value / median - 1);
+  return fmt::format("{}{:.{}f}\u00a0%", latest.value > median ? "+" : "−", percent,
+                     percent < shown_with_decimal ? 1 : 0);
+}
+
+std::string words_to_others(const history::Distance& d, const statistics::Estimate& latest,
+                            const std::string& unit) {
+  const std::string difference = difference_text(d.median, latest, unit);
+  const std::initializer_list<StatedValue> values{{"z", z_text(d.z)},
+                                                  {"robots", d.count},
+                                                  {"median", median_text(d.median, latest, unit)},
+                                                  {"difference", difference}};
+  return difference.empty()
+             ? tr_count(d.count, "z {z} against {robots} other robot, median {median}",
+                        "z {z} against {robots} other robots, median {median}", values)
+             : tr_count(
+                   d.count, "z {z} against {robots} other robot, median {median}, {difference}",
+                   "z {z} against {robots} other robots, median {median}, {difference}", values);
+}
+
+std::string words_to_history(const history::Distance& d, const statistics::Estimate& latest,
+                             const std::string& unit) {
+  const std::string difference = difference_text(d.median, latest, unit);
+  const std::initializer_list<StatedValue> values{{"z", z_text(d.z)},
+                                                  {"earlier", d.count},
+                                                  {"median", median_text(d.median, latest, unit)},
+                                                  {"difference", difference}};
+  return difference.empty()
+             ? tr_count(d.count, "z {z} against {earlier} earlier one of its own, median {median}",
+                        "z {z} against {earlier} earlier ones of its own, median {median}", values)
+             : tr_count(
+                   d.count,
+                   "z {z} against {earlier} earlier one of its own, median {median}, {difference}",
+                   "z {z} against {earlier} earlier ones of its own, median {median}, {difference}",
+                   values);
 }
 
 void fill_card(const OutlyingJoint& outlying, const history::Fleet& fleet, const FleetLinks& links,
@@ -72,15 +113,18 @@ void fill_card(const OutlyingJoint& outlying, const history::Fleet& fleet, const
     const history::FleetColumn& column = fleet.columns[cell->column];
     const statistics::Estimate& latest = cell->results.back().estimate;
     TemplateValues& one = values.add_section("QUANTITY");
-    one.set("NAME", or_dash(calibration::without_side(column.words)));
+    one.set("NAME", or_dash(column_name(column)));
     one.set("VALUE", wording::in_words(latest, {1.0, column.unit}));
     one.set_optional("VERDICT", cell->verdict == calibration::Verdict::usable
                                     ? ""
-                                    : calibration::to_string(cell->verdict));
-    one.set_optional("OTHERS_WORDS", distance_words(cell->to_others, "other robots", latest,
-                                                    column.unit, fleet.limit));
-    one.set_optional("HISTORY_WORDS", distance_words(cell->to_history, "earlier ones of its own",
-                                                     latest, column.unit, fleet.limit));
+                                    : wording::words_for("archived_verdict",
+                                                         calibration::to_string(cell->verdict)));
+    if (is_beyond(cell->to_others, fleet.limit)) {
+      one.set_optional("OTHERS_WORDS", words_to_others(*cell->to_others, latest, column.unit));
+    }
+    if (is_beyond(cell->to_history, fleet.limit)) {
+      one.set_optional("HISTORY_WORDS", words_to_history(*cell->to_history, latest, column.unit));
+    }
     fill_sparkline(*cell, fleet, one);
   }
 }
@@ -98,9 +142,13 @@ void fill_outliers(const history::Fleet& fleet, const FleetLinks& links, Templat
     fill_card(all[k], fleet, links, section.add_section("CARD"));
   }
   if (shown < all.size()) {
-    section.set_optional("MORE", fmt::format("{} more joints beyond the limit are marked in the "
-                                             "tables of their robots.",
-                                             all.size() - shown));
+    const std::size_t more = all.size() - shown;
+    section.set_optional(
+        "MORE",
+        tr_count(static_cast<std::int64_t>(more),
+                 "{joints} more joint beyond the limit is marked in the table of its robot.",
+                 "{joints} more joints beyond the limit are marked in the tables of their robots.",
+                 {{"joints", more}}));
   }
 }
 

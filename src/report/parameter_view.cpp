@@ -1,6 +1,7 @@
 // Stage 8.
 
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 #include "wording/words.h"
 
@@ -8,53 +9,42 @@ namespace tribolog::report {
 
 namespace {
 
-Table estimates(const std::string& id, const std::string& caption) {
-  Table table;
-  table.id = id;
-  table.caption = caption;
-  table.columns = estimate_columns();
-  return table;
-}
-
-void add_both_sides(const std::string& quantity, const statistics::Estimate& motor, double n,
-                    double to_joint, wording::Scale (*scale_for)(double), Table& table) {
-  const std::string at_motor = n == 1.0 ? "" : ", at the motor";
-  table.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
-  if (n == 1.0) return;
-  const statistics::Estimate joint = statistics::scaled(motor, to_joint);
-  table.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale_for(joint.value)));
-}
+using wording::tr;
+using wording::tr_count;
 
 Table line_table(const method::selection::CoulombViscousFit& f, double n, const Section& section) {
-  Table table =
-      estimates(section.id + "-line", "Coulomb and viscous friction: |T_f| = T_c + c |ω|");
-  add_both_sides("Coulomb torque T_c", f.coulomb_Nm, n, n, wording::torque_scale, table);
-  add_both_sides("Viscous coefficient c", f.viscous_Nms_rad, n, n * n, wording::viscous_scale,
+  Table table = estimates_table(section.id + "-line",
+                                tr("Coulomb and viscous friction: |T_f| = T_c + c |ω|"));
+  add_both_sides(tr("Coulomb torque T_c"), f.coulomb_Nm, {n, n}, wording::torque_scale, table);
+  add_both_sides(tr("Viscous coefficient c"), f.viscous_Nms_rad, {n, n * n}, wording::viscous_scale,
                  table);
-  table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                                  wording::torque_scale(f.residual_Nm), "fit"));
+  table.rows.push_back(number_row(tr("Scatter left by the fit (standard deviation)"), f.residual_Nm,
+                                  wording::torque_scale(f.residual_Nm), tr("fit")));
   constexpr int digits = 3;
-  table.note = "Fitted to motor speeds from " + wording::significant(f.slowest_rad_s, digits) +
-               " to " + wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s") +
-               ", beyond the Stribeck dip; not to be used below.";
+  table.note = tr(
+      "Fitted to motor speeds from {slowest} to {fastest}, beyond the Stribeck dip; not to be used "
+      "below.",
+      {{"slowest", wording::significant(f.slowest_rad_s, digits)},
+       {"fastest", wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s")}});
   return table;
 }
 
 Table waiboer_table(const method::viscous::WaiboerFit& f, const Section& section) {
-  Table table = estimates(section.id + "-waiboer",
-                          "Friction of a geared joint after Waiboer et al., eq. (6), at the motor");
-  table.rows = {
-      estimate_row("Asperity torque T_a", f.asperity_torque_Nm,
-                   wording::torque_scale(f.asperity_torque_Nm.value)),
-      estimate_row("Stribeck velocity ω_s", f.stribeck_speed_rad_s, wording::plain_scale("rad/s")),
-      estimate_row("Stribeck power δ_a", f.stribeck_power, wording::plain_scale("")),
-      estimate_row("Viscous coefficient c_v", f.viscous_coefficient,
-                   wording::plain_scale("N·m·(s/rad)^(1−δ_v)")),
-      estimate_row("Viscous power δ_v", f.viscous_power, wording::plain_scale("")),
-      number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                 wording::torque_scale(f.residual_Nm), "fit")};
+  Table table =
+      estimates_table(section.id + "-waiboer",
+                      tr("Friction of a geared joint after Waiboer et al., eq. (6), at the motor"));
+  table.rows = {estimate_row(tr("Asperity torque T_a"), f.asperity_torque_Nm,
+                             wording::torque_scale(f.asperity_torque_Nm.value)),
+                estimate_row(tr("Stribeck velocity ω_s"), f.stribeck_speed_rad_s,
+                             wording::plain_scale("rad/s")),
+                estimate_row(tr("Stribeck power δ_a"), f.stribeck_power, wording::plain_scale("")),
+                estimate_row(tr("Viscous coefficient c_v"), f.viscous_coefficient,
+                             wording::plain_scale("N·m·(s/rad)^(1−δ_v)")),
+                estimate_row(tr("Viscous power δ_v"), f.viscous_power, wording::plain_scale("")),
+                number_row(tr("Scatter left by the fit (standard deviation)"), f.residual_Nm,
+                           wording::torque_scale(f.residual_Nm), tr("fit"))};
   if (!f.converged)
-    table.note = "The fit did not converge: these are its last values, not results.";
+    table.note = tr("The fit did not converge: these are its last values, not results.");
   return table;
 }
 
@@ -64,9 +54,11 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
   const double n = c.manifest.drive.gear_ratio();
   const method::selection::FrictionParametersResult& f = c.friction;
   if (!f.curve.empty()) {
-    section.facts.push_back({"Curve fitted", f.curve == "direction_difference"
-                                                 ? "half the difference of the two directions"
-                                                 : "that of " + estimator_name(f.curve)});
+    section.facts.push_back(
+        {tr("Curve fitted"),
+         f.curve == "direction_difference"
+             ? tr("half the difference of the two directions")
+             : tr("that of {estimator}", {{"estimator", estimator_name(f.curve)}})});
   }
   describe_curve_models(c, section);
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));
@@ -86,8 +78,9 @@ Row trial_row(const method::viscous::CurveModelTrial& t, bool is_chosen) {
       {wording::words(method::viscous::described(t.model)), std::to_string(t.model.parameters()),
        took_part ? wording::significant(t.training_rms_Nm, digits) : "–",
        took_part ? wording::significant(t.held_out_rms_Nm, digits) : "–",
-       is_chosen ? "chosen"
-                 : or_dash(took_part ? "" : "out: " + wording::words(t.excluded_because))},
+       is_chosen   ? tr("chosen")
+       : took_part ? or_dash("")
+                   : tr("out: {reason}", {{"reason", t.excluded_because}})},
       is_chosen};
 }
 
@@ -95,45 +88,43 @@ Table trials_table(const std::string& id, const std::string& caption) {
   Table table;
   table.id = id;
   table.caption = caption;
-  table.columns = {{"Model", "", false, true},
-                   {"Parameters", "", true},
-                   {"Error on its own data", "N·m", true},
-                   {"Error at speeds held out", "N·m", true},
-                   {"Outcome", "", false, true}};
+  table.columns = {{tr("Model"), "", false, true},
+                   {tr("Parameters"), "", true},
+                   {tr("Error on its own data"), "N·m", true},
+                   {tr("Error at speeds held out"), "N·m", true},
+                   {tr("Outcome"), "", false, true}};
   return table;
 }
 
 Table ladder_table(const method::viscous::CurveModelChoice& c, const Section& section) {
-  Table table = trials_table(section.id + "-ladder", "Which model the curve carries, at the motor");
+  Table table =
+      trials_table(section.id + "-ladder", tr("Which model the curve carries, at the motor"));
   for (const method::viscous::CurveModelTrial& t : c.ladder) {
     table.rows.push_back(trial_row(t, t.model.law == c.chosen.law));
   }
-  table.note = as_sentence(c.sentence) + " " + as_sentence(c.five_sentence) +
-               " The simplest model is taken whose error at speeds held out lies within one "
-               "standard error of the best.";
+  table.note = as_sentence(c.sentence) + " " + as_sentence(c.five_sentence) + " " +
+               tr("The simplest model is taken whose error at speeds held out lies within one "
+                  "standard error of the best.");
   return table;
 }
 
 Table options_table(const method::viscous::CurveModelChoice& c, const Section& section) {
-  Table table = trials_table(section.id + "-terms", "Terms for direction and load");
+  Table table = trials_table(section.id + "-terms", tr("Terms for direction and load"));
   for (const method::viscous::CurveModelTrial& t : c.options) {
     table.rows.push_back(trial_row(t, false));
     const bool is_taken = t.model.asymmetry == c.chosen.asymmetry && t.model.load == c.chosen.load;
-    if (t.excluded_because.empty()) table.rows.back().cells.back() = is_taken ? "taken" : "–";
+    if (t.excluded_because.empty()) table.rows.back().cells.back() = is_taken ? tr("taken") : "–";
   }
-  table.note =
+  table.note = tr(
       "A term is taken up only if it brings speeds held out closer by more than twice the standard "
-      "error of the gain.";
+      "error of the gain.");
   return table;
 }
 
 Table parameters_table(const method::viscous::CurveModelChoice& c, const Section& section) {
-  Table table;
-  table.id = section.id + "-model";
-  table.caption =
-      "Parameters of the chosen model: " + wording::words(method::viscous::described(c.chosen)) +
-      ", at the motor";
-  table.columns = estimate_columns();
+  Table table = estimates_table(section.id + "-model",
+                                tr("Parameters of the chosen model: {model}, at the motor",
+                                   {{"model", method::viscous::described(c.chosen)}}));
   for (const method::viscous::CurveParameter& p : c.parameters) {
     const std::string unit = p.unit_as.empty() ? p.unit : wording::words(p.unit_as);
     table.rows.push_back(estimate_row(
@@ -145,52 +136,53 @@ Table parameters_table(const method::viscous::CurveModelChoice& c, const Section
 
 Table directions_table(const calibration::Calibration& c, const Section& section) {
   const double n = c.manifest.drive.gear_ratio();
-  Table table;
-  table.id = section.id + "-directions";
-  table.caption = "Coulomb and viscous friction of each direction, at the joint";
-  table.columns = estimate_columns();
+  Table table = estimates_table(section.id + "-directions",
+                                tr("Coulomb and viscous friction of each direction, at the joint"));
   for (const method::viscous::CurveDirectionLines& lines : c.direction_lines.curves) {
     for (const bool rising : {true, false}) {
       const auto& l = rising ? lines.rising : lines.falling;
       if (!l) continue;
-      const std::string who = std::string(rising ? ", rising" : ", falling") + " (" +
-                              estimator_name(lines.estimator) + ")";
+      const std::string estimator = estimator_name(lines.estimator);
       statistics::Estimate coulomb = statistics::scaled(l->coulomb_Nm, n);
       statistics::Estimate viscous = statistics::scaled(l->viscous_Nms_rad, n * n);
-      coulomb.method = viscous.method = Statement::verbatim(
-          wording::count(l->runs) + " runs, " + wording::count(l->runs_left_out) + " left out");
-      table.rows.push_back(
-          estimate_row("Coulomb torque" + who, coulomb, wording::torque_scale(coulomb.value)));
-      table.rows.push_back(estimate_row("Viscous coefficient" + who, viscous,
-                                        wording::viscous_scale(viscous.value)));
+      coulomb.method = viscous.method = Statement::verbatim(tr_count(
+          l->runs, "{runs} run, {left_out} left out", "{runs} runs, {left_out} left out",
+          {{"runs", wording::count(l->runs)}, {"left_out", wording::count(l->runs_left_out)}}));
+      table.rows.push_back(estimate_row(
+          rising ? tr("Coulomb torque, rising ({estimator})", {{"estimator", estimator}})
+                 : tr("Coulomb torque, falling ({estimator})", {{"estimator", estimator}}),
+          coulomb, wording::torque_scale(coulomb.value)));
+      table.rows.push_back(estimate_row(
+          rising ? tr("Viscous coefficient, rising ({estimator})", {{"estimator", estimator}})
+                 : tr("Viscous coefficient, falling ({estimator})", {{"estimator", estimator}}),
+          viscous, wording::viscous_scale(viscous.value)));
     }
   }
-  table.note =
+  table.note = tr(
       "Left out: runs that travel less than a quarter of the widest way, over which torque ripple "
-      "does not average out, and those below the Stribeck dip.";
+      "does not average out, and those below the Stribeck dip.");
   return table;
 }
 
 Table load_table(const method::viscous::LoadDependenceResult& r, const Section& section) {
-  Table table;
-  table.id = section.id + "-load";
-  table.caption = "Friction against load, at the motor";
-  table.columns = estimate_columns();
+  Table table = estimates_table(section.id + "-load", tr("Friction against load, at the motor"));
   constexpr double percent = 100;
-  table.rows.push_back(estimate_row("Friction added, of the gravity torque", r.per_load,
+  table.rows.push_back(estimate_row(tr("Friction added, of the gravity torque"), r.per_load,
                                     wording::Scale{percent, "%"}));
-  table.rows.push_back(estimate_row("Friction without load", r.unloaded_Nm,
+  table.rows.push_back(estimate_row(tr("Friction without load"), r.unloaded_Nm,
                                     wording::torque_scale(r.unloaded_Nm.value)));
   if (r.viscous_Nms_rad) {
-    table.rows.push_back(estimate_row("Viscous coefficient", *r.viscous_Nms_rad,
+    table.rows.push_back(estimate_row(tr("Viscous coefficient"), *r.viscous_Nms_rad,
                                       wording::viscous_scale(r.viscous_Nms_rad->value)));
   }
   const auto error = [&](const std::string& words, double value) {
-    table.rows.push_back(number_row(words, value, wording::torque_scale(value), "angles held out"));
+    table.rows.push_back(
+        number_row(words, value, wording::torque_scale(value), tr("angles held out")));
   };
-  error("Error with the load", r.held_out_Nm);
-  error("Error without it", r.held_out_without_load_Nm);
-  if (r.viscous_Nms_rad) error("Error of a cubic of the speed alone", r.held_out_speed_alone_Nm);
+  error(tr("Error with the load"), r.held_out_Nm);
+  error(tr("Error without it"), r.held_out_without_load_Nm);
+  if (r.viscous_Nms_rad)
+    error(tr("Error of a cubic of the speed alone"), r.held_out_speed_alone_Nm);
   table.note = as_sentence(r.sentence);
   return table;
 }
@@ -201,19 +193,19 @@ void describe_curve_models(const calibration::Calibration& c, Section& section) 
   const method::viscous::CurveModelChoice& model = c.curve_model;
   if (model.chosen_any) {
     section.facts.push_back(
-        {"Model of the curve", wording::words(method::viscous::described(model.chosen))});
+        {tr("Model of the curve"), wording::words(method::viscous::described(model.chosen))});
     section.tables.push_back(ladder_table(model, section));
     section.tables.push_back(options_table(model, section));
     section.tables.push_back(parameters_table(model, section));
   } else if (!model.sentence.empty() && !c.viscous.runs.empty()) {
-    section.facts.push_back({"Model of the curve", as_sentence(model.sentence)});
+    section.facts.push_back({tr("Model of the curve"), as_sentence(model.sentence)});
   }
   if (!c.viscous.runs.empty() && !c.direction_asymmetry.sentence.empty()) {
     section.facts.push_back(
-        {"Same friction in both directions", as_sentence(c.direction_asymmetry.sentence)});
+        {tr("Same friction in both directions"), as_sentence(c.direction_asymmetry.sentence)});
   }
   if (!c.load_dependence.examined && c.rough.found && !c.load_dependence.sentence.empty()) {
-    section.facts.push_back({"Friction against load", as_sentence(c.load_dependence.sentence)});
+    section.facts.push_back({tr("Friction against load"), as_sentence(c.load_dependence.sentence)});
   }
   const Table directions = directions_table(c, section);
   if (!directions.rows.empty()) section.tables.push_back(directions);

@@ -12,33 +12,34 @@
 #include "report/page_style.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
 
-std::string capital(const std::string& words) {
-  const std::string sentence = as_sentence(words);
-  return sentence.substr(0, sentence.size() - 1);
-}
+using wording::tr;
+using wording::tr_count;
 
 Table parts_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-parts";
   table.is_stacked = true;
-  table.caption = "Its parts, in their order";
-  table.columns = {{"Part", "", false},
-                   {"State", "", false},
-                   {"Recordings", "", true},
-                   {"Time", "", true},
-                   {"What to do", "", false, true},
-                   {"What it gives", "", false, true}};
+  table.caption = tr("Its parts, in their order");
+  table.columns = {{tr("Part"), "", false},
+                   {tr("State"), "", false},
+                   {tr("Recordings"), "", true},
+                   {tr("Time"), "", true},
+                   {tr("What to do"), "", false, true},
+                   {tr("What it gives"), "", false, true}};
   for (const plan::PlannedPart& part : plan.parts) {
     const bool is_there = part.recordings > 0;
     table.rows.push_back(
-        {{capital(exports::experiment::part_title(part.role)), plan::to_string(part.state),
-          is_there ? std::to_string(part.recordings) : "",
+        {{wording::capitalised(exports::experiment::part_title(part.role)),
+          wording::words(plan::stated(part.state)), is_there ? std::to_string(part.recordings) : "",
           is_there ? exports::experiment::duration_text(part.duration_s) : "",
-          part.motion.empty() ? "" : capital(part.motion), capital(part.gives)},
+          part.motion.empty() ? "" : wording::capitalised(part.motion),
+          wording::capitalised(part.gives)},
          false});
   }
   return table;
@@ -47,9 +48,10 @@ Table parts_table(const plan::ExperimentPlan& plan) {
 Table positions_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-positions";
-  table.caption = "Centres of the oscillations";
-  table.columns = {
-      {"Position", "", true}, {"Joint", "°", true}, {"Motor, from the first", "°", true}};
+  table.caption = tr("Centres of the oscillations");
+  table.columns = {{tr("Position"), "", true},
+                   {tr("Joint"), "°", true},
+                   {tr("Motor, from the first"), "°", true}};
   for (std::size_t k = 0; k < plan.positions_rad.size(); ++k) {
     const double away = plan.positions_rad[k] - plan.positions_rad.front();
     table.rows.push_back(
@@ -58,35 +60,35 @@ Table positions_table(const plan::ExperimentPlan& plan) {
          false});
   }
   constexpr double nothing = 5e-4;
-  const std::string left = plan.ripple_left_share < nothing
-                               ? "nothing"
-                               : wording::fixed(100 * plan.ripple_left_share, 1) + " %";
-  table.note = fmt::format(
-      "Torque ripple is a constant over one oscillation. In the mean over these positions {} of "
-      "the amplitude of any period known or assumed is left.",
-      left);
+  table.note = tr("Torque ripple is a constant over one oscillation.") + " " +
+               (plan.ripple_left_share < nothing
+                    ? tr("In the mean over these positions nothing of the amplitude of any period "
+                         "known or assumed is left.")
+                    : tr("In the mean over these positions {left_percent:.1f} % of the amplitude "
+                         "of any period known or assumed is left.",
+                         {{"left_percent", 100 * plan.ripple_left_share}}));
   return table;
 }
 
 Table segments_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-windows";
-  table.caption = "Recordings and their time windows";
-  table.columns = {{"Recording", "", false, true},
-                   {"Role", "", false},
-                   {"From", "s", true},
-                   {"To", "s", true},
-                   {"Joint angle", "°", true}};
+  table.caption = tr("Recordings and their time windows");
+  table.columns = {{tr("Recording"), "", false, true},
+                   {tr("Role"), "", false},
+                   {tr("From"), "s", true},
+                   {tr("To"), "s", true},
+                   {tr("Joint angle"), "°", true}};
   constexpr int decimals = 3;
   for (const plan::PlannedSegment& s : plan.segments) {
     if (!s.role) continue;
     table.rows.push_back(
-        {{capital(s.name), joint::to_string(*s.role), wording::fixed(s.from_s, decimals),
-          wording::fixed(s.to_s, decimals),
+        {{wording::capitalised(s.name), joint::to_string(*s.role),
+          wording::fixed(s.from_s, decimals), wording::fixed(s.to_s, decimals),
           wording::fixed(plan.angle_rad(s.from_s) * joint::degrees_per_rad, decimals)},
          false});
   }
-  table.note = "As in dataset.toml; the angle is that at the start of the window.";
+  table.note = tr("As in dataset.toml; the angle is that at the start of the window.");
   return table;
 }
 
@@ -94,40 +96,48 @@ Table expected_table(const plan::ExpectedIntervals& expected) {
   Table table;
   table.id = "table-expected";
   table.is_stacked = true;
-  table.caption = "Intervals to expect, by simulation";
-  table.columns = {{"Quantity", "", false, true},
-                   {"95 % interval to expect", "", true},
-                   {"Scatter that came back", "", true},
-                   {"Identified", "", true},
-                   {"Interval holds the truth", "", true}};
+  table.caption = tr("Intervals to expect, by simulation");
+  table.columns = {{tr("Quantity"), "", false, true},
+                   {tr("95 % interval to expect"), "", true},
+                   {tr("Scatter that came back"), "", true},
+                   {tr("Identified"), "", true},
+                   {tr("Interval holds the truth"), "", true}};
   for (const plan::ExpectedInterval& e : expected.quantities) {
-    table.rows.push_back(
-        {{capital(e.words), exports::experiment::interval_text(e.truth, e.half_width, e.quantity),
-          exports::experiment::quantity_text(e.scatter, e.quantity, 2),
-          fmt::format("{} of {}", e.found, e.runs), fmt::format("{} of {}", e.inside, e.found)},
-         e.name == "midline"});
+    table.rows.push_back({{wording::capitalised(wording::words_for("expected", e.name)),
+                           exports::experiment::interval_text(e.truth, e.half_width, e.quantity),
+                           exports::experiment::quantity_text(e.scatter, e.quantity, 2),
+                           tr("{runs} of {all_runs}", {{"runs", e.found}, {"all_runs", e.runs}}),
+                           tr("{runs} of {all_runs}", {{"runs", e.inside}, {"all_runs", e.found}})},
+                          e.name == "midline"});
   }
-  table.note = fmt::format(
-      "{} simulations of this plan on the assumed joint at the assumed noise, each identified. The "
-      "value is the assumed one, the "
-      "interval is the median half width of those stated, in closed form; the scatter is the "
-      "standard deviation of the estimates, about half the interval where that is honest. A real "
-      "joint adds what no model has in it.",
-      expected.runs);
+  table.note =
+      tr_count(static_cast<std::int64_t>(expected.runs),
+               "{runs} simulation of this plan on the assumed joint at the assumed noise, each "
+               "identified.",
+               "{runs} simulations of this plan on the assumed joint at the assumed noise, each "
+               "identified.",
+               {{"runs", expected.runs}}) +
+      " " +
+      tr("The value is the assumed one, the interval is the median half width of those stated, in "
+         "closed form; the scatter is the standard deviation of the estimates, about half the "
+         "interval where that is honest. A real joint adds what no model has in it.");
   return table;
 }
 
 Table assumptions_table(const plan::AssumedJoint& joint) {
   Table table;
   table.id = "table-assumptions";
-  table.caption = "What the plan rests on";
-  table.columns = {{"Quantity", "", false, true}, {"Value", "", true}, {"From", "", false, true}};
+  table.caption = tr("What the plan rests on");
+  table.columns = {
+      {tr("Quantity"), "", false, true}, {tr("Value"), "", true}, {tr("From"), "", false, true}};
   constexpr int digits = 6;
   for (const plan::Assumption& a : joint.assumptions) {
     const std::string shown = wording::with_minus_sign(fmt::format("{:.{}g}", a.value, digits));
     const std::string unit = a.unit.empty() || a.unit == "°" ? a.unit : " " + a.unit;
     table.rows.push_back(
-        {{a.what, shown + unit, a.is_known ? a.source : "assumed: " + a.source}, false});
+        {{wording::words(a.what), shown + unit,
+          a.is_known ? wording::words(a.source) : tr("assumed: {reason}", {{"reason", a.source}})},
+         false});
   }
   return table;
 }
@@ -137,15 +147,16 @@ std::vector<Fact> facts_of(const plan::ExperimentPlan& plan) {
   const auto deg = [](double rad) {
     return wording::with_minus_sign(fmt::format("{:.4g}", rad * joint::degrees_per_rad));
   };
-  return {{"Robot", or_dash(f.robot)},
-          {"Joint", or_dash(f.joint)},
-          {"Gear ratio", fmt::format("{:.6g}", f.gear_ratio)},
-          {"Angle limits", deg(f.lowest_rad) + "° to " + deg(f.highest_rad) + "°"},
-          {"Speed limit", deg(f.speed_limit_rad_s) + "°/s"},
-          {"Acceleration limit", deg(f.acceleration_limit_rad_s2) + "°/s²"},
-          {"Torque limit at the motor", fmt::format("{:.4g} N·m", f.torque_limit_Nm)},
-          {"Time budget",
-           f.time_budget_s ? exports::experiment::duration_text(*f.time_budget_s) : "none stated"}};
+  return {{tr("Robot"), or_dash(f.robot)},
+          {tr("Joint"), or_dash(f.joint)},
+          {tr("Gear ratio"), fmt::format("{:.6g}", f.gear_ratio)},
+          {tr("Angle limits"), tr("{lowest}° to {highest}°", {{"lowest", deg(f.lowest_rad)},
+                                                              {"highest", deg(f.highest_rad)}})},
+          {tr("Speed limit"), deg(f.speed_limit_rad_s) + "°/s"},
+          {tr("Acceleration limit"), deg(f.acceleration_limit_rad_s2) + "°/s²"},
+          {tr("Torque limit at the motor"), fmt::format("{:.4g} N·m", f.torque_limit_Nm)},
+          {tr("Time budget"), f.time_budget_s ? exports::experiment::duration_text(*f.time_budget_s)
+                                              : tr("none stated")}};
 }
 
 void fill_verdict(const plan::ExperimentPlan& plan, TemplateValues& values) {
@@ -156,10 +167,10 @@ void fill_verdict(const plan::ExperimentPlan& plan, TemplateValues& values) {
   const Outcome outcome = plan.segments.empty()            ? Outcome::bad
                           : is_all && plan.remarks.empty() ? Outcome::good
                                                            : Outcome::partial;
-  verdict.set("WORD", plan.segments.empty()      ? "NOT POSSIBLE"
-                      : plan.is_first_of_two()   ? "FIRST PART OF TWO"
-                      : outcome == Outcome::good ? "PLAN"
-                                                 : "PLAN, WITH LIMITS");
+  verdict.set("WORD", plan.segments.empty()      ? tr("NOT POSSIBLE")
+                      : plan.is_first_of_two()   ? tr("FIRST PART OF TWO")
+                      : outcome == Outcome::good ? tr("PLAN")
+                                                 : tr("PLAN, WITH LIMITS"));
   verdict.set("SENTENCE", as_sentence(exports::experiment::plan_sentence(plan)));
   fill_outcome(outcome, verdict);
   TemplateValues& findings = verdict.add_section("FINDINGS");
@@ -168,12 +179,14 @@ void fill_verdict(const plan::ExperimentPlan& plan, TemplateValues& values) {
   };
   for (const plan::PlannedPart& part : plan.parts) {
     if (part.why.empty() || part.state == plan::PartState::later) continue;
-    add(fmt::format("{}: {}: {}. What would help: {}.",
-                    capital(exports::experiment::part_title(part.role)),
-                    plan::to_string(part.state), part.why, part.help));
+    add(tr("{part}: {state}: {reason}. What would help: {help}.",
+           {{"part", wording::capitalised(exports::experiment::part_title(part.role))},
+            {"state", plan::stated(part.state)},
+            {"reason", part.why},
+            {"help", part.help}}));
   }
   if (plan.is_first_of_two()) add(as_sentence(exports::experiment::next_plan_words()));
-  for (const std::string& remark : plan.remarks) add(as_sentence(remark));
+  for (const Statement& remark : plan.remarks) add(as_sentence(remark));
 }
 
 }  // namespace
@@ -186,8 +199,8 @@ std::string plan_page(const PlanReport& report, const std::vector<figures::Repor
   fill_head(report.provenance, values);
   values.set("JOINT_FILE", or_dash(report.joint_file));
   values.set("JOINT_TEXT", or_dash(report.joint_text));
-  values.set("TITLE", fmt::format("{}, joint {}", or_dash(plan.joint.facts.robot),
-                                  or_dash(plan.joint.facts.joint)));
+  values.set("TITLE", tr("{robot}, joint {joint}", {{"robot", or_dash(plan.joint.facts.robot)},
+                                                    {"joint", or_dash(plan.joint.facts.joint)}}));
   fill_facts(facts_of(plan), values);
   fill_verdict(plan, values);
   fill_table(parts_table(plan), "PARTS", values);

@@ -25,6 +25,6 @@ struct PlanReport {
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 std::string plan_page(const PlanReport& report, const std::vector<figures::ReportFigure>& figures,
                       const std::vector<render::workers::DrawnFigure>& drawn,
-                      wording::Language language = wording::Language::english);
+                      wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report

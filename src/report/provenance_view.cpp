@@ -1,27 +1,32 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 std::string skipped_in_words(const std::vector<joint::SkippedRows>& skipped) {
   std::string words;
   for (const joint::SkippedRows& rows : skipped) {
     if (!words.empty()) words += "; ";
-    words += wording::count(rows.count) + ": " + rows.reason;
+    words += wording::count(rows.count) + ": " + wording::words(rows.reason);
   }
-  return words.empty() ? "none" : words;
+  return words.empty() ? tr("none") : words;
 }
 
 Table inputs_table(const std::vector<joint::InputFile>& inputs) {
   Table table;
   table.id = "table-inputs";
-  table.caption = "Input files";
-  table.columns = {{"File", "", false},     {"Role", "", false},
-                   {"Size", "bytes", true}, {"Rows read", "", true},
-                   {"Rows used", "", true}, {"Rows skipped, and why", "", false},
+  table.caption = tr("Input files");
+  table.columns = {{tr("File"), "", false},         {tr("Role"), "", false},
+                   {tr("Size"), tr("bytes"), true}, {tr("Rows read"), "", true},
+                   {tr("Rows used"), "", true},     {tr("Rows skipped, and why"), "", false},
                    {"SHA-256", "", false}};
   for (const joint::InputFile& file : inputs) {
     const bool has_rows = file.rows_read > 0 || file.rows_used > 0 || !file.skipped.empty();
@@ -39,7 +44,7 @@ Table two_columns(const std::string& id, const std::string& caption, const std::
   Table table;
   table.id = id;
   table.caption = caption;
-  table.columns = {{first, "", false}, {"Value", "", false}};
+  table.columns = {{first, "", false}, {tr("Value"), "", false}};
   return table;
 }
 
@@ -48,93 +53,110 @@ void add(Table& table, const std::string& name, const std::string& text) {
 }
 
 std::string effort_in_words(const joint::Drive& drive) {
-  const std::string side = drive.side() == joint::Side::motor ? "motor side" : "joint side";
+  const bool at_motor = drive.side() == joint::Side::motor;
   switch (drive.kind()) {
     case joint::EffortKind::motor_current:
-      return "motor current in A, torque constant stated for the " + side;
+      return at_motor ? tr("motor current in A, torque constant stated for the motor side")
+                      : tr("motor current in A, torque constant stated for the joint side");
     case joint::EffortKind::motor_torque:
-      return "torque made by the motor, " + side;
+      return at_motor ? tr("torque made by the motor, motor side")
+                      : tr("torque made by the motor, joint side");
     case joint::EffortKind::joint_torque:
-      return "torque at the joint, " + side;
+      return at_motor ? tr("torque at the joint, motor side")
+                      : tr("torque at the joint, joint side");
     case joint::EffortKind::target_torque:
-      return "target torque of a controller or its model, no measurement, " + side;
+      return at_motor
+                 ? tr("target torque of a controller or its model, no measurement, motor side")
+                 : tr("target torque of a controller or its model, no measurement, joint side");
     case joint::EffortKind::none:
-      return "not recorded";
+      return tr("not recorded");
   }
   return "–";
+}
+
+std::string effort_in_words(const joint::Manifest& m) {
+  const std::string effort = effort_in_words(m.drive);
+  return m.effort_is_confirmed
+             ? effort
+             : tr("{effort}: proposed, nobody confirmed it", {{"effort", effort}});
 }
 
 /// "1.825 N·m cos(q1_rad + q2_rad − 90°) at the joint, from 42 900 samples, up to 1.825 N·m"
 std::string load_in_words(const joint::KnownLoad& load) {
   constexpr int digits = 4;
-  return load_formula(load) + " at the joint, from " + wording::count(load.samples) +
-         " samples, up to " +
-         wording::with_unit(wording::significant(load.largest_Nm, digits), "N·m") +
-         (load.note.empty() ? "" : "; " + load.note);
+  const std::string words = tr_count(
+      load.samples, "{load} at the joint, from {samples} sample, up to {torque}",
+      "{load} at the joint, from {samples} samples, up to {torque}",
+      {{"load", load_formula(load)},
+       {"samples", wording::count(load.samples)},
+       {"torque", wording::with_unit(wording::significant(load.largest_Nm, digits), "N·m")}});
+  return load.note.empty() ? words : words + "; " + load.note;
 }
 
 std::string payload_in_words(const joint::Manifest& m) {
   if (!m.payload_kg) return m.payload;
   std::string words = wording::with_unit(wording::as_stated(*m.payload_kg), "kg");
   if (m.payload_distance_m) {
-    words += " at " + wording::with_unit(wording::as_stated(*m.payload_distance_m), "m") +
-             " from the axis";
+    words = tr("{mass} at {distance} from the axis",
+               {{"mass", words},
+                {"distance", wording::with_unit(wording::as_stated(*m.payload_distance_m), "m")}});
   }
   return words + (m.payload.empty() ? "" : ", " + m.payload);
 }
 
 Table manifest_table(const joint::Manifest& m) {
-  Table table = two_columns("table-manifest", "What the manifest states", "Fact");
-  add(table, "Gear ratio n", wording::as_stated(m.drive.gear_ratio()));
-  add(table, "Effort column",
-      effort_in_words(m.drive) + (m.effort_is_confirmed ? "" : ": proposed, nobody confirmed it"));
+  Table table = two_columns("table-manifest", tr("What the manifest states"), tr("Fact"));
+  add(table, tr("Gear ratio n"), wording::as_stated(m.drive.gear_ratio()));
+  add(table, tr("Effort column"), effort_in_words(m));
   if (const auto constant = m.drive.torque_constant_Nm_A()) {
-    add(table, "Torque constant", wording::with_unit(wording::as_stated(*constant), "N·m/A"));
+    add(table, tr("Torque constant"), wording::with_unit(wording::as_stated(*constant), "N·m/A"));
   }
   if (m.drive.kind() != joint::EffortKind::none) {
-    add(table, "Motor torque per unit of effort",
+    add(table, tr("Motor torque per unit of effort"),
         wording::with_unit(wording::as_stated(m.drive.motor_torque_per_effort()),
                            m.drive.kind() == joint::EffortKind::motor_current ? "N·m/A" : ""));
   }
-  add(table, "Payload", payload_in_words(m));
-  add(table, "Temperature",
+  add(table, tr("Payload"), payload_in_words(m));
+  add(table, tr("Temperature"),
       m.temperature_C ? wording::with_unit(wording::as_stated(*m.temperature_C), "°C")
-                      : "not stated");
-  add(table, "Surrogate distance r",
+                      : tr("not stated"));
+  add(table, tr("Surrogate distance r"),
       wording::with_unit(wording::as_stated(m.surrogate_distance_m), "m"));
-  add(table, "Gravity g", wording::with_unit(wording::as_stated(m.gravity_m_s2), "m/s²"));
+  add(table, tr("Gravity g"), wording::with_unit(wording::as_stated(m.gravity_m_s2), "m/s²"));
   for (const joint::KnownLoad& load : m.known_loads) {
-    add(table, "Known load, subtracted", load_in_words(load));
+    add(table, tr("Known load, subtracted"), load_in_words(load));
   }
   if (m.known_gravity) {
-    add(table, "Known gravity",
-        wording::with_unit(wording::as_stated(m.known_gravity->amplitude_Nm()), "N·m") +
-            " at the joint, largest at " +
-            wording::with_unit(
-                wording::as_stated(m.known_gravity->q_peak_rad() * wording::degree_scale().factor),
-                "°"));
+    add(table, tr("Known gravity"),
+        tr("{gravity_torque} at the joint, largest at {angle}",
+           {{"gravity_torque",
+             wording::with_unit(wording::as_stated(m.known_gravity->amplitude_Nm()), "N·m")},
+            {"angle", wording::with_unit(wording::as_stated(m.known_gravity->q_peak_rad() *
+                                                            wording::degree_scale().factor),
+                                         "°")}}));
   }
-  add(table, "Known friction curve",
-      m.reference ? "yes, of the model " + m.reference->name() + ": the data are simulated"
-                  : "none");
+  add(table, tr("Known friction curve"),
+      m.reference ? tr("yes, of the model {friction_model}: the data are simulated",
+                       {{"friction_model", m.reference->name()}})
+                  : tr("none"));
   return table;
 }
 
 Table software_table(const calibration::Provenance& p) {
-  Table table = two_columns("table-software", "Software", "Part");
+  Table table = two_columns("table-software", tr("Software"), tr("Part"));
   add(table, "tribolog", p.tool_version);
-  add(table, "Revision", p.git_revision);
-  add(table, "Compiler", p.compiler);
+  add(table, tr("Revision"), p.git_revision);
+  add(table, tr("Compiler"), p.compiler);
   add(table, "Eigen", p.eigen_version);
   if (p.drawing) {
     add(table, "VTK", p.drawing->vtk_version);
-    add(table, "Off-screen back end", p.drawing->back_end);
+    add(table, tr("Off-screen back end"), p.drawing->back_end);
     add(table, "OpenGL", p.drawing->gl_version);
-    add(table, "Renderer", p.drawing->gl_renderer);
-    add(table, "Font", p.drawing->font);
+    add(table, tr("Renderer"), p.drawing->gl_renderer);
+    add(table, tr("Font"), p.drawing->font);
     add(table, "FreeType", p.drawing->freetype_version);
   } else {
-    add(table, "VTK", "not used: no figure was drawn");
+    add(table, "VTK", tr("not used: no figure was drawn"));
   }
   return table;
 }
@@ -143,14 +165,14 @@ Table software_table(const calibration::Provenance& p) {
 
 std::vector<Fact> identity_facts(const joint::Manifest& m) {
   const bool is_direct = m.drive.gear_ratio() == 1.0;
-  std::vector<Fact> facts{
-      {"Robot", or_dash(m.robot)},
-      {"Joint", or_dash(m.joint)},
-      {"Serial number", or_dash(m.serial)},
-      {"Measured on", or_dash(m.measured_on)},
-      {"Operator", or_dash(m.operator_name)},
-      {"Gear ratio", is_direct ? "1 (direct drive)" : wording::as_stated(m.drive.gear_ratio())}};
-  if (m.reference) facts.push_back({"Data", "simulated, the true curve is known"});
+  std::vector<Fact> facts{{tr("Robot"), or_dash(m.robot)},
+                          {tr("Joint"), or_dash(m.joint)},
+                          {tr("Serial number"), or_dash(m.serial)},
+                          {tr("Measured on"), or_dash(m.measured_on)},
+                          {tr("Operator"), or_dash(m.operator_name)},
+                          {tr("Gear ratio"), is_direct ? tr("1 (direct drive)")
+                                                       : wording::as_stated(m.drive.gear_ratio())}};
+  if (m.reference) facts.push_back({tr("Data"), tr("simulated, the true curve is known")});
   return facts;
 }
 
@@ -158,9 +180,9 @@ std::vector<Table> provenance_tables(const calibration::Calibration& c,
                                      const calibration::Provenance& p) {
   std::vector<Table> tables{inputs_table(c.inputs), manifest_table(c.manifest)};
   if (!p.configuration.empty()) {
-    tables.push_back(two_columns("table-configuration", "Configuration", "Setting"));
-    for (const calibration::NamedText& setting : p.configuration) {
-      add(tables.back(), or_dash(setting.name), setting.text);
+    tables.push_back(two_columns("table-configuration", tr("Configuration"), tr("Setting")));
+    for (const calibration::Setting& setting : p.configuration) {
+      add(tables.back(), or_dash(wording::words(setting.name)), wording::words(setting.text));
     }
   }
   tables.push_back(software_table(p));

@@ -7,12 +7,15 @@
 #include "report/report_view.h"
 #include "report/template_engine.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 
 namespace tribolog::report {
 
 // The values of quantities.tpl and data_checks.tpl.
 
 namespace {
+
+using wording::tr_count;
 
 /// Nothing where there are none.
 void fill_quantities(const ReportView& view, TemplateValues& values);
@@ -45,7 +48,8 @@ void fill_reasons(const std::vector<std::string>& reasons, TemplateValues& value
   if (reasons.size() == 1) return;
   TemplateValues& further = values.add_section("FURTHER");
   const std::size_t count = reasons.size() - 1;
-  further.set("COUNT", std::to_string(count) + (count == 1 ? " more reason" : " more reasons"));
+  further.set("COUNT", tr_count(count, "{reasons} more reason", "{reasons} more reasons",
+                                {{"reasons", count}}));
   for (std::size_t k = 1; k < reasons.size(); ++k) {
     further.add_section("REASON").set("TEXT", reasons[k]);
   }
@@ -129,49 +133,7 @@ void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& val
   }
 }
 
-TemplateValues& errata_section(const ErrataNumbers& e, TemplateValues& values) {
-  TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
-  out.set("TORQUE_A", e.torque_A);
-  out.set("MASS_A_PRINTED", e.mass_A_printed);
-  out.set("MASS_A_500_MM", e.mass_A_with_500_mm);
-  out.set("MASS_A_500_M", e.mass_A_with_500_m);
-  out.set("MASS_A_N_BELOW", e.mass_A_with_n_below);
-  out.set("MASS_A_ARM_N_BELOW", e.mass_A_arm_torque_with_n_below);
-  out.set("LARGEST_DEVIATION", e.largest_deviation);
-  out.set("ALLOWED_DEVIATION", e.allowed_deviation);
-  out.set("COS_Q_C", e.cos_q_c);
-  out.set("MASS_A_COS_Q_C", e.mass_A_with_cos_q_c);
-  out.set("RAD_OF_22", e.rad_of_22);
-  out.set("RAD_OF_PRECISE", e.rad_of_precise);
-  out.set("CUT_OF_22", e.cut_of_22);
-  out.set("CUT_OF_PRECISE", e.cut_of_precise);
-  out.set("DEFLECTION_PRINTED", e.table_1_deflection_printed);
-  out.set("DEFLECTION_MEANT", e.table_1_deflection_meant);
-  out.set("DAMPING_MEANT", e.table_1_damping);
-  out.set("BACKWARDS_SPEED", e.backwards_speed);
-  out.set("EQUATION_1_MEANT", e.equation_1_meant);
-  out.set("EQUATION_1_PRINTED", e.equation_1_printed);
-  out.set("EQUATION_2_JUMP", e.equation_2_jump);
-  out.set("EQUATION_2_HALF", e.equation_2_half);
-  out.set("EQUATION_6_PRINTED", e.equation_6_printed);
-  out.set("EQUATION_10_GRAVITY", e.equation_10_gravity);
-  out.set("EQUATION_10_ERROR", e.equation_10_error);
-  out.set("PAIR_MASSES", e.pair_masses);
-  out.set("PAIR_SPREAD", e.pair_spread);
-  out.set("SINGLE_SPREAD", e.single_spread);
-  return out;
-}
-
 }  // namespace
-
-void fill_errata(const ErrataNumbers& errata, const Table& paper_table, TemplateValues& values) {
-  fill_table(paper_table, "TABLE", errata_section(errata, values));
-}
-
-void fill_errata(const ErrataNumbers& errata, const std::string& place_of_paper_table,
-                 TemplateValues& values) {
-  errata_section(errata, values).add_section("TABLE_ABOVE").set("PLACE", place_of_paper_table);
-}
 
 void fill_provenance(const std::string& command_line, const std::string& created_utc,
                      const std::vector<std::string>& notes, const std::vector<Table>& tables,
@@ -228,7 +190,8 @@ void fill_findings(const std::vector<std::string>& findings, TemplateValues& ver
   if (findings.size() <= in_sight) return;
   const std::size_t others = findings.size() - in_sight;
   TemplateValues& further = verdict.add_section("FURTHER");
-  further.set("COUNT", std::to_string(others) + (others == 1 ? " more finding" : " more findings"));
+  further.set("COUNT", tr_count(others, "{findings} more finding", "{findings} more findings",
+                                {{"findings", others}}));
   for (std::size_t k = in_sight; k < findings.size(); ++k) {
     further.add_section("FINDING").set("TEXT", or_dash(findings[k]));
   }
@@ -280,16 +243,6 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");
   for (const Section& section : view.sections) fill_section(section, has_viewer, values);
-  // The paper's own joint has the table, with its own masses beside it, in stage 4.
-  bool is_in_stage_4 = false;
-  for (const Section& section : view.sections) {
-    for (const Table& table : section.tables) is_in_stage_4 |= table.id == view.paper_table.id;
-  }
-  if (is_in_stage_4) {
-    fill_errata(view.errata, "stage 4", values);
-  } else {
-    fill_errata(view.errata, view.paper_table, values);
-  }
   fill_provenance(view.command_line, view.created_utc, view.notes, view.provenance_tables, values);
 }
 

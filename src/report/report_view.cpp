@@ -3,9 +3,13 @@
 #include <algorithm>
 
 #include "report/view_parts.h"
+#include "wording/tr.h"
 
 namespace tribolog::report {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr StageId all_stages[] = {
     StageId::cog_rough,        StageId::cog_precise,    StageId::hysteresis,
@@ -41,7 +45,7 @@ void describe(const calibration::Calibration& c, StageId stage, Section& section
 Section make_section(const calibration::Calibration& c, StageId stage) {
   const statistics::StageReport& report = stage_report(c, stage);
   Section section;
-  section.number = static_cast<int>(stage);
+  section.number = stage_number(stage);
   section.id = section_anchor(stage);
   section.title = stage_title(stage);
   section.explanation = explanation_template(stage);
@@ -72,10 +76,10 @@ void place_figures(const calibration::Calibration& c,
   if (others.figures.empty()) return;
   others.number = static_cast<int>(view.sections.size()) + 1;
   others.id = "other-figures";
-  others.title = "Other figures";
+  others.title = tr("Other figures");
   others.explanation = "explain_other_figures.tpl";
   others.outcome = Outcome::good;
-  others.status = "done";
+  others.status = tr("done");
   view.sections.push_back(others);
 }
 
@@ -85,7 +89,8 @@ std::string missing_figures(const ReportView& view) {
     for (const FigureCard& card : section.figures) missing += card.png == nullptr ? 1 : 0;
   }
   if (missing == 0) return "";
-  return std::to_string(missing) + (missing == 1 ? " figure missing" : " figures missing");
+  return tr_count(missing, "{figures} figure missing", "{figures} figures missing",
+                  {{"figures", missing}});
 }
 
 void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
@@ -96,22 +101,23 @@ void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
   switch (judgement.verdict) {
     case calibration::Verdict::usable:
       view.verdict = Outcome::good;
-      view.verdict_word = "USABLE";
+      view.verdict_word = tr("USABLE");
       return;
     case calibration::Verdict::doubtful:
       view.verdict = Outcome::partial;
-      view.verdict_word = "DOUBTFUL";
+      view.verdict_word = tr("DOUBTFUL");
       return;
     case calibration::Verdict::not_identifiable:
       view.verdict = Outcome::bad;
-      view.verdict_word = "NOT IDENTIFIABLE";
+      view.verdict_word = tr("NOT IDENTIFIABLE");
       return;
   }
 }
 
 std::string robot_and_joint(const joint::Manifest& m) {
-  const std::string robot = m.robot.empty() ? "Robot not named" : m.robot;
-  return m.joint.empty() ? robot : robot + ", joint " + m.joint;
+  const std::string robot = m.robot.empty() ? tr("Robot not named") : m.robot;
+  return m.joint.empty() ? robot
+                         : tr("{robot}, joint {joint}", {{"robot", robot}, {"joint", m.joint}});
 }
 
 }  // namespace
@@ -123,7 +129,7 @@ ReportView make_report_view(const calibration::Calibration& c,
                             const std::optional<history::Comparison>& since_last) {
   ReportView view;
   view.title = robot_and_joint(c.manifest);
-  view.subtitle = "identification of centre of gravity, surrogate mass and friction";
+  view.subtitle = tr("identification of centre of gravity, surrogate mass and friction");
   view.identity = identity_facts(c.manifest);
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);
@@ -155,9 +161,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   }
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);
-  view.paper_table = paper_comparison_table(c);
-  view.errata = errata_numbers();
-  for (const std::string& note : c.notes) view.notes.push_back(as_sentence(note));
+  for (const Statement& note : c.notes) view.notes.push_back(as_sentence(note));
   view.provenance_tables = provenance_tables(c, provenance);
   view.command_line = or_dash(provenance.command_line);
   view.created_utc = or_dash(provenance.created_utc);

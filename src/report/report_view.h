@@ -22,7 +22,6 @@ struct Column {
   std::string unit;      ///< Shown in brackets below the heading; empty: none.
   bool is_number{true};  ///< Right-aligned, tabular digits.
   bool is_wide{false};   ///< Words that should not be squeezed into one per line.
-  friend bool operator==(const Column&, const Column&) = default;
 };
 
 struct Row {
@@ -38,6 +37,7 @@ struct Table {
   std::vector<Row> rows;
   std::string note;   ///< Below the table; empty: none.
   bool is_stacked{};  ///< On a narrow screen each row is a list of named values.
+  bool is_of_estimates{};
 };
 
 struct Fact {
@@ -122,20 +122,6 @@ struct MissingResult {
   std::string experiment;
 };
 
-/// The numbers that the errata section quotes, all computed from what is printed.
-struct ErrataNumbers {
-  std::string torque_A, mass_A_printed, mass_A_with_500_mm, mass_A_with_500_m;
-  std::string mass_A_with_n_below, mass_A_arm_torque_with_n_below;
-  std::string largest_deviation, allowed_deviation;
-  std::string cos_q_c, mass_A_with_cos_q_c;
-  std::string rad_of_22, rad_of_precise, cut_of_22, cut_of_precise;
-  std::string table_1_deflection_printed, table_1_deflection_meant, table_1_damping;
-  std::string pair_masses, pair_spread, single_spread;
-  std::string backwards_speed, equation_1_meant, equation_1_printed;
-  std::string equation_2_jump, equation_2_half, equation_6_printed;
-  std::string equation_10_gravity, equation_10_error;
-};
-
 struct ReportView {
   std::string title;  ///< Of the document: robot and joint.
   std::string subtitle;
@@ -152,9 +138,7 @@ struct ReportView {
   std::vector<DataCheckRow> data_checks;
   Table key_numbers;
   std::vector<MissingResult> missing;
-  std::vector<Section> sections;  ///< Stages 1 to 8, then what was recorded beyond.
-  Table paper_table;
-  ErrataNumbers errata;
+  std::vector<Section> sections;         ///< Stages 1 to 8, then what was recorded beyond.
   std::vector<std::string> notes;        ///< From reading the input.
   std::vector<Table> conversion_tables;  ///< From the log to the motor shaft; speeds.
   std::vector<Table> provenance_tables;

@@ -15,6 +15,8 @@
 #include "report/review_parts.h"
 #include "report/view_parts.h"
 #include "wording/shaft.h"
+#include "wording/tr.h"
+#include "wording/translated.h"
 #include "wording/units.h"
 #include "wording/visible_text.h"
 #include "wording/words.h"
@@ -23,37 +25,19 @@ namespace tribolog::report {
 
 namespace {
 
-/// What the script looks things up by, and names that the user gave.
-bool is_read_aloud(const std::string& key) {
-  return key != "name" && key != "names" && key != "schema" && key != "style" && key != "fit_style";
-}
-
-void translate_texts(Json& value, const wording::Catalogue& catalogue) {
-  if (value.is_string()) {
-    value = catalogue.translate(value.get<std::string>());
-  } else if (value.is_object()) {
-    for (auto& [key, part] : value.items()) {
-      if (is_read_aloud(key)) translate_texts(part, catalogue);
-    }
-  } else if (value.is_array()) {
-    for (Json& part : value) translate_texts(part, catalogue);
-  }
-}
-
 /// What the script says by itself.
-Json script_texts(const wording::Catalogue& catalogue) {
+Json script_texts() {
   Json says = Json::object();
   for (const std::string& message : script_messages()) {
-    std::string text = catalogue.find_in_templates(message);
-    if (text.empty()) text = catalogue.find(message);
-    if (!text.empty()) says[message] = text;
+    std::string text = wording::translated(message);
+    if (text != message) says[message] = std::move(text);
   }
   return says;
 }
 
 }  // namespace
 
-std::string review_json(const calibration::Calibration& c, wording::Language language) {
+std::string review_json(const calibration::Calibration& c) {
   const method::hysteresis::HysteresisResult& h = c.hysteresis;
   const LoopScales scales = loop_scales(h);
   Json drawn = h.found ? loops(h, scales, c.q_peak_rad) : Json::array();
@@ -76,11 +60,7 @@ std::string review_json(const calibration::Calibration& c, wording::Language lan
   all["loops"] = std::move(drawn);
   all["runs"] = has_curves ? runs(c) : Json(nullptr);
   all["candidates"] = candidates(c, scales.torque);
-  if (const wording::Catalogue* const catalogue = wording::catalogue_of(language);
-      catalogue != nullptr) {
-    translate_texts(all, *catalogue);
-    all["says"] = script_texts(*catalogue);
-  }
+  if (Json says = script_texts(); !says.empty()) all["says"] = std::move(says);
   return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -158,10 +138,11 @@ Json reference_band(const calibration::Calibration& c) {
 }  // namespace
 
 void add_run_quantities(const calibration::Calibration& c, Json& quantities) {
-  quantities["w"] =
-      quantity(wording::shaft(c.manifest) + " speed", wording::speed_symbol(c.manifest), "rad/s");
-  quantities["f"] = quantity("friction torque", "Tf", friction_scale(c).unit);
-  quantities["e"] = quantity("error 100 (Tf − reference) / T", "", "%");
+  quantities["w"] = quantity(
+      wording::has_motor_side(c.manifest) ? wording::tr("motor speed") : wording::tr("joint speed"),
+      wording::speed_symbol(c.manifest), "rad/s");
+  quantities["f"] = quantity(wording::tr("friction torque"), "Tf", friction_scale(c).unit);
+  quantities["e"] = quantity(wording::tr("error 100 (Tf − reference) / T"), "", "%");
 }
 
 Json runs(const calibration::Calibration& c) {

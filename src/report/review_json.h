@@ -21,7 +21,6 @@
 #include <string>
 
 #include "calibration/calibration.h"
-#include "wording/language.h"
 
 namespace tribolog::report {
 
@@ -29,8 +28,7 @@ namespace tribolog::report {
 inline constexpr std::size_t most_loop_samples = 2000;
 
 /// Empty if there is neither a loop nor a candidate's curve.
-/// @param language of every text in it, and of what the viewer says itself (`says`).
-std::string review_json(const calibration::Calibration& calibration,
-                        wording::Language language = wording::Language::english);
+/// Its texts, and what the viewer says itself (`says`), are in the language of the words.
+std::string review_json(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::report

@@ -14,6 +14,7 @@
 #include "report/review_json.h"
 #include "report/review_parts.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 
 namespace tribolog::report {
@@ -224,13 +225,15 @@ LoopScales loop_scales(const method::hysteresis::HysteresisResult& r) {
 }
 
 void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities) {
-  quantities["t"] = quantity(from_first_sample ? "time from the first sample" : "time",
-                             from_first_sample ? "t − t₀" : "t", "s");
-  quantities["q"] = quantity("joint angle from the loop's centre", "q − q₀", scales.angle.unit);
+  quantities["t"] =
+      quantity(from_first_sample ? wording::tr("time from the first sample") : wording::tr("time"),
+               from_first_sample ? "t − t₀" : "t", "s");
+  quantities["q"] =
+      quantity(wording::tr("joint angle from the loop's centre"), "q − q₀", scales.angle.unit);
   quantities["q"]["degrees"] = joint::degrees_per_rad / scales.angle.factor;
-  quantities["T"] = quantity("driving torque", "T", scales.torque.unit);
-  quantities["z"] = quantity("bristle deflection", "z", scales.deflection.unit);
-  quantities["dz"] = quantity("bristle rate", "dz/dt", scales.rate.unit);
+  quantities["T"] = quantity(wording::tr("driving torque"), "T", scales.torque.unit);
+  quantities["z"] = quantity(wording::tr("bristle deflection"), "z", scales.deflection.unit);
+  quantities["dz"] = quantity(wording::tr("bristle rate"), "dz/dt", scales.rate.unit);
 }
 
 Json loops(const method::hysteresis::HysteresisResult& r, const LoopScales& scales,

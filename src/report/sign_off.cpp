@@ -27,20 +27,19 @@ std::string readable(const std::string& utc) {
 
 void fill(const SignOff& decision, TemplateValues& values) {
   values.set("DECISION", decision.is_approved ? "Approved" : "Rejected");
-  values.set_name("REVIEWER", or_dash(decision.reviewer));
+  values.set("REVIEWER", or_dash(decision.reviewer));
   values.set("AT", readable(decision.at_utc));
   fill_lines(decision.note, "NOTE", "LINE", values);
 }
 
 /// As the page states it.
 wording::Language language_of(const std::string& page) {
-  for (const wording::Language language : wording::languages()) {
-    if (page.find(fmt::format("<html lang=\"{}\">", wording::code_of(language))) !=
-        std::string::npos) {
+  for (const wording::Language& language : wording::languages()) {
+    if (page.find(fmt::format("<html lang=\"{}\">", language.code)) != std::string::npos) {
       return language;
     }
   }
-  return wording::Language::english;
+  return wording::Language{};
 }
 
 }  // namespace

@@ -4,8 +4,13 @@
 
 #include "figures/figure_csv.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 
 namespace tribolog::report {
+
+namespace {
+using wording::tr;
+}
 
 const statistics::StageReport& stage_report(const calibration::Calibration& c, StageId stage) {
   switch (stage) {
@@ -31,32 +36,32 @@ const statistics::StageReport& stage_report(const calibration::Calibration& c, S
   return c.friction.stage;
 }
 
-std::string section_anchor(StageId stage) {
-  return "stage-" + std::to_string(static_cast<int>(stage));
-}
+int stage_number(StageId stage) { return static_cast<int>(stage); }
+
+std::string section_anchor(StageId stage) { return "stage-" + std::to_string(stage_number(stage)); }
 
 std::string stage_title(StageId stage) {
   switch (stage) {
     case StageId::cog_rough:
-      return "Centre of gravity, rough sweep";
+      return tr("Centre of gravity, rough sweep");
     case StageId::cog_precise:
-      return "Centre of gravity, precise sweep";
+      return tr("Centre of gravity, precise sweep");
     case StageId::hysteresis:
-      return "Friction hysteresis";
+      return tr("Friction hysteresis");
     case StageId::surrogate_masses:
-      return "Surrogate masses";
+      return tr("Surrogate masses");
     case StageId::viscous_curves:
-      return "Viscous friction curves";
+      return tr("Viscous friction curves");
     case StageId::quality_errors:
-      return "Quality errors";
+      return tr("Quality errors");
     case StageId::selection:
-      return "Selection";
+      return tr("Selection");
     case StageId::break_away:
-      return "Break-away ramps";
+      return tr("Break-away ramps");
     case StageId::parameters:
       break;
   }
-  return "Friction parameters";
+  return tr("Friction parameters");
 }
 
 std::string explanation_template(StageId stage) {
@@ -86,33 +91,39 @@ std::string explanation_template(StageId stage) {
 std::string helpful_experiment(StageId stage) {
   switch (stage) {
     case StageId::cog_rough:
-      return "Move the joint slowly and steadily (about 2 °/s) over as much of its range as it "
-             "allows, across the angle at which the arm's centre of gravity is level with the "
-             "axis, once in each direction. Log time, joint angle and motor torque, or motor "
-             "current with the torque constant of the drive.";
+      return tr(
+          "Move the joint slowly and steadily (about 2 °/s) over as much of its range as it "
+          "allows, across the angle at which the arm's centre of gravity is level with the "
+          "axis, once in each direction. Log time, joint angle and motor torque, or motor "
+          "current with the torque constant of the drive.");
     case StageId::cog_precise:
-      return "Repeat the slow sweep within ±1° of the rough result, slower (0.1 to 0.5 °/s) and "
-             "in both directions, several times.";
+      return tr(
+          "Repeat the slow sweep within ±1° of the rough result, slower (0.1 to 0.5 °/s) and "
+          "in both directions, several times.");
     case StageId::hysteresis:
-      return "Oscillate the joint about the gravity peak with a sine of about 1 Hz and so small a "
-             "stroke that it stays in pre-sliding (some 0.1 mrad at the joint), ten cycles or "
-             "more, sampled at 1 kHz. The encoder must resolve the stroke into at least fifty "
-             "steps. Repeat at several motor positions if the torque ripples with position.";
+      return tr(
+          "Oscillate the joint about the gravity peak with a sine of about 1 Hz and so small a "
+          "stroke that it stays in pre-sliding (some 0.1 mrad at the joint), ten cycles or "
+          "more, sampled at 1 kHz. The encoder must resolve the stroke into at least fifty "
+          "steps. Repeat at several motor positions if the torque ripples with position.");
     case StageId::surrogate_masses:
       return "The gravity torque of a rough sweep gives one mass; the others need the hysteresis "
              "loop of stage 3.";
     case StageId::viscous_curves:
-      return "Run the joint at ten to twenty constant speeds, from the slowest that is smooth to "
-             "the fastest allowed, in both directions over the same angles.";
+      return tr(
+          "Run the joint at ten to twenty constant speeds, from the slowest that is smooth to "
+          "the fastest allowed, in both directions over the same angles.");
     case StageId::quality_errors:
-      return "Run every constant speed in both directions over the same angles: half of the "
-             "difference of the two torques is friction, whatever gravity is.";
+      return tr(
+          "Run every constant speed in both directions over the same angles: half of the "
+          "difference of the two torques is friction, whatever gravity is.");
     case StageId::selection:
       return "It follows from the stages above; see what they are missing.";
     case StageId::break_away:
-      return "From rest, let the torque rise slowly (a tenth of the expected break-away torque per "
-             "second or less) until the joint slides, five times in each direction from the same "
-             "angle, and stop only behind the slip.";
+      return tr(
+          "From rest, let the torque rise slowly (a tenth of the expected break-away torque per "
+          "second or less) until the joint slides, five times in each direction from the same "
+          "angle, and stop only behind the slip.");
     case StageId::parameters:
       break;
   }
@@ -121,7 +132,7 @@ std::string helpful_experiment(StageId stage) {
 }
 
 std::string stage_reference(StageId stage) {
-  return "stage " + std::to_string(static_cast<int>(stage));
+  return tr("stage {stage}", {{"stage", stage_number(stage)}});
 }
 
 Outcome outcome_of(statistics::StageState state) {
@@ -141,15 +152,15 @@ Outcome outcome_of(statistics::StageState state) {
 std::string status_in_words(statistics::StageState state) {
   switch (state) {
     case statistics::StageState::done:
-      return "done";
+      return tr("done");
     case statistics::StageState::partial:
-      return "partial";
+      return tr("partial");
     case statistics::StageState::not_identifiable:
-      return "not identifiable";
+      return tr("not identifiable");
     case statistics::StageState::skipped:
       break;
   }
-  return "no data";
+  return tr("no data");
 }
 
 // Figures and their pictures, paired by id.
@@ -157,30 +168,31 @@ std::string status_in_words(statistics::StageState state) {
 namespace {
 
 constexpr std::size_t eager_figures = 3;
-constexpr std::size_t most_csv_rows = 420;  ///< About 10 kB; a report has some twenty figures.
 
 FigureCard card(const figures::ReportFigure& figure, const render::workers::DrawnFigure* drawn) {
   FigureCard made;
   made.id = figure.id;
   // Only the paper's figures have numbers.
-  made.heading = figure.number > 0 ? "Figure " + std::to_string(figure.number) + ": " + figure.title
+  made.heading = figure.number > 0 ? tr("Figure {number}: {title}",
+                                        {{"number", figure.number}, {"title", figure.title}})
                                    : figure.title;
   made.caption = as_sentence(figure.caption);
   made.how_to_read = figure.how_to_read;
   made.alt = or_dash(figure.alt);
   if (drawn == nullptr) {
-    made.error = "It was not drawn.";
+    made.error = tr("It was not drawn.");
   } else if (!drawn->error.empty()) {
     made.error = as_sentence(drawn->error);
   } else if (drawn->png.empty()) {
-    made.error = "Its picture is empty.";
+    made.error = tr("Its picture is empty.");
   } else {
     made.png = &drawn->png;
     made.width_px = drawn->width_px;
     made.height_px = drawn->height_px;
   }
   if (drawn != nullptr) made.warnings = drawn->warnings;
-  made.csv = figures::figure_csv(figure, most_csv_rows);
+  made.csv = figure.english_csv.empty() ? figures::figure_csv(figure, figures::most_csv_rows)
+                                        : figure.english_csv;
   return made;
 }
 

@@ -13,11 +13,15 @@
 #include "report/page_style.h"
 #include "report/view_parts.h"
 #include "study/trust.h"
+#include "wording/tr.h"
 #include "wording/words.h"
 
 namespace tribolog::report {
 
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 /// Errors of a quantity as its tables show them: in % of the truth, angles in thousandths of a
 /// degree.
@@ -54,8 +58,7 @@ std::string coverage_text(const study::StudiedReading& r) {
 }
 
 std::string capital_words(const std::string& reading) {
-  const std::string words = as_sentence(wording::words_for("reading", reading));
-  return words.substr(0, words.size() - 1);
+  return wording::capitalised(wording::words_for("reading", reading));
 }
 
 /// Readings that a factor's cases show, in their order.
@@ -77,10 +80,12 @@ Table level_table(const study::StudyResult& study, const study::StudyFactor& fac
   table.id = fmt::format("table-{}-{}", factor.key, id);
   std::replace(table.id.begin(), table.id.end(), '_', '-');
   table.caption = caption;
-  table.columns = {{"Estimator", "", false, true}};
-  if (has_unit) table.columns.push_back({"In", "", false});
+  table.columns = {{tr("Estimator"), "", false, true}};
+  if (has_unit) table.columns.push_back({tr("In"), "", false});
   for (const study::StudyLevel& level : factor.levels) {
-    table.columns.push_back({level.text + (level.is_base ? ", base" : ""), "", true});
+    table.columns.push_back(
+        {level.is_base ? tr("{level}, base", {{"level", level.text}}) : wording::words(level.text),
+         "", true});
   }
   for (const std::string& name : readings_of_factor(study, factor)) {
     Row row{{capital_words(name)}, name == study::recommended_reading(study)};
@@ -89,13 +94,14 @@ Table level_table(const study::StudyResult& study, const study::StudyFactor& fac
     for (const study::StudyLevel& level : factor.levels) {
       const study::StudiedReading* r = study.case_of(level).find(name);
       if (r == nullptr) {
-        cells.emplace_back("not found");
+        cells.push_back(tr("not found"));
         continue;
       }
       unit = error_scale(*r).unit;
       std::string cell = text(*r);
       if (r->errors.found < r->errors.runs) {
-        cell += fmt::format(" [{} of {}]", r->errors.found, r->errors.runs);
+        cell = tr("{errors} [{found} of {runs}]",
+                  {{"errors", cell}, {"found", r->errors.found}, {"runs", r->errors.runs}});
       }
       cells.push_back(std::move(cell));
     }
@@ -107,24 +113,26 @@ Table level_table(const study::StudyResult& study, const study::StudyFactor& fac
 }
 
 std::vector<Table> tables_of(const study::StudyResult& study, const study::StudyFactor& factor) {
-  Table bias = level_table(study, factor, "bias", "Bias ± its standard error", bias_text, true);
+  Table bias = level_table(study, factor, "bias", tr("Bias ± its standard error"), bias_text, true);
   bias.note =
-      "Gravity and friction in % of the truth, the angle in thousandths of a degree. “[k of n]”: "
-      "found in k of n runs only.";
-  Table scatter = level_table(study, factor, "scatter",
-                              "Scatter from run to run (standard deviation)", scatter_text, true);
+      tr("Gravity and friction in % of the truth, the angle in thousandths of a degree. “[k of "
+         "n]”: found in k of n runs only.");
+  Table scatter =
+      level_table(study, factor, "scatter", tr("Scatter from run to run (standard deviation)"),
+                  scatter_text, true);
   Table coverage = level_table(
       study, factor, "coverage",
-      "Runs whose stated 95 % interval holds the truth, in % (with its own 95 % interval)",
+      tr("Runs whose stated 95 % interval holds the truth, in % (with its own 95 % interval)"),
       coverage_text, false);
   return {std::move(bias), std::move(scatter), std::move(coverage)};
 }
 
 std::string range_text(const study::StudyFactor& factor, const study::TrustedRange& range) {
-  if (!range.at_base) return "no";
-  if (range.all_levels) return "all levels";
-  if (range.lowest == range.highest) return factor.levels[range.lowest].text + " only";
-  return factor.levels[range.lowest].text + " … " + factor.levels[range.highest].text;
+  if (!range.at_base) return tr("no");
+  if (range.all_levels) return tr("all levels");
+  const Statement& lowest = factor.levels[range.lowest].text;
+  if (range.lowest == range.highest) return tr("{level} only", {{"level", lowest}});
+  return wording::words(lowest) + " … " + wording::words(factor.levels[range.highest].text);
 }
 
 Table trust_table(const study::StudyResult& study, study::Criterion criterion,
@@ -132,9 +140,9 @@ Table trust_table(const study::StudyResult& study, study::Criterion criterion,
   Table table;
   table.id = "table-trust-" + id;
   table.caption = caption;
-  table.columns = {{"Estimator", "", false, true}};
+  table.columns = {{tr("Estimator"), "", false, true}};
   for (const study::StudyFactor& factor : study.factors) {
-    table.columns.push_back({factor.title, "", false});
+    table.columns.push_back({wording::words_for("factor", factor.key), "", false});
   }
   for (const study::StudiedReading& r : study.base_case().readings) {
     Row row{{capital_words(r.name)}, r.name == study::recommended_reading(study)};
@@ -152,16 +160,16 @@ Table trust_table(const study::StudyResult& study, study::Criterion criterion,
 
 void fill_trust(const study::StudyResult& study, TemplateValues& values) {
   Table fine = trust_table(study, study::Criterion::fine, "fine",
-                           "95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
-                           "angle, 1 % of a friction parameter");
+                           tr("95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
+                              "angle, 1 % of a friction parameter"));
   Table coarse = trust_table(study, study::Criterion::coarse, "coarse",
-                             "95 of 100 runs within 0.3 %, 0.1°, 5 %");
+                             tr("95 of 100 runs within 0.3 %, 0.1°, 5 %"));
   Table coverage = trust_table(study, study::Criterion::coverage, "coverage",
-                               "The stated 95 % intervals hold the truth in 91 % of the runs or "
-                               "more");
+                               tr("The stated 95 % intervals hold the truth in 91 % of the runs "
+                                  "or more"));
   coverage.note =
-      "An interval counts as too narrow where even the upper end of the coverage's own interval is "
-      "below 91 %. Levels at which all runs are alike, for want of noise, are passed over.";
+      tr("An interval counts as too narrow where even the upper end of the coverage's own interval "
+         "is below 91 %. Levels at which all runs are alike, for want of noise, are passed over.");
   for (const Table& table : {fine, coarse, coverage}) fill_table(table, "TRUST", values);
 }
 
@@ -172,15 +180,31 @@ void fill_verdict(const study::StudyResult& study, TemplateValues& values) {
   const bool covers = study::holds(base, best, study::Criterion::coverage);
   const bool fine = covers && study::holds(base, best, study::Criterion::fine);
   const bool coarse = covers && study::holds(base, best, study::Criterion::coarse);
-  verdict.set("WORD", fine     ? "TO BE TRUSTED IN THE BASE CASE"
-                      : coarse ? "TO BE TRUSTED WITHIN 0.3 % IN THE BASE CASE"
-                               : "NOT TO BE TRUSTED IN THE BASE CASE");
-  verdict.set("SENTENCE", study::study_sentence(study));
+  verdict.set("WORD", fine     ? tr("TO BE TRUSTED IN THE BASE CASE")
+                      : coarse ? tr("TO BE TRUSTED WITHIN 0.3 % IN THE BASE CASE")
+                               : tr("NOT TO BE TRUSTED IN THE BASE CASE"));
+  verdict.set("SENTENCE", wording::words(study::study_sentence(study)));
   fill_outcome(fine ? Outcome::good : coarse ? Outcome::partial : Outcome::bad, verdict);
   TemplateValues& findings = verdict.add_section("FINDINGS");
-  for (const std::string& finding : study::study_findings(study)) {
+  for (const std::string& finding : wording::words(study::study_findings(study))) {
     findings.add_section("FINDING").set("TEXT", finding);
   }
+}
+
+std::string counts_a_turn(double counts) {
+  return tr_count(std::llrint(counts), "{counts}\u00a0count a turn", "{counts}\u00a0counts a turn",
+                  {{"counts", wording::as_stated(counts)}});
+}
+
+std::string oscillation_text(const simulate::OscillationExperiment& e) {
+  constexpr int digits = 4;
+  const auto whole_cycles = std::llrint(std::ceil(e.cycles));  // a part of one makes it many
+  return tr_count(whole_cycles, "{amplitude}, {frequency}, {cycles}\u00a0cycle",
+                  "{amplitude}, {frequency}, {cycles}\u00a0cycles",
+                  {{"amplitude", wording::with_unit(
+                                     wording::significant(e.amplitude_rad * 1e6, digits), "µrad")},
+                   {"frequency", wording::with_unit(wording::as_stated(e.frequency_Hz), "Hz")},
+                   {"cycles", wording::as_stated(e.cycles)}});
 }
 
 std::vector<Fact> base_facts(const StudyReport& report) {
@@ -188,27 +212,21 @@ std::vector<Fact> base_facts(const StudyReport& report) {
   const simulate::Noise& noise = study.base.noise;
   constexpr int digits = 4;
   std::vector<Fact> facts{
-      {"Scenario", or_dash(study.base.name)},
-      {"Runs of each case", std::to_string(study.options.runs)},
-      {"Cases", std::to_string(study.cases.size())},
-      {"Seed", std::to_string(study.options.seed)},
-      {"True gravity torque at the motor",
+      {tr("Scenario"), or_dash(study.base.name)},
+      {tr("Runs of each case"), std::to_string(study.options.runs)},
+      {tr("Cases"), std::to_string(study.cases.size())},
+      {tr("Seed"), std::to_string(study.options.seed)},
+      {tr("True gravity torque at the motor"),
        wording::with_unit(
            wording::significant(study.base.load.amplitude_Nm() / study.base.gear_ratio, digits + 2),
            "N·m")},
-      {"White torque noise",
+      {tr("White torque noise"),
        wording::with_unit(wording::significant(noise.torque_white_Nm, digits), "N·m")},
-      {"Torque step",
+      {tr("Torque step"),
        wording::with_unit(wording::significant(noise.torque_step_Nm, digits), "N·m")},
-      {"Motor encoder",
-       wording::with_unit(wording::as_stated(noise.encoder_counts_per_turn), "counts a turn")}};
+      {tr("Motor encoder"), counts_a_turn(noise.encoder_counts_per_turn)}};
   if (const auto& e = study.base.oscillation) {
-    facts.push_back({"Oscillation",
-                     fmt::format("{}, {}, {}",
-                                 wording::with_unit(
-                                     wording::significant(e->amplitude_rad * 1e6, digits), "µrad"),
-                                 wording::with_unit(wording::as_stated(e->frequency_Hz), "Hz"),
-                                 wording::with_unit(wording::as_stated(e->cycles), "cycles"))});
+    facts.push_back({tr("Oscillation"), oscillation_text(*e)});
   }
   return facts;
 }
@@ -234,9 +252,9 @@ std::string study_page(const StudyReport& report, const std::vector<figures::Rep
     TemplateValues& section = values.add_section("FACTOR");
     for (TemplateValues* both : {&entry, &section}) {
       both->set("SECTION_ID", id);
-      both->set("TITLE", factor.title);
+      both->set("TITLE", wording::words_for("factor", factor.key));
     }
-    section.set("NOTE_TEXT", factor.note);
+    section.set("NOTE_TEXT", wording::words_for("factor_note", factor.key));
     for (std::size_t i = 0; i < figures.size(); ++i) {
       if (figures[i].stage == factor.key) fill_figure(cards[i], section);
     }
@@ -286,20 +304,21 @@ Json factor_json(const study::StudyFactor& factor) {
   Json levels = Json::array();
   for (const study::StudyLevel& level : factor.levels) {
     levels.push_back({{"value", number(level.value)},
-                      {"text", level.text},
+                      {"text", wording::words(level.text)},
                       {"base", level.is_base},
                       {"case", level.case_name}});
   }
   return {{"key", factor.key},
-          {"title", factor.title},
-          {"axis", factor.axis},
-          {"note", factor.note},
+          {"title", wording::words_for("factor", factor.key)},
+          {"axis", wording::words_for("factor_axis", factor.key)},
+          {"note", wording::words_for("factor_note", factor.key)},
           {"levels", std::move(levels)}};
 }
 
 }  // namespace
 
 std::string study_json(const StudyReport& report) {
+  const wording::WordsIn english({});
   const study::StudyResult& study = report.study;
   Json factors = Json::array();
   for (const study::StudyFactor& factor : study.factors) factors.push_back(factor_json(factor));
@@ -312,8 +331,8 @@ std::string study_json(const StudyReport& report) {
                  {"runs", study.options.runs},
                  {"seed", study.options.seed},
                  {"resamples", study.options.resamples},
-                 {"sentence", study::study_sentence(study)},
-                 {"findings", study::study_findings(study)},
+                 {"sentence", wording::words(study::study_sentence(study))},
+                 {"findings", wording::words(study::study_findings(study))},
                  {"factors", std::move(factors)},
                  {"cases", std::move(cases)}};
   return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

@@ -24,7 +24,7 @@ struct StudyReport {
 /// pictures pair up by id.
 std::string study_page(const StudyReport& report, const std::vector<figures::ReportFigure>& figures,
                        const std::vector<render::workers::DrawnFigure>& drawn,
-                       wording::Language language = wording::Language::english);
+                       wording::Language language = wording::Language{});
 
 /// All numbers of the study, schema "tribolog-study-1". The same study gives the same bytes.
 std::string study_json(const StudyReport& report);

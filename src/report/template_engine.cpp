@@ -1,9 +1,7 @@
 #include "report/template_engine.h"
 
 #include <cstddef>
-#include <deque>
 #include <mutex>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +13,7 @@
 #include "report/embedded_files.h"
 #include "report/template_language.h"
 #include "report/template_modifiers.h"
+#include "wording/translated.h"
 #include "wording/visible_text.h"
 
 namespace tribolog::report {
@@ -29,15 +28,12 @@ bool ends_with(std::string_view text, std::string_view end) {
 /// The templates in one language.
 struct Templates {
   ctemplate::TemplateCache cache;
-  /// By file, the variables that stand inside a tag and are not read there: classes, anchors.
-  /// Empty in English, where nothing is translated.
-  std::map<std::string, std::set<std::string, std::less<>>, std::less<>> words_for_machines;
 };
 
-std::unique_ptr<Templates> load_templates(wording::Language language) {
+std::unique_ptr<Templates> load_templates(const wording::Language& language) {
+  const wording::WordsIn words(language);
   register_template_modifiers();
   auto templates = std::make_unique<Templates>();
-  const wording::Catalogue* const catalogue = wording::catalogue_of(language);
   for (const EmbeddedFile& file : embedded_files()) {
     if (!ends_with(file.name, ".tpl")) continue;
     const std::string name(file.name);
@@ -45,10 +41,10 @@ std::unique_ptr<Templates> load_templates(wording::Language language) {
       throw std::logic_error("template " + name + " does not begin with the AUTOESCAPE pragma");
     }
     std::string text(file.text);
-    if (catalogue != nullptr) {
-      templates->words_for_machines[name] = variables_inside_tags(file.text);
-      text = template_in_language(file.text, [catalogue](const std::string& message) {
-        return catalogue->find_in_templates(message);
+    if (!language.is_english()) {
+      text = template_in_language(file.text, [](const std::string& message) {
+        std::string found = wording::translated(message);
+        return found == message ? std::string() : found;
       });
     }
     if (!templates->cache.StringToTemplateCache(name, text.data(), text.size(),
@@ -60,7 +56,7 @@ std::unique_ptr<Templates> load_templates(wording::Language language) {
   return templates;
 }
 
-const Templates& templates_in(wording::Language language) {
+const Templates& templates_in(const wording::Language& language) {
   static std::map<wording::Language, std::unique_ptr<Templates>> loaded;
   static std::mutex loading;
   const std::lock_guard<std::mutex> lock(loading);
@@ -102,16 +98,9 @@ class UnsetVariables : public ctemplate::TemplateAnnotator {
 
 class DictionaryFiller {
  public:
-  DictionaryFiller(const Templates& templates, wording::Language language)
-      : templates_(templates), catalogue_(wording::catalogue_of(language)) {}
-
-  /// @param file whose values these are.
-  void fill(const TemplateValues& values, const std::string& file,
-            ctemplate::TemplateDictionary& dictionary) {
-    for (const auto& [variable, value] : values.texts_) {
-      const bool is_translated = catalogue_ != nullptr && value.is_translated &&
-                                 !templates_.words_for_machines.at(file).contains(variable);
-      const std::string& text = is_translated ? translated(value.text) : value.text;
+  /// The dictionary holds no copies: the values must outlive it.
+  static void fill(const TemplateValues& values, ctemplate::TemplateDictionary& dictionary) {
+    for (const auto& [variable, text] : values.texts_) {
       dictionary.SetValueWithoutCopy(variable, ctemplate::TemplateString(text.data(), text.size()));
     }
     for (const TemplateValues::Child& child : values.children_) {
@@ -122,32 +111,18 @@ class DictionaryFiller {
         inner = dictionary.AddIncludeDictionary(child.name);
         inner->SetFilename(child.file);
       }
-      fill(*child.values, child.file.empty() ? file : child.file, *inner);
+      fill(*child.values, *inner);
     }
   }
-
- private:
-  const std::string& translated(const std::string& text) {
-    return kept_.emplace_back(catalogue_->translate(text));
-  }
-
-  const Templates& templates_;
-  const wording::Catalogue* catalogue_;
-  std::deque<std::string> kept_;  ///< The dictionary holds no copies.
 };
 
 void TemplateValues::set(const std::string& variable, const std::string& text) {
   if (text.empty()) throw std::logic_error("template variable " + variable + " is empty");
-  texts_[variable] = {wording::visible_text(text), true};
-}
-
-void TemplateValues::set_name(const std::string& variable, const std::string& text) {
-  set(variable, text);
-  texts_[variable].is_translated = false;
+  texts_[variable] = wording::visible_text(text);
 }
 
 void TemplateValues::set_checked_by_modifier(const std::string& variable, std::string text) {
-  texts_[variable] = {std::move(text), false};
+  texts_[variable] = std::move(text);
 }
 
 void TemplateValues::set_optional(const std::string& variable, const std::string& text) {
@@ -165,12 +140,11 @@ TemplateValues& TemplateValues::add_include(const std::string& marker, const std
 }
 
 std::string expand_template(const std::string& file, const TemplateValues& values,
-                            wording::Language language) {
+                            const wording::Language& language) {
   const Templates& templates = templates_in(language);
   ctemplate::TemplateDictionary dictionary("report");
-  dictionary.SetGlobalValue("LANGUAGE", wording::code_of(language));
-  DictionaryFiller filler(templates, language);
-  filler.fill(values, file, dictionary);
+  dictionary.SetGlobalValue("LANGUAGE", language.code);
+  DictionaryFiller::fill(values, dictionary);
   std::string output;
   UnsetVariables unset(output);
   ctemplate::PerExpandData data;

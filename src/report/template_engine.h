@@ -17,12 +17,9 @@ namespace tribolog::report {
 /// Values for one template or one section of it. What is not shown is not printed.
 class TemplateValues {
  public:
-  /// A text that may come from anywhere. Must not be empty: what may be absent stands in a
-  /// section. Translated on expansion where it is shown, not where it stands inside a tag.
-  /// @throw std::logic_error naming the variable if it is empty.
+  /// A text that may come from anywhere, in the language of the page. Must not be empty: what may
+  /// be absent stands in a section. @throw std::logic_error naming the variable if it is empty.
   void set(const std::string& variable, const std::string& text);
-  /// A name that somebody gave: the same in every language. @throw as set()
-  void set_name(const std::string& variable, const std::string& text);
   /// A text that the template prints through a modifier of ours (PNG, JSON, CSS): it is kept
   /// byte by byte, and the modifier checks it.
   void set_checked_by_modifier(const std::string& variable, std::string text);
@@ -40,17 +37,13 @@ class TemplateValues {
     std::string file;  ///< Empty: a section.
     std::unique_ptr<TemplateValues> values;
   };
-  struct Text {
-    std::string text;
-    bool is_translated{};
-  };
-  std::map<std::string, Text> texts_;
+  std::map<std::string, std::string> texts_;
   std::vector<Child> children_;
 };
 
 /// Expands an embedded template in a language.
 /// @throw std::logic_error if a template cannot be loaded, or a variable was left unset.
 std::string expand_template(const std::string& file, const TemplateValues& values,
-                            wording::Language language = wording::Language::english);
+                            const wording::Language& language = {});
 
 }  // namespace tribolog::report

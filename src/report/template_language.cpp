@@ -209,31 +209,6 @@ std::string template_in_language(std::string_view source, const TranslateMessage
   return Rewriter(translate).rewrite(source);
 }
 
-std::set<std::string, std::less<>> variables_inside_tags(std::string_view source) {
-  std::set<std::string, std::less<>> found;
-  while (!source.empty()) {
-    Piece piece = next_piece(source);
-    source.remove_prefix(piece.text.size());
-    if (piece.kind != Piece::Kind::tag) continue;
-    std::string_view rest = piece.text;
-    for (std::size_t at = rest.find("{{"); at != std::string_view::npos; at = rest.find("{{")) {
-      const std::string_view before = rest.substr(0, at);
-      rest.remove_prefix(at + 2);
-      const bool is_read = std::any_of(
-          read_attributes.begin(), read_attributes.end(), [before](std::string_view name) {
-            const std::size_t from = before.rfind(name);
-            return from != std::string_view::npos &&
-                   before.find('"', from + name.size()) == std::string_view::npos;
-          });
-      const std::size_t end = rest.find_first_of(":}");
-      if (!is_read && std::isupper(static_cast<unsigned char>(rest.front())) != 0) {
-        found.emplace(rest.substr(0, end));
-      }
-    }
-  }
-  return found;
-}
-
 std::vector<std::string> messages_of_template(std::string_view source) {
   std::vector<std::string> messages;
   (void)template_in_language(source, [&messages](const std::string& message) {

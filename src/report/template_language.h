@@ -6,7 +6,6 @@
 // sentences and can move their parts. Formulas (`<math>`) inside a sentence stand as `<math/>`.
 
 #include <functional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,10 +20,6 @@ using TranslateMessage = std::function<std::string(const std::string& message)>;
 /// @throw std::invalid_argument: a translation has other template markers, tags or formulas than
 ///        its message.
 std::string template_in_language(std::string_view source, const TranslateMessage& translate);
-
-/// Variables that stand inside a tag in something that is not read: `id="{{ID}}"`, not
-/// `alt="{{ALT}}"`.
-std::set<std::string, std::less<>> variables_inside_tags(std::string_view source);
 
 /// The messages of a template, in the order in which they stand.
 std::vector<std::string> messages_of_template(std::string_view source);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
@@ -14,7 +17,9 @@
 #include "statistics/distributions.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
+#include "wording/tr.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -26,6 +31,8 @@ using history::LeftOut;
 using history::QuantityTrend;
 using history::TemperatureUse;
 using history::TrendState;
+using wording::tr;
+using wording::tr_count;
 
 constexpr history::LeftOut all_left_out[] = {
     history::LeftOut::before_baseline, history::LeftOut::not_usable, history::LeftOut::other_gear,
@@ -43,18 +50,58 @@ std::string size_of(const history::FoundChange& c, const std::string& unit) {
       wording::quantity_scale(unit, c.size.value));
 }
 
+std::string name_of(const history::QuantityTrend& q) {
+  return wording::words_for("quantity", q.name, q.words);
+}
+
+std::string drift_words(const history::QuantityTrend& q, const history::FoundChange& c) {
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
+                                                  {"change", size_of(c, q.unit)},
+                                                  {"first_date", day(c.from)},
+                                                  {"visible_date", day(c.alarm)}};
+  return c.direction > 0
+             ? tr("{quantity} has slowly risen by {change} since {first_date}, visible "
+                  "from {visible_date}",
+                  values)
+             : tr("{quantity} has slowly fallen by {change} since {first_date}, visible "
+                  "from {visible_date}",
+                  values);
+}
+
+/// Of one that is over.
+std::string past_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
+                                                  {"change", size_of(c, q.unit)},
+                                                  {"visible_date", day(c.from)},
+                                                  {"alarm_date", day(c.alarm)},
+                                                  {"back_date", day(c.back)}};
+  return c.direction > 0
+             ? tr("{quantity} had risen by {change}, visible from {visible_date} (alarm "
+                  "on {alarm_date}), and is back from {back_date}",
+                  values)
+             : tr("{quantity} had fallen by {change}, visible from {visible_date} (alarm "
+                  "on {alarm_date}), and is back from {back_date}",
+                  values);
+}
+
+std::string standing_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
+                                                  {"change", size_of(c, q.unit)},
+                                                  {"visible_date", day(c.from)},
+                                                  {"alarm_date", day(c.alarm)}};
+  return c.direction > 0
+             ? tr("{quantity} has risen by {change}, visible from {visible_date} (alarm "
+                  "on {alarm_date})",
+                  values)
+             : tr("{quantity} has fallen by {change}, visible from {visible_date} (alarm "
+                  "on {alarm_date})",
+                  values);
+}
+
 std::string change_sentence(const history::QuantityTrend& q, const history::FoundChange& c) {
-  if (c.is_slow) {
-    return as_sentence(fmt::format("{} has slowly {} by {} since {}, visible from {}", q.words,
-                                   c.direction > 0 ? "risen" : "fallen", size_of(c, q.unit),
-                                   day(c.from), day(c.alarm)));
-  }
-  const bool is_over = !c.back.empty();
-  std::string words = fmt::format("{} {} {} by {}, visible from {} (alarm on {})", q.words,
-                                  is_over ? "had" : "has", c.direction > 0 ? "risen" : "fallen",
-                                  size_of(c, q.unit), day(c.from), day(c.alarm));
-  if (is_over) words += ", and is back from " + day(c.back);
-  return as_sentence(words);
+  return as_sentence(c.is_slow        ? drift_words(q, c)
+                     : c.back.empty() ? standing_change_words(q, c)
+                                      : past_change_words(q, c));
 }
 
 std::string level_text(const history::QuantityTrend& q) {
@@ -87,47 +134,67 @@ std::string temperature_text(const history::QuantityTrend& q) {
 }
 
 std::string state_text(const history::QuantityTrend& q) {
-  std::string text = history::to_string(q.state);
-  if (!q.changes.empty()) text += " from " + day(q.changes.back().from);
-  if (!q.changes.empty() && q.changes.back().is_slow) {
-    return "slow drift, visible from " + day(q.changes.back().alarm);
+  if (q.changes.empty()) return wording::words(history::statement_of(q.state));
+  const history::FoundChange& last = q.changes.back();
+  if (last.is_slow) {
+    return tr("slow drift, visible from {visible_date}", {{"visible_date", day(last.alarm)}});
   }
   if (q.state == history::TrendState::recovered) {
-    text = fmt::format("changed from {}, back from {}", day(q.changes.back().from),
-                       day(q.changes.back().back));
+    return tr("changed from {first_date}, back from {back_date}",
+              {{"first_date", day(last.from)}, {"back_date", day(last.back)}});
   }
-  return text;
+  return tr("changed from {first_date}", {{"first_date", day(last.from)}});
+}
+
+/// "3 (before the baseline)"
+std::string left_out_words(history::LeftOut why, std::size_t calibrations) {
+  const std::initializer_list<StatedValue> values{{"calibrations", calibrations}};
+  switch (why) {
+    case history::LeftOut::none:
+      break;
+    case history::LeftOut::before_baseline:
+      return tr("{calibrations} (before the baseline)", values);
+    case history::LeftOut::not_usable:
+      return tr("{calibrations} (verdict not usable)", values);
+    case history::LeftOut::other_gear:
+      return tr("{calibrations} (another gear ratio than the latest)", values);
+    case history::LeftOut::other_payload:
+      return tr("{calibrations} (another payload than the latest)", values);
+    case history::LeftOut::no_temperature:
+      return tr("{calibrations} (temperature not stated)", values);
+  }
+  return {};
 }
 
 void add_left_out(const history::QuantityTrend& q, std::vector<std::string>& notes) {
   std::vector<std::string> parts;
   for (const history::LeftOut why : all_left_out) {
-    if (const std::size_t n = q.count(why); n > 0) {
-      parts.push_back(fmt::format("{} ({})", n, history::to_string(why)));
-    }
+    if (const std::size_t n = q.count(why); n > 0) parts.push_back(left_out_words(why, n));
   }
   if (q.without_estimate > 0) {
-    parts.push_back(fmt::format("{} (without an estimate)", q.without_estimate));
+    parts.push_back(
+        tr("{calibrations} (without an estimate)", {{"calibrations", q.without_estimate}}));
   }
   if (parts.empty()) return;
-  notes.push_back(
-      as_sentence(fmt::format("{}: left out of {}: {}", q.words,
-                              q.points.size() + q.without_estimate, wording::listed(parts))));
+  notes.push_back(as_sentence(tr("{quantity}: left out of {calibrations}: {left_out}",
+                                 {{"quantity", name_of(q)},
+                                  {"calibrations", q.points.size() + q.without_estimate},
+                                  {"left_out", wording::listed(parts)}})));
 }
 
 void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) {
   std::vector<std::string> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.state == history::TrendState::too_few) {
-      names.push_back(fmt::format("{} ({})", q.words, q.count(history::LeftOut::none)));
+      names.push_back(fmt::format("{} ({})", name_of(q), q.count(history::LeftOut::none)));
     }
   }
   if (names.empty()) return;
   const std::size_t learned = t.baseline.is_by_date() ? history::fewest_learned : t.baseline.count;
-  notes.push_back(as_sentence(fmt::format(
-      "too few calibrations can be used of {}: the first {} or more only tell what to expect, and "
-      "a change shows in those that follow",
-      wording::listed(names), learned)));
+  notes.push_back(as_sentence(
+      tr("too few calibrations can be used of {quantities}: the first {calibrations} or more only "
+         "tell what to expect, and a change shows in those that follow",
+         {{"quantities", wording::listed(names)}, {"calibrations", learned}})));
 }
 
 /// Quantities whose intervals hold an error that all calibrations share.
@@ -136,23 +203,56 @@ void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& n
   std::vector<std::string> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
-      names.push_back(q.words);
+      names.push_back(name_of(q));
     }
   }
   if (names.empty()) return;
-  notes.push_back(as_sentence(wording::listed(names) +
-                              ": calibrations scatter by less than their intervals state, which "
-                              "then hold an error that all of them share; a change is told from "
-                              "the scatter"));
+  notes.push_back(as_sentence(
+      tr("{quantities}: calibrations scatter by less than their intervals state, which then hold "
+         "an error that all of them share; a change is told from the scatter",
+         {{"quantities", wording::listed(names)}})));
+}
+
+/// Of the quantities whose temperature was treated in that way.
+std::string temperature_note(history::TemperatureUse use, const std::string& quantities) {
+  switch (use) {
+    case history::TemperatureUse::corrected:
+      return tr("{quantities}: temperature is taken into account by a straight line",
+                {{"quantities", quantities}});
+    case history::TemperatureUse::too_even:
+      return tr(
+          "{quantities}: temperature varied by less than {span_K:.3g} K, too little to tell "
+          "its effect; nothing is corrected",
+          {{"quantities", quantities}, {"span_K", history::least_temperature_span_K}});
+    case history::TemperatureUse::not_recorded:
+      return tr(
+          "{quantities}: temperature is stated by fewer than half of the calibrations: a "
+          "change may be its",
+          {{"quantities", quantities}});
+    case history::TemperatureUse::hardly_felt:
+      break;
+  }
+  return {};
+}
+
+/// "R1 S1"
+std::string robot_of(const history::JointTrend& t) {
+  return or_dash(t.of.robot) + (t.of.serial.empty() ? "" : " ") + t.of.serial;
 }
 
 }  // namespace
 
 std::string joint_words(const history::JointTrend& t) {
-  return fmt::format("{}{}{}, joint {}: {} from {} to {}", or_dash(t.of.robot),
-                     t.of.serial.empty() ? "" : " ", t.of.serial, or_dash(t.of.joint),
-                     wording::counted(t.calibrations, "calibration"), day(t.first_at),
-                     day(t.last_at));
+  return tr_count(static_cast<std::int64_t>(t.calibrations),
+                  "{robot}, joint {joint}: {calibrations} calibration from {first_date} to "
+                  "{last_date}",
+                  "{robot}, joint {joint}: {calibrations} calibrations from {first_date} to "
+                  "{last_date}",
+                  {{"robot", robot_of(t)},
+                   {"joint", or_dash(t.of.joint)},
+                   {"calibrations", t.calibrations},
+                   {"first_date", day(t.first_at)},
+                   {"last_date", day(t.last_at)}});
 }
 
 std::vector<std::string> change_sentences(const history::JointTrend& t) {
@@ -171,35 +271,37 @@ Table trend_table(const history::JointTrend& t, const std::string& id) {
   Table table;
   table.id = id;
   table.is_stacked = true;
-  table.caption = "Each quantity over time";
-  table.columns = {{"Quantity", "", false, true},  {"Used", "", true},
-                   {"Reference", "", true},        {"Scatter", "", true},
-                   {"With temperature", "", true}, {"State", "", false, true}};
+  table.caption = tr("Each quantity over time");
+  table.columns = {{tr("Quantity"), "", false, true},  {tr("Used"), "", true},
+                   {tr("Reference"), "", true},        {tr("Scatter"), "", true},
+                   {tr("With temperature"), "", true}, {tr("State"), "", false, true}};
   for (const history::QuantityTrend& q : t.quantities) {
-    table.rows.push_back({{q.words,
-                           fmt::format("{} of {}", q.count(history::LeftOut::none),
-                                       q.points.size() + q.without_estimate),
-                           level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
-                          q.state == history::TrendState::warning});
+    table.rows.push_back(
+        {{name_of(q),
+          tr("{used} of {calibrations}", {{"used", q.count(history::LeftOut::none)},
+                                          {"calibrations", q.points.size() + q.without_estimate}}),
+          level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
+         q.state == history::TrendState::warning});
   }
   table.note =
-      "At the motor. The reference is the mean of all calibrations outside of a change, with its "
-      "95 % interval; the scatter is the standard deviation of a single calibration about it.";
+      tr("At the motor. The reference is the mean of all calibrations outside of a change, with "
+         "its 95 % interval; the scatter is the standard deviation of a single calibration about "
+         "it.");
   return table;
 }
 
 std::vector<std::string> trend_notes(const history::JointTrend& t) {
   std::vector<std::string> notes;
-  for (const std::string& caution : t.cautions) notes.push_back(as_sentence(caution));
+  for (const Statement& caution : t.cautions) notes.push_back(as_sentence(caution));
   for (const history::TemperatureUse use :
        {history::TemperatureUse::corrected, history::TemperatureUse::too_even,
         history::TemperatureUse::not_recorded}) {
     std::vector<std::string> names;
     for (const history::QuantityTrend& q : t.quantities) {
-      if (q.temperature == use) names.push_back(q.words);
+      if (q.temperature == use) names.push_back(name_of(q));
     }
     if (names.empty()) continue;
-    notes.push_back(as_sentence(wording::listed(names) + ": " + history::to_string(use)));
+    notes.push_back(as_sentence(temperature_note(use, wording::listed(names))));
   }
   add_shared_errors(t, notes);
   for (const history::QuantityTrend& q : t.quantities) add_left_out(q, notes);
@@ -207,29 +309,69 @@ std::vector<std::string> trend_notes(const history::JointTrend& t) {
   return notes;
 }
 
+namespace {
+
+std::string baseline_words(const history::Baseline& baseline) {
+  const std::size_t fewest = history::fewest_learned;
+  if (!baseline.is_by_date()) {
+    return tr_count(static_cast<std::int64_t>(baseline.count),
+                    "The first {calibrations} calibration is only learned from; each later one is "
+                    "held against all before it that lie in no change.",
+                    "The first {calibrations} calibrations are only learned from; each later one "
+                    "is held against all before it that lie in no change.",
+                    {{"calibrations", baseline.count}});
+  }
+  if (baseline.to.empty()) {
+    return tr(
+        "The calibrations from {first_date} (at least {fewest}) are only learned from; each "
+        "later one is held against all before it that lie in no change.",
+        {{"first_date", baseline.from}, {"fewest", fewest}});
+  }
+  if (baseline.from.empty()) {
+    return tr(
+        "The calibrations up to {last_date} (at least {fewest}) are only learned from; each "
+        "later one is held against all before it that lie in no change.",
+        {{"last_date", baseline.to}, {"fewest", fewest}});
+  }
+  return tr(
+      "The calibrations from {first_date} up to {last_date} (at least {fewest}) are only "
+      "learned from; each later one is held against all before it that lie in no change.",
+      {{"first_date", baseline.from}, {"last_date", baseline.to}, {"fewest", fewest}});
+}
+
+std::string alarm_words(const history::JointTrend& t) {
+  return tr_count(
+      static_cast<std::int64_t>(t.watched),
+      "Its difference, in standard deviations of its interval and of the scatter between "
+      "calibrations (moving ranges) together, less {allowance:.3g}, is added up, and the alarm is "
+      "at {limit:.1f}: a false one comes about once in {calibrations} calibrations of the joint or "
+      "more rarely, for its {watched} watched quantity.",
+      "Its difference, in standard deviations of its interval and of the scatter between "
+      "calibrations (moving ranges) together, less {allowance:.3g}, is added up, and the alarm is "
+      "at {limit:.1f}: a false one comes about once in {calibrations} calibrations of the joint or "
+      "more rarely, for all of its {watched} watched quantities together.",
+      {{"allowance", history::cusum_allowance},
+       {"limit", history::cusum_limit(t.watched)},
+       {"calibrations", history::calibrations_per_false_alarm},
+       {"watched", t.watched}});
+}
+
+}  // namespace
+
 std::string chart_words(const history::JointTrend& t) {
-  const std::string baseline =
-      t.baseline.is_by_date()
-          ? fmt::format("The calibrations{}{} (at least {})",
-                        t.baseline.from.empty() ? "" : " from " + t.baseline.from,
-                        t.baseline.to.empty() ? "" : " up to " + t.baseline.to,
-                        history::fewest_learned)
-          : fmt::format("The first {} calibrations", t.baseline.count);
-  return fmt::format(
-      "A self-starting two-sided CUSUM (Page 1954, Hawkins 1987) for each quantity. {} are only "
-      "learned from; each later one is held against all before it that lie in no change. Its "
-      "difference, in standard deviations of its interval and of the scatter between calibrations "
-      "(moving ranges) together, less {:.3g}, is added up, and the alarm is at {:.1f}: a false one "
-      "comes about once in {} calibrations of the joint or more rarely, for all of its {} watched "
-      "quantities together. The date from which a change is visible is that of the calibration, "
-      "of those since the sum last left zero, from which on a shift is most likely (Hinkley 1970). "
-      "A straight line over time through all calibrations tells a steady drift, which a chart that "
-      "learns on the way follows: from a chance of {:.2g} % on, at any one time and for all "
-      "quantities together, that there is none. A "
-      "change that was there before the first calibration is not seen, and one odd calibration "
-      "alone raises no alarm.",
-      baseline, history::cusum_allowance, history::cusum_limit(t.watched),
-      history::calibrations_per_false_alarm, t.watched, 100 * history::drift_false_alarms);
+  const std::vector<std::string> sentences{
+      tr("A self-starting two-sided CUSUM (Page 1954, Hawkins 1987) for each quantity."),
+      baseline_words(t.baseline),
+      alarm_words(t),
+      tr("The date from which a change is visible is that of the calibration, of those since the "
+         "sum last left zero, from which on a shift is most likely (Hinkley 1970)."),
+      tr("A straight line over time through all calibrations tells a steady drift, which a chart "
+         "that learns on the way follows: from a chance of {chance_percent:.2g} % on, at any one "
+         "time and for all quantities together, that there is none.",
+         {{"chance_percent", 100 * history::drift_false_alarms}}),
+      tr("A change that was there before the first calibration is not seen, and one odd "
+         "calibration alone raises no alarm.")};
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 namespace {
@@ -241,30 +383,30 @@ history::TrendState worst_of(const std::vector<history::JointTrend>& trends) {
 }
 
 std::string title_of(const history::JointTrend& t) {
-  return fmt::format("{}{}{}, joint {}", or_dash(t.of.robot), t.of.serial.empty() ? "" : " ",
-                     t.of.serial, or_dash(t.of.joint));
+  return tr("{robot}, joint {joint}", {{"robot", robot_of(t)}, {"joint", or_dash(t.of.joint)}});
 }
 
 struct Headline {
-  const char* word;
-  const char* sentence;
+  std::string word;
+  std::string sentence;
   Outcome outcome;
 };
 
 Headline headline_of(history::TrendState state) {
   switch (state) {
     case history::TrendState::warning:
-      return {"CHANGED", "A change stands that is larger than what calibrations scatter.",
+      return {tr("CHANGED"), tr("A change stands that is larger than what calibrations scatter."),
               Outcome::bad};
     case history::TrendState::recovered:
-      return {"CHANGED, AND BACK", "There was a change; the values are back.", Outcome::partial};
+      return {tr("CHANGED, AND BACK"), tr("There was a change; the values are back."),
+              Outcome::partial};
     case history::TrendState::steady:
-      return {"NO CHANGE VISIBLE", "No quantity has left what its calibrations let expect.",
+      return {tr("NO CHANGE VISIBLE"), tr("No quantity has left what its calibrations let expect."),
               Outcome::good};
     case history::TrendState::too_few:
       break;
   }
-  return {"TOO FEW YET", "There are too few calibrations to say anything about a change.",
+  return {tr("TOO FEW YET"), tr("There are too few calibrations to say anything about a change."),
           Outcome::absent};
 }
 
@@ -314,10 +456,13 @@ std::string trend_page(const std::vector<history::JointTrend>& trends,
                        const std::vector<figures::ReportFigure>& figures,
                        const std::vector<render::workers::DrawnFigure>& drawn,
                        wording::Language language) {
+  const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values);
-  values.set("TITLE", trends.size() == 1 ? title_of(trends.front())
-                                         : fmt::format("{} joints", trends.size()));
+  values.set("TITLE", trends.size() == 1
+                          ? title_of(trends.front())
+                          : tr_count(static_cast<std::int64_t>(trends.size()), "{joints} joint",
+                                     "{joints} joints", {{"joints", trends.size()}}));
   fill_verdict(trends, values);
   const std::vector<FigureCard> cards = figure_cards(figures, drawn);
   for (std::size_t k = 0; k < trends.size(); ++k) {

@@ -37,6 +37,6 @@ std::string trend_page(const std::vector<history::JointTrend>& trends,
                        const calibration::Provenance& provenance,
                        const std::vector<figures::ReportFigure>& figures,
                        const std::vector<render::workers::DrawnFigure>& drawn,
-                       wording::Language language = wording::Language::english);
+                       wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "report/view_parts.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 #include "wording/words.h"
 
@@ -13,15 +12,13 @@ namespace tribolog::report {
 
 namespace {
 
+using wording::tr;
+using wording::tr_count;
+
 Outcome outcome_of(calibration::Verdict verdict) {
   return verdict == calibration::Verdict::usable     ? Outcome::good
          : verdict == calibration::Verdict::doubtful ? Outcome::partial
                                                      : Outcome::bad;
-}
-
-std::string word_of(calibration::Verdict verdict) {
-  return verdict == calibration::Verdict::not_identifiable ? "not identifiable"
-                                                           : calibration::to_string(verdict);
 }
 
 /// "≤ 12 N·m", of a half width "± ≤ 5 %".
@@ -30,22 +27,23 @@ std::string rule_of(const calibration::LimitOutcome& limit) {
   const bool is_percent = limit.rule == "half_width_percent";
   const char* const sign = limit.rule == "min" ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
   const bool at_joint = limit.key.find("_joint") != std::string::npos;
-  return sign + wording::with_unit(wording::as_stated(limit.limit), is_percent ? "%" : limit.unit) +
-         (at_joint ? " at the joint" : "");
+  const std::string rule =
+      sign + wording::with_unit(wording::as_stated(limit.limit), is_percent ? "%" : limit.unit);
+  return at_joint ? tr("{limit} at the joint", {{"limit", rule}}) : rule;
 }
 
 LimitCell cell_of(const calibration::LimitOutcome& limit) {
   switch (limit.state) {
     case calibration::LimitState::inside:
-      return {rule_of(limit), "kept", Outcome::good};
+      return {rule_of(limit), tr("kept"), Outcome::good};
     case calibration::LimitState::outside:
-      return {rule_of(limit), "broken", Outcome::bad};
+      return {rule_of(limit), tr("broken"), Outcome::bad};
     case calibration::LimitState::crosses:
-      return {rule_of(limit), "not shown to be kept", Outcome::partial};
+      return {rule_of(limit), tr("not shown to be kept"), Outcome::partial};
     case calibration::LimitState::unknown:
       break;
   }
-  return {rule_of(limit), "not known", Outcome::absent};
+  return {rule_of(limit), tr("not known"), Outcome::absent};
 }
 
 void add_estimate(const calibration::QuantityVerdict& q, QuantityRow& row) {
@@ -64,7 +62,7 @@ void add_change(const history::Comparison& since_last, const calibration::Quanti
       std::find_if(since_last.quantities.begin(), since_last.quantities.end(),
                    [&](const history::ComparedQuantity& c) { return c.name == q.key; });
   if (found == since_last.quantities.end()) return;
-  row.change_word = history::to_string(found->word);
+  row.change_word = wording::words(history::statement_of(found->word));
   row.is_changed = found->word == history::ChangeWord::changed;
   const history::ComparedQuantity& compared = *found;
   if (!compared.change) return;
@@ -77,6 +75,18 @@ void add_change(const history::Comparison& since_last, const calibration::Quanti
 }
 
 }  // namespace
+
+std::string verdict_in_words(calibration::Verdict verdict) {
+  switch (verdict) {
+    case calibration::Verdict::usable:
+      return tr("usable");
+    case calibration::Verdict::doubtful:
+      return tr("doubtful");
+    case calibration::Verdict::not_identifiable:
+      break;
+  }
+  return tr("not identifiable");
+}
 
 std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last) {
@@ -95,7 +105,7 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
     QuantityRow row;
     row.words = wording::words_for("quantity", q.key);
     row.outcome = outcome_of(q.verdict);
-    row.verdict_word = word_of(q.verdict);
+    row.verdict_word = verdict_in_words(q.verdict);
     add_estimate(q, row);
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
     if (since_last) add_change(*since_last, q, row);
@@ -127,8 +137,17 @@ Outcome outcome_of(method::checks::CheckState state) {
 }
 
 std::string word_of(method::checks::CheckState state) {
-  return state == method::checks::CheckState::not_applicable ? "not applicable"
-                                                             : method::checks::to_string(state);
+  switch (state) {
+    case method::checks::CheckState::passed:
+      return tr("passed");
+    case method::checks::CheckState::warns:
+      return tr("warns");
+    case method::checks::CheckState::fails:
+      return tr("fails");
+    case method::checks::CheckState::not_applicable:
+      break;
+  }
+  return tr("not applicable");
 }
 
 std::string with_the_unit(double value, const std::string& unit, int digits) {
@@ -145,7 +164,8 @@ std::string limit_in_words(const method::checks::DataCheck& check) {
                              : wording::with_unit(number, check.unit == "deg" ? "°" : check.unit);
   };
   if (check.at_least && check.at_most) {
-    return wording::as_stated(*check.at_least) + " to " + bound(*check.at_most);
+    return tr("{lowest} to {highest}", {{"lowest", wording::as_stated(*check.at_least)},
+                                        {"highest", bound(*check.at_most)}});
   }
   if (check.at_least) return "≥ " + bound(*check.at_least);
   return check.at_most ? "≤ " + bound(*check.at_most) : "";
@@ -165,7 +185,11 @@ std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult
     row.state_word = word_of(check.state);
     if (check.measured) row.measured = with_the_unit(*check.measured, check.unit, 3);
     row.limit = limit_in_words(check);
-    if (check.recording != "all") row.recording = check.recording;
+    if (check.is_of_whole_role) {
+      row.recording = tr("{role}, all", {{"role", check.recording}});
+    } else if (check.recording != "all") {
+      row.recording = check.recording;
+    }
     row.found = as_sentence(check.found);
     row.consequence = as_sentence(check.consequence);
     row.experiment = as_sentence(check.experiment);
@@ -185,14 +209,19 @@ wording::Scale scale_of(const calibration::ReturnedQuantity& q) {
   return q.unit == "rad" ? wording::degree_scale() : wording::plain_scale(q.unit);
 }
 
+std::string simulations_inside(const calibration::ReturnedQuantity& q) {
+  return tr("{simulations} of {found}", {{"simulations", q.inside}, {"found", q.found}});
+}
+
 Row row_of(const calibration::ReturnedQuantity& q) {
   const wording::Scale scale = scale_of(q);
-  const std::string words = as_sentence(wording::words_for("reading", q.name));
-  const std::string name = words.substr(0, words.size() - 1);
+  const std::string name = wording::capitalised(wording::words_for("reading", q.name));
   const statistics::Estimate put_in = statistics::symmetric_estimate(q.put_in, q.half_width);
   const wording::RoundedEstimate rounded = wording::round_by_interval(put_in, scale);
   if (q.found == 0) {
-    return {{name, rounded.estimate, "not found", "–", "–", scale.unit, "0 of 0", "no"}, false};
+    return {{name, rounded.estimate, tr("not found"), "–", "–", scale.unit, simulations_inside(q),
+             tr("no")},
+            false};
   }
   const wording::RoundedEstimate back =
       wording::round_by_interval(statistics::symmetric_estimate(q.came_back, q.half_width), scale);
@@ -200,28 +229,30 @@ Row row_of(const calibration::ReturnedQuantity& q) {
   return {{name, rounded.estimate, back.estimate,
            wording::with_plus_sign(wording::significant(deviation, digits)),
            wording::significant(q.half_width * scale.factor, digits), scale.unit,
-           fmt::format("{} of {}", q.inside, q.found), q.comes_back ? "yes" : "no"},
+           simulations_inside(q), q.comes_back ? tr("yes") : tr("no")},
           false};
 }
 
 Table table_of(const calibration::TruthCheckResult& check) {
   Table table;
   table.id = "known-truth-results";
-  table.caption =
-      fmt::format("What was put in and what came back, means over {} simulations", check.runs);
-  table.columns = {{"Quantity", "", false, true},     {"Put in", "", true},
-                   {"Came back", "", true},           {"Deviation", "", true},
-                   {"Stated half width", "", true},   {"Unit", "", false},
-                   {"Inside the interval", "", true}, {"Comes back", "", false}};
+  table.caption = tr_count(
+      check.runs, "What was put in and what came back, means over {simulations} simulation",
+      "What was put in and what came back, means over {simulations} simulations",
+      {{"simulations", check.runs}});
+  table.columns = {{tr("Quantity"), "", false, true},     {tr("Put in"), "", true},
+                   {tr("Came back"), "", true},           {tr("Deviation"), "", true},
+                   {tr("Stated half width"), "", true},   {tr("Unit"), "", false},
+                   {tr("Inside the interval"), "", true}, {tr("Comes back"), "", false}};
   for (const calibration::ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
-  table.note =
+  table.note = tr(
       "It comes back if it is found in most simulations and in most of them is held by the stated "
       "interval, or is off by less than matters: 0.1 % of a torque, 0.006° of the angle, 1 % of a "
-      "parameter.";
+      "parameter.");
   return table;
 }
 
-std::string noise_text(double value_Nm, const char* none) {
+std::string noise_text(double value_Nm, const std::string& none) {
   if (!(value_Nm > 0)) return none;
   const wording::Scale scale = wording::torque_scale(value_Nm);
   return wording::with_unit(wording::significant(value_Nm * scale.factor, digits), scale.unit);
@@ -239,26 +270,26 @@ Section truth_check_section(const calibration::TruthCheckResult& check, int numb
   Section section;
   section.number = number;
   section.id = "known-truth";
-  section.title = "Known-truth check";
+  section.title = tr("Known-truth check");
   section.explanation = "explain_known_truth.tpl";
   const bool nothing = check.quantities.empty();
   section.outcome = nothing                  ? Outcome::absent
                     : check.findings.empty() ? Outcome::good
                                              : Outcome::bad;
-  section.status = nothing                  ? "not possible"
-                   : check.findings.empty() ? "comes back"
-                                            : "does not come back";
+  section.status = nothing                  ? tr("not possible")
+                   : check.findings.empty() ? tr("comes back")
+                                            : tr("does not come back");
   std::vector<Statement> findings;
   for (const calibration::TruthFinding& one : check.findings) findings.push_back(one.finding);
   section.reason = as_sentence(joined(findings));
   if (nothing) section.reason = as_sentence(joined(check.left_out));
   section.facts = {
-      {"Simulations", std::to_string(check.runs)},
-      {"White torque noise found", noise_text(check.white_Nm, "none")},
-      {"Torque step found", noise_text(check.torque_step_Nm, "none: continuous")},
-      {"Torque ripple found (standard deviation)", noise_text(check.ripple_Nm, "none")}};
+      {tr("Simulations"), std::to_string(check.runs)},
+      {tr("White torque noise found"), noise_text(check.white_Nm, tr("none"))},
+      {tr("Torque step found"), noise_text(check.torque_step_Nm, tr("none: continuous"))},
+      {tr("Torque ripple found (standard deviation)"), noise_text(check.ripple_Nm, tr("none"))}};
   if (!nothing && !check.left_out.empty()) {
-    section.facts.push_back({"Not simulated", joined(check.left_out)});
+    section.facts.push_back({tr("Not simulated"), joined(check.left_out)});
   }
   section.tables.push_back(table_of(check));
   return section;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/statement.h"
 #include "report/report_view.h"
 #include "wording/rounding.h"
+#include "wording/sentence.h"
 
 namespace tribolog::report {
 
@@ -25,13 +25,15 @@ enum class StageId {
 
 const statistics::StageReport& stage_report(const calibration::Calibration& calibration,
                                             StageId stage);
+int stage_number(StageId stage);
 std::string section_anchor(StageId stage);  ///< "stage-3"
 std::string stage_title(StageId stage);
 std::string explanation_template(StageId stage);
 /// Which measurement would bring what the stage could not give.
 std::string helpful_experiment(StageId stage);
-/// "stage 3, hysteresis loop"
+/// "stage 3"
 std::string stage_reference(StageId stage);
+std::string verdict_in_words(calibration::Verdict verdict);
 Outcome outcome_of(statistics::StageState state);
 std::string status_in_words(statistics::StageState state);
 
@@ -70,8 +72,6 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last);
 std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks);
 Table key_numbers_table(const calibration::Calibration& calibration);
-Table paper_comparison_table(const calibration::Calibration& calibration);
-ErrataNumbers errata_numbers();
 std::vector<Fact> identity_facts(const joint::Manifest& manifest);
 /// From the columns of the logs to signals; where speeds come from.
 std::vector<Table> conversion_tables(const calibration::Calibration& calibration);
@@ -84,8 +84,8 @@ std::vector<Table> provenance_tables(const calibration::Calibration& calibration
 std::vector<FigureCard> figure_cards(const std::vector<figures::ReportFigure>& figures,
                                      const std::vector<render::workers::DrawnFigure>& drawn);
 
-/// Columns of a table of estimates: quantity, estimate ± half width, unit, 95 % interval, from.
-std::vector<Column> estimate_columns();
+/// Without rows: quantity, estimate ± half width, unit, 95 % interval, from.
+Table estimates_table(const std::string& id, const std::string& caption);
 Row estimate_row(const std::string& quantity, const statistics::Estimate& estimate,
                  const wording::Scale& scale);
 /// The same for a number without an interval.
@@ -93,15 +93,25 @@ Row number_row(const std::string& quantity, double value, const wording::Scale& 
                const std::string& from);
 Row not_identified_row(const std::string& quantity, const std::string& why);
 
+std::string at_motor(const std::string& quantity);
+std::string at_joint(const std::string& quantity);
+
+/// Of one quantity: it is `to_joint` times as large at the joint.
+struct Gear {
+  double ratio{1.0};
+  double to_joint{1.0};
+};
+/// A row at the motor and one at the joint; where the gear ratio is 1 a single one.
+void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
+                    const Gear& gear, wording::Scale (*scale_for)(double), Table& table);
+
 /// "recommended estimator (midline)" and the like; what tables call the estimators.
 std::string estimator_name(const std::string& estimator);
 /// The chosen surrogate mass, or nullptr.
 const method::hysteresis::SurrogateMass* recommended_mass(
     const calibration::Calibration& calibration);
 
-/// With a capital letter and a full stop. A leading symbol ("q_peak", "n") keeps its letter.
-std::string as_sentence(const std::string& text);
-std::string as_sentence(const Statement& statement);
+using wording::as_sentence;
 
 /// A dash for text that is not stated.
 std::string or_dash(const std::string& text);

@@ -5,9 +5,9 @@
 #include <functional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
+#include "wording/language.h"
+#include "wording/words.h"
 
 namespace tribolog::study {
 namespace {
@@ -18,9 +18,6 @@ constexpr double usual_step_share = 0.005 / 3.883;
 constexpr double usual_counts_per_turn = 131072;
 constexpr std::size_t ripple_positions = 8;
 
-constexpr const char* without_runs =
-    "The precise sweep and the runs at constant speed, which it does not touch, are left out.";
-
 double motor_gravity_Nm(const simulate::Scenario& s) {
   return s.load.amplitude_Nm() / s.gear_ratio;
 }
@@ -28,12 +25,18 @@ double motor_gravity_Nm(const simulate::Scenario& s) {
 /// Sets one number of a scenario.
 using Setting = std::function<void(simulate::Scenario&, double)>;
 
+/// Cases are told apart by their names: the same in every language.
+std::string case_name(const StudyFactor& factor, const Statement& level) {
+  const wording::WordsIn english({});
+  return factor.key + ", " + wording::words(level);
+}
+
 /// How a factor's levels are made: `value = base value * multiple`.
 struct Scale {
   double base_value;
   std::vector<double> multiples;  ///< 1 is the base case.
   Setting set;
-  std::function<std::string(double)> text;
+  std::function<Statement(double)> text;
   double axis_factor;  ///< From SI to the axis' unit.
 };
 
@@ -45,7 +48,7 @@ void add_levels(const simulate::Scenario& start, const std::string& start_name, 
                      start};
     if (!level.is_base) {
       scale.set(level.scenario, value);
-      level.case_name = factor.key + ", " + level.text;
+      level.case_name = case_name(factor, level.text);
     }
     factor.levels.push_back(std::move(level));
   }
@@ -62,54 +65,50 @@ simulate::Scenario without_unneeded(const simulate::Scenario& base) {
   return s;
 }
 
-std::string torque_text(double value_Nm) { return fmt::format("{:.4g} mN·m", 1e3 * value_Nm); }
+Statement torque_level(double value_Nm) {
+  return {"study_level.torque", {{"torque", 1e3 * value_Nm}}};
+}
+
+Statement count_level(double counts) {
+  return {"study_level.counts", {{"counts", std::llrint(counts)}}};
+}
+
+Statement cycles_level(double cycles) {
+  if (cycles != std::floor(cycles)) return {"study_level.broken_cycles", {{"cycles", cycles}}};
+  return {"study_level.cycles", {{"cycles", std::llrint(cycles)}}};
+}
 
 StudyFactor noise_factor(const simulate::Scenario& base) {
-  StudyFactor factor{"torque_noise",
-                     "White torque noise",
-                     "white torque noise, standard deviation [mN·m]",
-                     "Standard deviation of the white noise of the torque samples.",
-                     false,
-                     {}};
+  StudyFactor factor{"torque_noise", false, {}};
   add_levels(base, whole_base,
              {base.noise.torque_white_Nm,
               {0, 0.5, 1, 2, 4, 8},
               [](simulate::Scenario& s, double v) { s.noise.torque_white_Nm = v; },
-              torque_text,
+              torque_level,
               1e3},
              factor);
   return factor;
 }
 
 StudyFactor step_factor(const simulate::Scenario& base) {
-  StudyFactor factor{"torque_step",
-                     "Torque quantisation",
-                     "torque step [mN·m]",
-                     "Step in which the torque is logged.",
-                     false,
-                     {}};
+  StudyFactor factor{"torque_step", false, {}};
   add_levels(base, whole_base,
              {base.noise.torque_step_Nm,
               {0, 1, 4, 16, 40},
               [](simulate::Scenario& s, double v) { s.noise.torque_step_Nm = v; },
-              torque_text,
+              torque_level,
               1e3},
              factor);
   return factor;
 }
 
 StudyFactor encoder_factor(const simulate::Scenario& base) {
-  StudyFactor factor{"encoder",
-                     "Encoder resolution",
-                     "encoder resolution [bits of one motor turn]",
-                     "Counts of the motor encoder; the logged speed is made from its difference.",
-                     false,
-                     {}};
+  StudyFactor factor{"encoder", false, {}};
   add_levels(base, whole_base,
              {base.noise.encoder_counts_per_turn,
               {1.0 / 16, 1.0 / 8, 1.0 / 4, 1, 4},
               [](simulate::Scenario& s, double v) { s.noise.encoder_counts_per_turn = v; },
-              [](double v) { return fmt::format("{:.0f} counts", v); },
+              count_level,
               1},
              factor);
   for (StudyLevel& level : factor.levels) level.value = std::log2(level.value);
@@ -124,16 +123,7 @@ void set_ripple(simulate::Scenario& s, double amplitude_Nm) {
 
 StudyFactor ripple_factor(const simulate::Scenario& base, std::size_t positions) {
   const bool is_one = positions == 1;
-  StudyFactor factor{
-      is_one ? "ripple_one_position" : "ripple_eight_positions",
-      is_one ? "Torque ripple, one position" : "Torque ripple, eight positions",
-      "amplitude of each of the two ripples [mN·m]",
-      fmt::format("Ripple of 1 and of 6 periods a motor turn, with phases drawn anew in each run; "
-                  "the oscillation is recorded at {}. {}",
-                  is_one ? "one motor position" : "eight motor positions spread over a turn",
-                  without_runs),
-      false,
-      {}};
+  StudyFactor factor{is_one ? "ripple_one_position" : "ripple_eight_positions", false, {}};
   simulate::Scenario start = without_unneeded(base);
   start.further_oscillations.clear();
   if (!is_one) {
@@ -144,12 +134,12 @@ StudyFactor ripple_factor(const simulate::Scenario& base, std::size_t positions)
   const Scale scale{usual_noise_share * motor_gravity_Nm(base),
                     {0, 0.25, 0.5, 1, 2.5},
                     set_ripple,
-                    torque_text,
+                    torque_level,
                     1e3};
   for (const double multiple : scale.multiples) {
     const double value = scale.base_value * multiple;
-    StudyLevel level{value * scale.axis_factor, scale.text(value), multiple == 0,
-                     factor.key + ", " + scale.text(value), start};
+    StudyLevel level{value * scale.axis_factor, scale.text(value), multiple == 0, {}, start};
+    level.case_name = case_name(factor, level.text);
     set_ripple(level.scenario, value);
     factor.levels.push_back(std::move(level));
   }
@@ -168,33 +158,19 @@ Setting for_each_oscillation(double simulate::OscillationExperiment::* number) {
 }
 
 StudyFactor amplitude_factor(const simulate::Scenario& base) {
-  StudyFactor factor{
-      "amplitude",
-      "Amplitude of the oscillation",
-      "amplitude at the joint [µrad]",
-      fmt::format("Amplitude of the oscillation at the joint, at the same frequency. "
-                  "{}",
-                  without_runs),
-      true,
-      {}};
+  StudyFactor factor{"amplitude", true, {}};
   add_levels(without_unneeded(base), short_base,
              {present(base.oscillation).amplitude_rad,
               {0.1, 0.3, 1, 3, 10},
               for_each_oscillation(&simulate::OscillationExperiment::amplitude_rad),
-              [](double v) { return fmt::format("{:.4g} µrad", 1e6 * v); },
+              [](double v) { return Statement{"study_level.amplitude", {{"amplitude", 1e6 * v}}}; },
               1e6},
              factor);
   return factor;
 }
 
 StudyFactor cycles_factor(const simulate::Scenario& base) {
-  StudyFactor factor{
-      "cycles",
-      "Cycles of the oscillation",
-      "cycles recorded",
-      fmt::format("Cycles of the oscillation; the first is the start-up stroke. {}", without_runs),
-      true,
-      {}};
+  StudyFactor factor{"cycles", true, {}};
   // Two cycles are the fewest that leave one behind the start-up stroke.
   const double stated = present(base.oscillation).cycles;
   std::vector<double> multiples{1};
@@ -204,7 +180,7 @@ StudyFactor cycles_factor(const simulate::Scenario& base) {
   std::sort(multiples.begin(), multiples.end());
   add_levels(without_unneeded(base), short_base,
              {stated, multiples, for_each_oscillation(&simulate::OscillationExperiment::cycles),
-              [](double v) { return fmt::format("{:.4g} cycles", v); }, 1},
+              cycles_level, 1},
              factor);
   return factor;
 }

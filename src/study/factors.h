@@ -4,24 +4,24 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::study {
 
 /// One setting of a factor.
 struct StudyLevel {
-  double value{};    ///< In the axis' unit.
-  std::string text;  ///< "20 mN·m", "131072 counts"
+  double value{};  ///< In the axis' unit.
+  Statement text;  ///< "20 mN·m", "131072 counts"
   bool is_base{};
   std::string case_name;  ///< Levels of one name, of any factors, are one case: it is run once.
   simulate::Scenario scenario;
 };
 
+/// Its words, by the key: "factor" is its title, "factor_axis" that of an axis, "factor_note" what
+/// is varied, and what is left out of the recordings.
 struct StudyFactor {
-  std::string key;    ///< Stable: "torque_noise", "ripple_one_position", ...
-  std::string title;  ///< "White torque noise"
-  std::string axis;   ///< "white torque noise [mN·m]"
-  std::string note;   ///< What is varied, and what is left out of the recordings; a sentence.
+  std::string key;  ///< Stable: "torque_noise", "ripple_one_position", ...
   bool logarithmic{};
   std::vector<StudyLevel> levels;  ///< Ascending; one is the base case.
 };

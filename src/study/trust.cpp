@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "joint/degrees.h"
-#include "wording/words.h"
 
 namespace tribolog::study {
 namespace {
@@ -20,16 +16,6 @@ std::size_t base_level(const StudyFactor& factor) {
 
 double percent(double error, double truth) { return 100 * error / truth; }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
-}
-
-std::string lower(std::string text) {
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] + 32);
-  return text;
-}
-
 bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
   constexpr double share = 0.95;
   const StudiedReading* r = studied.find(reading);
@@ -37,72 +23,82 @@ bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
          static_cast<double>(r->errors.found) >= share * static_cast<double>(r->errors.runs);
 }
 
-/// "biased by +1.23 ± 0.02 %" or "free of bias (+0.001 ± 0.002 %)", for gravity.
-std::string bias_words(const ErrorStatistics& e) {
-  const std::string numbers = fmt::format("{:+.3f} ± {:.3f} %", percent(e.bias, e.truth),
-                                          percent(e.bias_standard_error, e.truth));
-  const bool biased = e.is_biased(practical_bounds(truth::ReadingKind::gravity, e.truth).fine);
-  return biased ? "biased by " + numbers : "free of bias that matters (" + numbers + ")";
+bool is_biased(const ErrorStatistics& e) {
+  return e.is_biased(practical_bounds(truth::ReadingKind::gravity, e.truth).fine);
 }
 
-void add_bias_findings(const StudiedCase& base, std::vector<std::string>& findings) {
-  std::vector<std::string> biased;
-  std::vector<std::string> unbiased;
+Statement bias_of(const StudiedReading& r) {
+  const ErrorStatistics& e = r.errors;
+  return {is_biased(e) ? Code("study.biased") : Code("study.free_of_bias"),
+          {{"estimator", Statement{Code::of("reading." + r.name)}},
+           {"bias_percent", percent(e.bias, e.truth)},
+           {"standard_error_percent", percent(e.bias_standard_error, e.truth)}}};
+}
+
+void add_bias_findings(const StudiedCase& base, std::vector<Statement>& findings) {
+  std::vector<Statement> biased;
+  std::vector<Statement> unbiased;
   for (const StudiedReading& r : base.readings) {
     if (r.quantity != truth::ReadingKind::gravity) continue;
     const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
     if (is_extreme) continue;  // their pair means stand for them
-    const std::string words =
-        fmt::format("{} {}", wording::words_for("reading", r.name), bias_words(r.errors));
-    const bool is_biased =
-        r.errors.is_biased(practical_bounds(truth::ReadingKind::gravity, r.errors.truth).fine);
-    (is_biased ? biased : unbiased).push_back(words);
+    (is_biased(r.errors) ? biased : unbiased).push_back(bias_of(r));
   }
-  if (!biased.empty()) {
-    findings.push_back(
-        fmt::format("Gravity torque in the base case: {}.", fmt::join(biased, "; ")));
-  }
-  if (!unbiased.empty()) {
-    findings.push_back(
-        fmt::format("Gravity torque in the base case: {}.", fmt::join(unbiased, "; ")));
+  for (const std::vector<Statement>& estimators : {biased, unbiased}) {
+    if (!estimators.empty()) {
+      findings.push_back({"study.gravity_in_base_case", {{"estimators", estimators}}});
+    }
   }
 }
 
-void add_steady_finding(const StudiedCase& base, std::vector<std::string>& findings) {
+void add_steady_finding(const StudiedCase& base, std::vector<Statement>& findings) {
   const StudiedReading* a = base.find("A_steady");
   const StudiedReading* b = base.find("B_steady");
   if (a == nullptr || b == nullptr || a->errors.bias * b->errors.bias >= 0) return;
-  findings.push_back(fmt::format(
-      "In the steady loop A and B lie to both sides of the truth, {:+.2f} % and {:+.2f} %: which "
-      "of "
-      "them is nearer in the paper's reading rests on the start-up stroke alone.",
-      percent(a->errors.bias, a->errors.truth), percent(b->errors.bias, b->errors.truth)));
+  findings.push_back({"study.steady_loop",
+                      {{"point_a_bias_percent", percent(a->errors.bias, a->errors.truth)},
+                       {"point_b_bias_percent", percent(b->errors.bias, b->errors.truth)}}});
 }
 
-/// Where the reading leaves a criterion, over all factors.
-void add_limits(const StudyResult& study, const std::string& reading, Criterion criterion,
-                const char* promise, std::vector<std::string>& findings) {
-  if (!holds(study.base_case(), reading, criterion)) {
-    findings.push_back(fmt::format("{} {} in the base case already.",
-                                   capital(wording::words_for("reading", reading)), promise));
-    return;
+std::string topic_of(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::fine:
+      return "study_fine.";
+    case Criterion::coarse:
+      return "study_coarse.";
+    case Criterion::coverage:
+      break;
   }
-  std::vector<std::string> limits;
+  return "study_coverage.";
+}
+
+/// Levels at which the reading leaves a criterion, over all factors.
+std::vector<Statement> limits_of(const StudyResult& study, const std::string& reading,
+                                 Criterion criterion) {
+  std::vector<Statement> limits;
   for (const StudyFactor& factor : study.factors) {
     const auto add = [&](std::size_t level) {
       const bool is_found = is_found_mostly(study.case_of(factor.levels[level]), reading);
-      limits.push_back(fmt::format("{} {}{}", lower(factor.title), factor.levels[level].text,
-                                   is_found ? "" : " (not found there)"));
+      limits.push_back({Code::of((is_found ? "study_at." : "study_not_found_at.") + factor.key),
+                        {{"level", factor.levels[level].text}}});
     };
     const TrustedRange range = trusted_range(study, factor, reading, criterion);
     if (!range.at_base) add(base_level(factor));
     if (range.at_base && range.lowest > 0) add(range.lowest - 1);
     if (range.at_base && range.highest + 1 < factor.levels.size()) add(range.highest + 1);
   }
-  const std::string name = capital(wording::words_for("reading", reading));
-  findings.push_back(
-      limits.empty() ? fmt::format("{} {} at no level tried.", name, promise)
-                     : fmt::format("{} {} first at {}.", name, promise, fmt::join(limits, "; ")));
+  return limits;
+}
+
+Statement limit_finding(const StudyResult& study, const std::string& reading, Criterion criterion) {
+  const std::string topic = topic_of(criterion);
+  const Statement estimator{Code::of("studied." + reading)};
+  if (!holds(study.base_case(), reading, criterion)) {
+    return {Code::of(topic + "not_in_base_case"), {{"estimator", estimator}}};
+  }
+  const std::vector<Statement> limits = limits_of(study, reading, criterion);
+  if (limits.empty()) return {Code::of(topic + "at_all_levels"), {{"estimator", estimator}}};
+  return {Code::of(topic + "left_at"), {{"estimator", estimator}, {"levels", limits}}};
 }
 
 }  // namespace
@@ -152,35 +148,33 @@ std::string recommended_reading(const StudyResult& study) {
   return {};
 }
 
-std::string study_sentence(const StudyResult& study) {
+Statement study_sentence(const StudyResult& study) {
   const StudiedCase& base = study.base_case();
-  const StudiedReading* best = base.find(recommended_reading(study));
-  if (best == nullptr) return "No gravity torque was found in the base case.";
+  const std::string recommended = recommended_reading(study);
+  const StudiedReading* best = base.find(recommended);
+  if (best == nullptr) return {"study.no_gravity"};
   const ErrorStatistics& e = best->errors;
-  std::string sentence = fmt::format(
-      "In the base case the {} is within {:.2g} % of the true gravity torque in 95 of 100 runs, "
-      "and {:.0f} % of its stated intervals hold the truth",
-      wording::words_for("reading", best->name), std::abs(percent(e.error_95, e.truth)),
-      100 * e.coverage.value);
+  std::string code = "study_sentence." + recommended;
+  std::vector<StatedValue> values{{"error_percent", std::abs(percent(e.error_95, e.truth))},
+                                  {"coverage_percent", 100 * e.coverage.value}};
   if (const StudiedReading* b = base.find("B")) {
-    sentence += fmt::format("; point B is off by {:+.2f} %, the {} by {:+.3f} %",
-                            percent(b->errors.bias, b->errors.truth),
-                            wording::words_for("reading", best->name), percent(e.bias, e.truth));
+    code += "_beside_B";
+    values.emplace_back("point_b_bias_percent", percent(b->errors.bias, b->errors.truth));
+    values.emplace_back("bias_percent", percent(e.bias, e.truth));
   }
-  return sentence + ".";
+  return Statement::with(Code::of(code), values);
 }
 
-std::vector<std::string> study_findings(const StudyResult& study) {
-  std::vector<std::string> findings;
+std::vector<Statement> study_findings(const StudyResult& study) {
+  std::vector<Statement> findings;
   const StudiedCase& base = study.base_case();
   add_bias_findings(base, findings);
   add_steady_finding(base, findings);
   for (const char* reading : {"midline", "fit", "sweep"}) {
     if (base.find(reading) == nullptr) continue;
-    add_limits(study, reading, Criterion::fine, "leaves 0.1 %", findings);
-    add_limits(study, reading, Criterion::coarse, "leaves 0.3 %", findings);
-    add_limits(study, reading, Criterion::coverage, "has intervals narrower than they claim",
-               findings);
+    for (const Criterion criterion : {Criterion::fine, Criterion::coarse, Criterion::coverage}) {
+      findings.push_back(limit_finding(study, reading, criterion));
+    }
   }
   return findings;
 }

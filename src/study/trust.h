@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "study/study.h"
 
 namespace tribolog::study {
@@ -46,9 +47,9 @@ std::string recommended_reading(const StudyResult& study);
 
 /// How far the recommended estimator, the fit and point B can be trusted in the base case, in one
 /// sentence.
-std::string study_sentence(const StudyResult& study);
+Statement study_sentence(const StudyResult& study);
 
 /// What the study found, one sentence each, most important first.
-std::vector<std::string> study_findings(const StudyResult& study);
+std::vector<Statement> study_findings(const StudyResult& study);
 
 }  // namespace tribolog::study

@@ -455,10 +455,14 @@ const Messages& check_messages() {
       // Whether the encoder resolves pre-sliding.
       {"encoder_step.continuous", text("the angle looks continuous")},
       {"encoder_step.steps",
-       text("{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad")},
+       by_count("steps", "{steps:.3g} step of {step_rad:.3g} rad in {travel_rad:.2g} rad",
+                "{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad")},
       {"encoder_step.steps_of_print",
-       text("{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad, the step of the "
-            "decimals in the log; its encoder's may be larger")},
+       by_count("steps",
+                "{steps:.3g} step of {step_rad:.3g} rad in {travel_rad:.2g} rad, the step of the "
+                "decimals in the log; its encoder's may be larger",
+                "{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad, the step of the "
+                "decimals in the log; its encoder's may be larger")},
       {"encoder_step.presliding_not_resolved",
        text("pre-sliding is not resolved: bristle stiffness, bristle damping and break-away torque "
             "cannot be identified from these logs")},

@@ -7,6 +7,10 @@ namespace tribolog::wording {
 const Messages& general_messages() {
   static const Messages all{
       {"verbatim", values_alone("{words}")},
+      {"setting.resamples", text("Resamples")},
+      {"setting.closed_forms", text("0: intervals by closed forms alone")},
+      {"setting.seed", text("Seed of the resamples")},
+      {"setting.archived_as", text("Archived as")},
       {"general.together", values_alone("{parts:; }")},
 
       // Where an interval comes from.

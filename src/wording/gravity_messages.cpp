@@ -8,7 +8,9 @@ const Messages& gravity_messages() {
   static const Messages all{
       // Why a recorded angle gives no motion.
       {"motion.too_few_samples",
-       text("{samples} samples of motion; at least {needed} are needed to follow the angle")},
+       by_count("samples",
+                "{samples} sample of motion; at least {needed} are needed to follow the angle",
+                "{samples} samples of motion; at least {needed} are needed to follow the angle")},
       {"motion.angle_constant", text("the angle does not change")},
       {"motion.too_noisy",
        text("the angle is too rough to give a speed: {source} leaves noise of {noise_rad:.2g} rad, "
@@ -43,7 +45,9 @@ const Messages& gravity_messages() {
        text("no precise_sweep was recorded; a slow sweep of about 1° to each side of the gravity "
             "peak would be one")},
       {"gravity.too_few_samples",
-       text("only {samples} samples of the sweep move steadily; at least {needed} are needed")},
+       by_count("samples",
+                "only {samples} sample of the sweep moves steadily; at least {needed} are needed",
+                "only {samples} samples of the sweep move steadily; at least {needed} are needed")},
       {"gravity.hardly_moves", text("the joint moves by {travel_rad:.2g} rad only")},
       {"gravity.not_shown",
        text("gravity does not show: amplitude {gravity_Nm:.3g} N·m with a 95 % interval from "

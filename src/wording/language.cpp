@@ -1,44 +1,66 @@
 #include "wording/language.h"
 
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
 #include <stdexcept>
 
-#include "wording/embedded_catalogues.h"
+#include "base/program_module.h"
+#include "wording/translated.h"
+#include "wording/translator.h"
 
 namespace tribolog::wording {
 namespace {
 
-Catalogue read_catalogue(Language language) {
-  const std::string prefix = std::string(code_of(language)) + "_";
-  Catalogue catalogue;
-  for (const EmbeddedFile& file : embedded_catalogues()) {
-    if (!file.name.starts_with(prefix)) continue;
-    try {
-      catalogue.add(file.text, std::string(file.name));
-    } catch (const std::invalid_argument& error) {
-      throw std::logic_error(error.what());
-    }
+thread_local const Translator* translator = nullptr;  // null: English
+
+/// Once opened they stay.
+const Translator* translator_of(const Language& language) {
+  if (language.is_english()) return nullptr;
+  static std::mutex opening;
+  static std::map<std::string, std::unique_ptr<Translator>> opened;
+  const std::lock_guard lock(opening);
+  std::unique_ptr<Translator>& found = opened[language.code];
+  if (!found) {
+    void* const open =
+        function_of({"tribolog_translation", TRIBOLOG_TRANSLATION_PACKAGES}, "tribolog_translator");
+    found.reset(reinterpret_cast<decltype(&tribolog_translator)>(open)(language.code.c_str()));
   }
-  return catalogue;
+  if (!found) throw std::invalid_argument("there is no language '" + language.code + "'");
+  return found.get();
 }
 
 }  // namespace
 
-const char* code_of(Language language) { return language == Language::polish ? "pl" : "en"; }
-
-const std::vector<Language>& languages() {
-  static const std::vector<Language> all{Language::english, Language::polish};
+std::vector<Language> languages() {
+  std::vector<Language> all{Language{}};
+  std::istringstream codes(TRIBOLOG_LANGUAGES);
+  for (std::string code; codes >> code;) all.push_back({code});
   return all;
 }
 
-const Catalogue* catalogue_of(Language language) {
-  if (language == Language::english) return nullptr;
-  static const Catalogue polish = read_catalogue(Language::polish);
-  return &polish;
+WordsIn::WordsIn(const Language& language) : before_(translator) {
+  translator = translator_of(language);
 }
 
-std::string in_language(Language language, std::string_view text) {
-  const Catalogue* const catalogue = catalogue_of(language);
-  return catalogue == nullptr ? std::string(text) : catalogue->translate(text);
+WordsIn::~WordsIn() { translator = before_; }
+
+bool words_are_english() { return translator == nullptr; }
+
+std::string translated(std::string_view message) {
+  std::string text(message);
+  if (translator == nullptr) return text;
+  std::string found = translator->find(text);
+  return found.empty() ? text : found;
+}
+
+std::string translated(std::string_view one, std::string_view many, std::int64_t count) {
+  if (translator != nullptr) {
+    std::string found = translator->find(std::string(one), count);
+    if (!found.empty()) return found;
+  }
+  return std::string(count == 1 ? one : many);
 }
 
 }  // namespace tribolog::wording

@@ -1,28 +1,35 @@
 #pragma once
-// The languages that a report is written in.
+// The languages that pages are written in, and the one that words are made in just now.
 
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "wording/catalogue.h"
 
 namespace tribolog::wording {
 
-/// English is the program's own; every other one has a catalogue in templates/languages/.
-enum class Language { english, polish };
-
-/// As HTML and the command line name it: "en", "pl".
-const char* code_of(Language language);
+/// By its code: "en", the program's own; "pl" and others, each a file templates/languages/CODE.po.
+struct Language {
+  std::string code{"en"};
+  [[nodiscard]] bool is_english() const { return code == "en"; }
+  friend auto operator<=>(const Language&, const Language&) = default;
+};
 
 /// All of them, English first.
-const std::vector<Language>& languages();
+std::vector<Language> languages();
 
-/// The language's messages; null for English.
-/// @throw std::logic_error if one of the catalogue's files is wrong.
-const Catalogue* catalogue_of(Language language);
+/// While it lives, words() and tr() on this thread are in this language; English otherwise.
+/// @throw std::invalid_argument: there is no such language. @throw MissingModule
+class WordsIn {
+ public:
+  explicit WordsIn(const Language& language);
+  WordsIn(const WordsIn&) = delete;
+  WordsIn& operator=(const WordsIn&) = delete;
+  ~WordsIn();
 
-/// The text in the language, or as it is where there is no translation.
-std::string in_language(Language language, std::string_view text);
+ private:
+  const class Translator* before_;
+};
+
+/// Whether the words of this thread are English.
+bool words_are_english();
 
 }  // namespace tribolog::wording

@@ -14,12 +14,13 @@ struct Message {
   std::string_view one;
   std::string_view many;   ///< Empty unless a count decides.
   std::string_view count;  ///< The value that decides.
+  bool is_the_same_everywhere{};
 };
 
 constexpr Message text(std::string_view message) { return {message, {}, {}}; }
 
 /// Punctuation alone, which no translator needs to see.
-constexpr Message values_alone(std::string_view message) { return {message, {}, {}}; }
+constexpr Message values_alone(std::string_view message) { return {message, {}, {}, true}; }
 
 /// Of one, or of another number of what `count` names.
 constexpr Message by_count(std::string_view count, std::string_view one, std::string_view many) {
@@ -41,5 +42,9 @@ const Messages& viscous_messages();
 const Messages& selection_messages();
 const Messages& friction_messages();
 const Messages& verdict_messages();
+const Messages& history_messages();
+const Messages& plan_messages();
+const Messages& study_messages();
+const Messages& reading_messages();
 
 }  // namespace tribolog::wording

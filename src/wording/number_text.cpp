@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "wording/tr.h"
 
 namespace tribolog::wording {
 namespace {
@@ -37,7 +40,7 @@ std::string joined(const std::string& number, const std::string& unit) {
 }  // namespace
 
 std::string to_place(double value, double largest, int digits) {
-  if (!std::isfinite(value)) return "unknown";
+  if (!std::isfinite(value)) return tr("unknown");
   if (!printable_in_full(largest) || largest == 0.0) return significant(value, digits);
   return fixed(value, decimals_for(largest, digits));
 }
@@ -50,7 +53,9 @@ std::string size_words(double size_in_si, double floor, const std::string& si_un
   const auto scale_of = [&](double size) {
     return si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, size);
   };
-  if (std::abs(size_in_si) < floor) return "below " + with_unit(floor, scale_of(floor), 1);
+  if (std::abs(size_in_si) < floor) {
+    return tr("below {limit}", {{"limit", with_unit(floor, scale_of(floor), 1)}});
+  }
   return with_unit(size_in_si, scale_of(size_in_si), 2);
 }
 
@@ -59,13 +64,14 @@ std::string with_interval(const statistics::Estimate& estimate, const AxisScale&
   const double below = value - scale(estimate.low);
   const double above = scale(estimate.high) - value;
   const double half = (below + above) / 2;
-  if (!std::isfinite(value)) return "unknown";
+  if (!std::isfinite(value)) return tr("unknown");
   if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
   const int decimals = decimals_for(half, 2);
   const std::string number = joined(fixed(value, decimals), scale.unit);
   if (std::abs(above - below) > lopsided * half) {
-    return fmt::format("{} ({} to {})", number, fixed(value - below, decimals),
-                       fixed(value + above, decimals));
+    return tr("{estimate} ({low} to {high})", {{"estimate", number},
+                                               {"low", fixed(value - below, decimals)},
+                                               {"high", fixed(value + above, decimals)}});
   }
   if (scale.unit == "°") return number + " ± " + fixed(half, decimals) + "°";
   return joined(fixed(value, decimals) + " ± " + fixed(half, decimals), scale.unit);
@@ -83,12 +89,12 @@ std::string counted(std::size_t count, const std::string& singular) {
 }
 
 std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
+  if (words.empty()) return {};
+  const std::string all_but_last =
+      fmt::format("{}", fmt::join(words.begin(), words.end() - 1, ", "));
+  return words.size() == 1
+             ? words.back()
+             : tr("{first} and {last}", {{"first", all_but_last}, {"last", words.back()}});
 }
 
 }  // namespace tribolog::wording

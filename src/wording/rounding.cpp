@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "wording/tr.h"
+
 namespace tribolog::wording {
 namespace {
 
@@ -44,7 +46,7 @@ int decimals_for(double half_width) {
 }
 
 std::string fixed(double value, int decimals) {
-  if (!std::isfinite(value)) return "unknown";
+  if (!std::isfinite(value)) return tr("unknown");
   if (decimals < 0) {
     const double step = std::pow(10.0, -decimals);
     return with_minus_sign(fmt::format("{:.0f}", std::round(value / step) * step));
@@ -53,7 +55,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string significant(double value, int digits) {
-  if (!std::isfinite(value)) return "unknown";
+  if (!std::isfinite(value)) return tr("unknown");
   if (value == 0.0) return "0";
   const double size = std::abs(value);
   if (size >= 1e9 || size < 1e-6) {
@@ -68,13 +70,13 @@ std::string significant(double value, int digits) {
 }
 
 std::string as_stated(double value) {
-  return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : "unknown";
+  return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : tr("unknown");
 }
 
 RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Scale& scale) {
   RoundedEstimate text;
   if (!std::isfinite(estimate.value)) {
-    text.estimate = "not identified";
+    text.estimate = tr("not identified");
     return text;
   }
   const double value = estimate.value * scale.factor;

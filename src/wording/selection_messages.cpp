@@ -63,8 +63,11 @@ const Messages& selection_messages() {
       // The parameters of the chosen curve.
       {"friction_parameters.no_curve", text("there is no viscous curve to fit")},
       {"friction_parameters.too_few_runs",
-       text("{runs} runs beyond the Stribeck dip are too few for a line; at least {needed} are "
-            "needed")},
+       by_count("runs",
+                "{runs} run beyond the Stribeck dip is too few for a line; at least {needed} are "
+                "needed",
+                "{runs} runs beyond the Stribeck dip are too few for a line; at least {needed} are "
+                "needed")},
       {"friction_parameters.waiboer_not_fitted", text("eq. (6) was not fitted: {why}")},
       {"friction_parameters.speed_changes_with_angle",
        text("speed and angle change together in a sweep; runs of constant speed would show the "

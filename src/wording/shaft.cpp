@@ -1,17 +1,29 @@
 #include "wording/shaft.h"
 
+#include "wording/tr.h"
+
 namespace tribolog::wording {
 
+bool has_motor_side(const joint::Manifest& manifest) { return manifest.drive.gear_ratio() != 1.0; }
+
 std::string shaft(const joint::Manifest& manifest) {
-  return manifest.drive.gear_ratio() == 1.0 ? "joint" : "motor";
+  return has_motor_side(manifest) ? tr("motor") : tr("joint");
 }
 
 std::string speed_symbol(const joint::Manifest& manifest) {
-  return manifest.drive.gear_ratio() == 1.0 ? "q\u0307" : "φ\u0307";
+  return has_motor_side(manifest) ? "φ\u0307" : "q\u0307";
 }
 
 std::string speed_quantity(const joint::Manifest& manifest) {
-  return shaft(manifest) + " speed " + speed_symbol(manifest);
+  const std::string symbol = speed_symbol(manifest);
+  return has_motor_side(manifest) ? tr("motor speed {symbol}", {{"symbol", symbol}})
+                                  : tr("joint speed {symbol}", {{"symbol", symbol}});
+}
+
+std::string speed_size(const joint::Manifest& manifest) {
+  const std::string symbol = speed_symbol(manifest);
+  return has_motor_side(manifest) ? tr("size of motor speed {symbol}", {{"symbol", symbol}})
+                                  : tr("size of joint speed {symbol}", {{"symbol", symbol}});
 }
 
 }  // namespace tribolog::wording

@@ -8,6 +8,9 @@
 
 namespace tribolog::wording {
 
+/// False where the gear ratio is 1.
+bool has_motor_side(const joint::Manifest& manifest);
+
 /// "motor", or "joint" where the gear ratio is 1.
 std::string shaft(const joint::Manifest& manifest);
 
@@ -16,5 +19,8 @@ std::string speed_symbol(const joint::Manifest& manifest);
 
 /// "motor speed φ̇", or "joint speed q̇" where the gear ratio is 1.
 std::string speed_quantity(const joint::Manifest& manifest);
+
+/// "size of motor speed φ̇", for an axis on which both directions count as positive.
+std::string speed_size(const joint::Manifest& manifest);
 
 }  // namespace tribolog::wording

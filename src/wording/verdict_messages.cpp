@@ -24,7 +24,7 @@ const Messages& verdict_messages() {
       {"quantity_at_joint.break_away_torque", text("Break-away torque at the joint")},
       {"quantity_at_joint.bristle_stiffness", text("Bristle stiffness at the joint")},
       {"quantity_at_joint.bristle_damping", text("Bristle damping at the joint")},
-      {"quantity_at_joint.inertia", text("Inertia at the motor at the joint")},
+      {"quantity_at_joint.inertia", text("Inertia at the joint")},
       {"quantity_at_joint.coulomb_torque", text("Coulomb torque at the joint")},
       {"quantity_at_joint.stribeck_speed", text("Stribeck velocity at the joint")},
       {"quantity_at_joint.viscous_coefficient", text("Viscous coefficient at the joint")},

@@ -112,7 +112,8 @@ const Messages& viscous_messages() {
 
       // Why Waiboer's five parameters were not fitted.
       {"waiboer_fit.too_few_runs",
-       text("{runs} runs for five parameters; at least {needed} are needed")},
+       by_count("runs", "{runs} run for five parameters; at least {needed} are needed",
+                "{runs} runs for five parameters; at least {needed} are needed")},
       {"waiboer_fit.did_not_converge", text("no fit converged from any of twelve first guesses")},
       {"waiboer_fit.parameters_not_shown",
        text("the speeds recorded do not show all five parameters")},

@@ -1,7 +1,9 @@
 #include "wording/words.h"
 
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <variant>
 
@@ -9,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "wording/messages.h"
+#include "wording/tr.h"
+#include "wording/translated.h"
 
 namespace tribolog::wording {
 namespace {
@@ -47,7 +51,8 @@ const std::map<std::string_view, Message>& messages_by_code() {
     std::map<std::string_view, Message> found;
     for (const Messages* table :
          {&general_messages(), &check_messages(), &gravity_messages(), &hysteresis_messages(),
-          &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages()}) {
+          &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages(),
+          &history_messages(), &plan_messages(), &study_messages(), &reading_messages()}) {
       for (const CodedMessage& one : *table) {
         if (!found.emplace(one.code, one.message).second) {
           throw std::logic_error(fmt::format("'{}' has two messages", one.code));
@@ -67,22 +72,24 @@ const Message& message_of(std::string_view code) {
   return found->second;
 }
 
-std::string_view form_of(const Message& message, const Statement& statement) {
-  if (message.count.empty()) return message.one;
+/// In the language of this thread's words.
+std::string form_of(const Message& message, const Statement& statement) {
+  if (message.is_the_same_everywhere) return std::string(message.one);
+  if (message.count.empty()) return translated(message.one);
   for (const StatedValue& value : statement.values()) {
     if (value.name != message.count) continue;
-    return std::get<std::int64_t>(value.value) == 1 ? message.one : message.many;
+    // What is counted may be known to a fraction: steps of an encoder in a travel.
+    const auto* const size = std::get_if<double>(&value.value);
+    const std::int64_t count =
+        size != nullptr ? std::llround(*size) : std::get<std::int64_t>(value.value);
+    return translated(message.one, message.many, count);
   }
   throw std::logic_error(fmt::format("'{}' states no {}", statement.code().text(), message.count));
 }
 
-}  // namespace
-
-std::string words(const Statement& statement) {
-  if (statement.empty()) return {};
-  const std::string_view message = form_of(message_of(statement.code().text()), statement);
+std::string with_values(std::string_view message, std::span<const StatedValue> values) {
   Arguments arguments;
-  for (const StatedValue& one : statement.values()) {
+  for (const StatedValue& one : values) {
     const char* const name = one.name.c_str();
     if (const auto* number = std::get_if<double>(&one.value)) {
       arguments.push_back(fmt::arg(name, *number));
@@ -98,9 +105,24 @@ std::string words(const Statement& statement) {
   try {
     return fmt::vformat(message, arguments);
   } catch (const fmt::format_error& error) {
-    throw std::logic_error(
-        fmt::format("'{}' does not fit its words: {}", statement.code().text(), error.what()));
+    throw std::logic_error(fmt::format("\"{}\": {}", message, error.what()));
   }
+}
+
+}  // namespace
+
+std::string tr(std::string_view message, std::initializer_list<StatedValue> values) {
+  return with_values(translated(message), values);
+}
+
+std::string tr_count(std::int64_t count, std::string_view one, std::string_view many,
+                     std::initializer_list<StatedValue> values) {
+  return with_values(translated(one, many, count), values);
+}
+
+std::string words(const Statement& statement) {
+  if (statement.empty()) return {};
+  return with_values(form_of(message_of(statement.code().text()), statement), statement.values());
 }
 
 std::vector<std::string> words(const std::vector<Statement>& statements) {
@@ -121,7 +143,13 @@ std::string words(const std::exception& error) {
 }
 
 std::string words_for(std::string_view topic, std::string_view key) {
-  return std::string(message_of(fmt::format("{}.{}", topic, key)).one);
+  return translated(message_of(fmt::format("{}.{}", topic, key)).one);
+}
+
+std::string words_for(std::string_view topic, std::string_view key, const std::string& text) {
+  const auto found = messages_by_code().find(fmt::format("{}.{}", topic, key));
+  const bool is_message = found != messages_by_code().end() && found->second.one == text;
+  return is_message ? translated(text) : text;
 }
 
 std::vector<std::string> all_codes() {

@@ -26,6 +26,10 @@ std::string words(const std::exception& error);
 /// @throw std::logic_error where there is none.
 std::string words_for(std::string_view topic, std::string_view key);
 
+/// The text in the language of this thread's words where it is the message that stands for the key;
+/// else as it is: what an archive calls a quantity.
+std::string words_for(std::string_view topic, std::string_view key, const std::string& text);
+
 /// Codes of all messages, for a check of what is left over.
 std::vector<std::string> all_codes();
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "wording/language.h"
+#include "wording/tr.h"
+
 namespace tribolog::figure_csv_test {
 namespace {
 
@@ -136,6 +139,20 @@ TEST(FigureCsv, NoTextBreaksOutOfItsCell) {
   const std::string text = figures::figure_csv(figure, all_rows);
   EXPECT_NE(text.find("# fig-1: two lines\n"), std::string::npos);
   EXPECT_NE(text.find("1,curve,\"'=HYPERLINK(\"\"x\"\") # evil,1\",1,2,,\n"), std::string::npos);
+}
+
+TEST(FigureCsv, IsTheSameInEveryLanguage) {
+  const auto make = [] {
+    return std::vector{figure_of({panel_of({1}, {2}, wording::tr("mid-line"))})};
+  };
+  const std::vector<figures::ReportFigure> english = figures::figures_in({}, make);
+  EXPECT_EQ(english.front().english_csv, "");
+  for (const wording::Language& language : wording::languages()) {
+    if (language.is_english()) continue;
+    const figures::ReportFigure figure = figures::figures_in(language, make).front();
+    EXPECT_NE(figure.figure.panels.front().series.front().label, "mid-line") << language.code;
+    EXPECT_EQ(figure.english_csv, figures::figure_csv(english.front(), all_rows));
+  }
 }
 
 TEST(FigureCsv, DrawingsShowNoData) {

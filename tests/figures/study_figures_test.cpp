@@ -29,9 +29,11 @@ study::StudiedReading reading(const std::string& name, truth::ReadingKind quanti
 study::StudyResult two_levels() {
   study::StudyResult study;
   study.options.runs = 10;
-  study::StudyFactor factor{"encoder", "Encoder resolution", "encoder [bits]", "", false, {}};
-  factor.levels.push_back({13, "8192 counts", true, "one", {}});
-  factor.levels.push_back({17, "131072 counts", false, "two", {}});
+  study::StudyFactor factor{"encoder", false, {}};
+  factor.levels.push_back(
+      {13, Statement{"study_level.counts", {{"counts", 8192}}}, true, "one", {}});
+  factor.levels.push_back(
+      {17, Statement{"study_level.counts", {{"counts", 131072}}}, false, "two", {}});
   study.factors.push_back(factor);
   study.cases = {{"one",
                   {reading("B", truth::ReadingKind::gravity, 4, -0.02),

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "history/history_json.h"
 #include "history/simulated_history.h"
+#include "wording/words.h"
 
 namespace tribolog::history::comparison_test {
 namespace {
@@ -44,7 +45,7 @@ TEST(Comparison, OfEqualCalibrationsSeesNoChange) {
   EXPECT_EQ(c.count(ChangeWord::no_change_seen), c.quantities.size());
   for (const ComparedQuantity& q : c.quantities) {
     EXPECT_EQ(q.change->absolute.value, 0) << q.name;
-    EXPECT_TRUE(q.cautions.empty()) << q.cautions.front();
+    EXPECT_TRUE(q.cautions.empty()) << wording::words(q.cautions.front());
   }
 }
 
@@ -90,7 +91,8 @@ TEST(Comparison, TemperatureMattersToFrictionAlone) {
   both.second.entry.facts.temperature_C = 28.5;
   const Comparison c = compared(both);
   EXPECT_EQ(quantity(c, "coulomb_torque").word, ChangeWord::not_comparable);
-  EXPECT_NE(quantity(c, "coulomb_torque").why_not.front().find("3.5 K"), std::string::npos);
+  EXPECT_NE(wording::words(quantity(c, "coulomb_torque").why_not.front()).find("3.5 K"),
+            std::string::npos);
   EXPECT_EQ(quantity(c, "gravity_torque").word, ChangeWord::no_change_seen);
   EXPECT_EQ(quantity(c, "bristle_stiffness").word, ChangeWord::no_change_seen);
   AllowedDifference wide;
@@ -121,6 +123,33 @@ TEST(Comparison, PayloadGearAndRateMatterWhereTheyDo) {
   EXPECT_EQ(quantity(c, "viscous_coefficient").word, ChangeWord::no_change_seen);
 }
 
+/// What is said of a payload against none.
+std::string payload_words(const std::string& name, std::optional<double> kg,
+                          std::optional<double> metres) {
+  auto both = pair_of(1);
+  both.first.entry.facts.payload.clear();
+  both.first.entry.facts.payload_kg.reset();
+  both.first.entry.facts.payload_distance_m.reset();
+  calibration::Facts& f = both.second.entry.facts;
+  f.payload = name;
+  f.payload_kg = kg;
+  f.payload_distance_m = metres;
+  return wording::words(quantity(compared(both), "gravity_torque").why_not.front());
+}
+
+TEST(Comparison, PayloadsAreToldAsFarAsTheyAreStated) {
+  const auto differ = [](const std::string& second) {
+    return "the payloads differ (none stated and " + second + ")";
+  };
+  EXPECT_EQ(payload_words("gripper", {}, {}), differ("“gripper”"));
+  EXPECT_EQ(payload_words("", 2.5, {}), differ("2.5 kg"));
+  EXPECT_EQ(payload_words("", {}, 0.3), differ("at 0.3 m"));
+  EXPECT_EQ(payload_words("gripper", 2.5, {}), differ("“gripper”, 2.5 kg"));
+  EXPECT_EQ(payload_words("gripper", {}, 0.3), differ("“gripper” at 0.3 m"));
+  EXPECT_EQ(payload_words("", 2.5, 0.3), differ("2.5 kg at 0.3 m"));
+  EXPECT_EQ(payload_words("gripper", 2.5, 0.3), differ("“gripper”, 2.5 kg at 0.3 m"));
+}
+
 TEST(Comparison, WhatIsNotUsableIsNotCompared) {
   auto both = pair_of(1);
   both.second.quantities[0].verdict = calibration::Verdict::doubtful;
@@ -140,7 +169,7 @@ TEST(Comparison, RefusesDifferentJointsUnlessAskedFor) {
   EXPECT_THROW(compared(both), UsageError);
   const Comparison c = compare(both.first, both.second, {}, true);
   ASSERT_FALSE(c.remarks.empty());
-  EXPECT_NE(c.remarks.front().find("different joints"), std::string::npos);
+  EXPECT_TRUE(c.remarks.front().is("comparison.different_joints"));
   EXPECT_THROW(compare(both.first, both.first, {}, false), UsageError);
 }
 

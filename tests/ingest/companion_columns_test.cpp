@@ -11,6 +11,7 @@
 #include "base/encodings.h"
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
+#include "wording/words.h"
 
 namespace tribolog::companion_columns_test {
 namespace {
@@ -111,8 +112,9 @@ TEST_F(CompanionColumns, GiveTheRecordingOfOneFile) {
   const joint::Dataset whole = read(manifest("all.csv", "", ""));
   ASSERT_EQ(split.recordings.at(0).size(), static_cast<std::size_t>(rows - 10));
   expect_same(split.recordings[0], whole.recordings.at(0));
-  EXPECT_EQ(split.notes, std::vector<std::string>{"columns of the logs that are not used: 'q2', "
-                                                  "'- torso_lift_joint_effort'"});
+  EXPECT_EQ(wording::words(split.notes),
+            std::vector<std::string>{"columns of the logs that are not used: 'q2', "
+                                     "'- torso_lift_joint_effort'"});
 }
 
 TEST_F(CompanionColumns, AreAmongTheInputs) {
@@ -179,7 +181,8 @@ TEST_F(CompanionColumns, LeaveOutRowsThatAreGaps) {
   const joint::Dataset d = read(of_three_files());
   EXPECT_EQ(d.recordings.at(0).size(), static_cast<std::size_t>(rows - 11));
   ASSERT_EQ(d.recordings[0].skipped.size(), 2U);
-  EXPECT_EQ(d.recordings[0].skipped[1].reason, "gap (nan) in column '- arm_1_joint_effort'");
+  EXPECT_EQ(wording::words(d.recordings[0].skipped[1].reason),
+            "gap (nan) in column '- arm_1_joint_effort'");
   EXPECT_EQ(d.recordings[0].skipped[1].count, 1U);
 }
 
@@ -191,7 +194,7 @@ TEST_F(CompanionColumns, MayBeCutOffInTheLastRow) {
   const joint::Dataset d = read(of_three_files());
   EXPECT_EQ(d.recordings.at(0).rows_read, static_cast<std::size_t>(rows));
   EXPECT_EQ(d.recordings[0].size(), static_cast<std::size_t>(rows - 11));
-  EXPECT_EQ(d.recordings[0].skipped.at(0).reason, "cut off at the end of the file");
+  EXPECT_EQ(wording::words(d.recordings[0].skipped.at(0).reason), "cut off at the end of the file");
 }
 
 TEST_F(CompanionColumns, HaveToHaveTheSameNumberOfRows) {

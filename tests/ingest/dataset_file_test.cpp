@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 #include "robot/joint_under_test.h"
+#include "wording/words.h"
 
 namespace tribolog::dataset_file_test {
 namespace {
@@ -43,7 +44,7 @@ TEST(ReadDataset, FindsLogsBesideTheManifest) {
   ASSERT_EQ(d.recordings.size(), 2U);
   EXPECT_EQ(d.recordings[0].torque_Nm[50 - 1], 0.49) << "joint torque / 100";
   EXPECT_EQ(d.with_role(joint::Role::rough_sweep).size(), 1U);
-  EXPECT_EQ(d.notes, (std::vector<std::string>{"logs/a.csv: warm"}));
+  EXPECT_EQ(wording::words(d.notes), (std::vector<std::string>{"logs/a.csv: warm"}));
   ASSERT_EQ(d.inputs.size(), 3U);
   EXPECT_EQ(d.inputs[0].name, "dataset.toml");
   EXPECT_EQ(d.inputs[0].role, "manifest");
@@ -80,7 +81,8 @@ TEST(ReadDataset, ReadsALogThatTheManifestHasToExplain) {
   EXPECT_NEAR(r.t_s[39] - r.t_s[0], 3.9, 1e-12);
   EXPECT_EQ(r.torque_Nm[0], 10.5);
   ASSERT_GE(d.notes.size(), 4U);
-  EXPECT_NE(d.notes[3].find("counts from 1970"), std::string::npos) << d.notes[3];
+  EXPECT_NE(wording::words(d.notes[3]).find("counts from 1970"), std::string::npos)
+      << wording::words(d.notes[3]);
 }
 
 TEST(ReadDataset, SaysWhichLogIsNotThere) {
@@ -155,9 +157,10 @@ TEST(ReadDataset, NotesADescriptionOfAnotherJoint) {
   (void)directory.file("arm.toml", arm("3"));
   const joint::Dataset d =
       ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
-  EXPECT_EQ(d.notes, (std::vector<std::string>{
-                         "arm.toml describes the test of joint '3', the manifest is of joint 'J': "
-                         "the drawings of the robot show the former"}));
+  EXPECT_EQ(wording::words(d.notes),
+            (std::vector<std::string>{
+                "arm.toml describes the test of joint '3', the manifest is of joint 'J': "
+                "the drawings of the robot show the former"}));
 }
 
 TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
@@ -168,10 +171,11 @@ TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
   (void)directory.file("arm.toml", arm("J"));
   const joint::Dataset d =
       ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
-  EXPECT_EQ(d.notes, (std::vector<std::string>{
-                         "the logs reach 97.4°, outside the range of motion of joint 'J' in "
-                         "arm.toml, -90° to 90°: do both count the angle from the same zero and "
-                         "with the same sign?"}));
+  EXPECT_EQ(wording::words(d.notes),
+            (std::vector<std::string>{
+                "the logs reach 97.4°, outside the range of motion of joint 'J' in "
+                "arm.toml, -90° to 90°: do both count the angle from the same zero and "
+                "with the same sign?"}));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(KeptLogs, ALogOfSeveralRecordingsIsReadOnce) {
   (void)directory.file("a.csv", log_of(1));
   const ingest::manifest::ManifestFile file = manifest();
   ingest::dataset::KeptLogs logs(file, directory.path(""));
-  std::vector<std::string> notes;
+  std::vector<Statement> notes;
   const auto first = logs.read(file.recordings[0], {}, notes);
   (void)directory.file("a.csv", log_of(2));
   const auto second = logs.read(file.recordings[1], {}, notes);
@@ -58,7 +58,7 @@ TEST(KeptLogs, NothingIsKeptBeyondTheLastRecording) {
   ingest::manifest::ManifestFile file = manifest();
   file.recordings.pop_back();
   ingest::dataset::KeptLogs logs(file, directory.path(""));
-  std::vector<std::string> notes;
+  std::vector<Statement> notes;
   const std::weak_ptr<const ingest::dataset::ReadLog> first =
       logs.read(file.recordings[0], {}, notes);
   EXPECT_FALSE(first.expired());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ingest/dataset/dataset_file.h"
+#include "wording/words.h"
 
 namespace tribolog::real_logs_test {
 namespace {
@@ -22,8 +23,9 @@ TEST(RealLogs, Ur10eJointsGiveTheirSine) {
   EXPECT_GE(r.t_s.front(), 5.0);
   EXPECT_LE(r.t_s.back(), 62.3);
   EXPECT_EQ(r.size() + r.skipped.at(0).count, r.rows_read);
-  EXPECT_EQ(two.notes, std::vector<std::string>{"columns of the logs that are not used: "
-                                                "'i_target_A', 'tau_target_Nm'"});
+  EXPECT_EQ(wording::words(two.notes),
+            std::vector<std::string>{"columns of the logs that are not used: "
+                                     "'i_target_A', 'tau_target_Nm'"});
   EXPECT_EQ(manifest("ur10e_joint_3.toml").recordings.size(), 1U);
 }
 

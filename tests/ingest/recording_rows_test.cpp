@@ -7,6 +7,7 @@
 
 #include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
+#include "wording/words.h"
 
 namespace tribolog::recording_rows_test {
 namespace {
@@ -38,7 +39,9 @@ Outcome make(const ingest::manifest::RecordingEntry& e, const std::string& csv,
   const ingest::log::LogTable table =
       ingest::text::read_csv(source, "dir/run.csv", ingest::dataset::columns_wanted(e));
   ingest::dataset::refuse_unusable_columns(e, {}, "dir/run.csv", table);
-  outcome.recording = ingest::dataset::make_recording(e, table, drive, sign, outcome.notes);
+  std::vector<Statement> notes;
+  outcome.recording = ingest::dataset::make_recording(e, table, drive, sign, notes);
+  outcome.notes = wording::words(notes);
   return outcome;
 }
 
@@ -101,7 +104,7 @@ TEST(RecordingRows, OutsideTheWindowAreCounted) {
   EXPECT_EQ(r.t_s.front(), 0.1);
   EXPECT_EQ(r.t_s.back(), 0.5);
   ASSERT_EQ(r.skipped.size(), 1U);
-  EXPECT_EQ(r.skipped[0].reason, "outside the window 0.1..0.5 s");
+  EXPECT_EQ(wording::words(r.skipped[0].reason), "outside the window 0.1..0.5 s");
   EXPECT_EQ(r.skipped[0].count, 59U);
   expect_sum_rule(r);
 }
@@ -111,8 +114,8 @@ TEST(RecordingRows, WithGapsAreCountedByColumn) {
       entry(), header + rows(0, 30) + "0.3,nan,1\n0.31,,1\n0.32,1,nan\nnan,1,1\n" + rows(33, 50));
   EXPECT_EQ(r.size(), 47U);
   ASSERT_EQ(r.skipped.size(), 3U);
-  EXPECT_EQ(r.skipped[0].reason, "gap (nan) in column 't'");
-  EXPECT_EQ(r.skipped[1].reason, "gap (nan) in column 'q'");
+  EXPECT_EQ(wording::words(r.skipped[0].reason), "gap (nan) in column 't'");
+  EXPECT_EQ(wording::words(r.skipped[1].reason), "gap (nan) in column 'q'");
   EXPECT_EQ(r.skipped[1].count, 2U);
   EXPECT_TRUE(notes.empty()) << "few gaps are no news";
   expect_sum_rule(r);
@@ -135,7 +138,7 @@ TEST(RecordingRows, RepeatedTimeStampsKeepTheFirst) {
   EXPECT_EQ(r.size(), 80U);
   EXPECT_EQ(r.torque_Nm[49], 49.0);
   ASSERT_EQ(r.skipped.size(), 1U);
-  EXPECT_EQ(r.skipped[0].reason, "repeated time stamp");
+  EXPECT_EQ(wording::words(r.skipped[0].reason), "repeated time stamp");
   expect_sum_rule(r);
 }
 
@@ -176,7 +179,7 @@ TEST(RecordingRows, TooFewAreRefusedWithTheReasons) {
 TEST(RecordingRows, ARowThatIsCutOffIsCounted) {
   const auto [r, notes] = make(entry(), header + rows(0, 30) + "0.3,0.0");
   EXPECT_EQ(r.rows_read, 31U);
-  EXPECT_EQ(r.skipped.at(0).reason, "cut off at the end of the file");
+  EXPECT_EQ(wording::words(r.skipped.at(0).reason), "cut off at the end of the file");
   EXPECT_EQ(notes.size(), 1U);
   expect_sum_rule(r);
 }
@@ -281,13 +284,13 @@ TEST(RecordingRows, ThatWereSkippedAreCounted) {
   MemorySource source(csv);
   const ingest::log::LogTable table =
       ingest::text::read_csv(source, "run.csv", ingest::dataset::columns_wanted(entry()), rules);
-  std::vector<std::string> notes;
+  std::vector<Statement> notes;
   const joint::Recording r = ingest::dataset::make_recording(
       entry(), table, joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor), 1.0,
       notes);
   EXPECT_EQ(r.size(), 199U);
   ASSERT_EQ(r.skipped.size(), 1U);
-  EXPECT_EQ(r.skipped[0].reason, "cannot be used (skip_bad_rows)");
+  EXPECT_EQ(wording::words(r.skipped[0].reason), "cannot be used (skip_bad_rows)");
   expect_sum_rule(r);
 }
 

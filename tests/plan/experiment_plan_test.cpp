@@ -10,6 +10,7 @@
 
 #include "joint/degrees.h"
 #include "plan/paper_facts.h"
+#include "wording/words.h"
 
 namespace tribolog::test::experiment_plan_test {
 namespace {
@@ -33,7 +34,7 @@ TEST(PaperPlan, IsThePapersExperiment) {
   const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   for (const plan::PlannedPart& part : plan.parts) {
     EXPECT_EQ(part.state, plan::PartState::planned)
-        << joint::to_string(part.role) << ": " << part.why;
+        << joint::to_string(part.role) << ": " << wording::words(part.why);
   }
   EXPECT_TRUE(plan.remarks.empty());
   EXPECT_FALSE(plan.is_first_of_two());

@@ -8,6 +8,7 @@
 
 #include "joint/degrees.h"
 #include "plan/experiment_plan.h"
+#include "wording/words.h"
 
 namespace tribolog::plan_property_test {
 namespace {
@@ -104,6 +105,23 @@ TEST(PlanProperty, TheMotionHasNoGapsAndTheRecordingsTheirOrder) {
       // What is not simply planned has its reason and what would help.
       RC_ASSERT((part.state == plan::PartState::planned) == part.why.empty());
       RC_ASSERT(part.why.empty() == part.help.empty());
+    }
+  }));
+}
+
+TEST(PlanProperty, WhateverIsStatedHasItsWords) {
+  EXPECT_TRUE(rc::check([] {
+    const plan::ExperimentPlan plan = plan::plan_experiment(any_joint());
+    for (const plan::PlannedSegment& s : plan.segments) RC_ASSERT(!wording::words(s.name).empty());
+    for (const plan::PlannedPart& part : plan.parts) {
+      RC_ASSERT(!wording::words(part.gives).empty());
+      for (const Statement& one : {part.motion, part.why, part.help}) {
+        RC_ASSERT(wording::words(one).empty() == one.empty());
+      }
+    }
+    for (const Statement& remark : plan.remarks) RC_ASSERT(!wording::words(remark).empty());
+    for (const plan::Assumption& a : plan.joint.assumptions) {
+      RC_ASSERT(!wording::words({a.what, a.source}).front().empty());
     }
   }));
 }

@@ -52,7 +52,7 @@ TEST(FleetPage, OfFiveHundredRobotsStaysUnderTenMegabytes) {
 
 TEST(FleetPage, ShowsTheOutlierFirst) {
   const std::string page = page_of(one_worn({20, 2, 6}));
-  EXPECT_NE(page.find("1 of 40 joints stand out"), std::string::npos);
+  EXPECT_NE(page.find("1 of 40 joints stands out"), std::string::npos);
   ASSERT_EQ(count_of(page, "<article class=\"outlier\">"), 1U);
   const std::string card =
       page.substr(page.find("<article"), page.find("</article>") - page.find("<article"));

@@ -47,10 +47,10 @@ calibration::Calibration filled_with(const std::string& text) {
     check.recording = text;
     check.measure = check.found = check.consequence = check.experiment = said;
   }
-  c.notes = {text};
+  c.notes = {Statement::verbatim(text)};
   for (joint::InputFile& file : c.inputs) {
     file.name = file.role = file.sha256 = text;
-    file.skipped = {{text, 3}};
+    file.skipped = {{Statement::verbatim(text), 3}};
     for (joint::ColumnConversion& conversion : file.conversions)
       conversion.column = conversion.unit = text;
   }
@@ -79,7 +79,7 @@ std::string report_with(const std::string& text) {
   p.tool_version = p.git_revision = p.compiler = p.eigen_version = p.command_line = text;
   p.created_utc = text;
   p.drawing = calibration::DrawingSoftware{text, text, text, text, text, text};
-  p.configuration = {{text, text}};
+  p.configuration = {{Statement::verbatim(text), Statement::verbatim(text)}};
   return report::html_report(c, figures, drawn, p);
 }
 

@@ -43,9 +43,10 @@ struct SmallPaper {
     drawn = {picture};
   }
   [[nodiscard]] std::string page() const {
-    return paper::page::paper_page(paper, test::complete_calibration(), drawn);
+    return paper::page::paper_page(paper, test::complete_calibration(), drawn,
+                                   paper::page::paper_json(paper));
   }
-  [[nodiscard]] paper::page::PaperTally tally(const std::string& kind) const {
+  [[nodiscard]] paper::page::PaperTally tally(ItemKind kind) const {
     for (const paper::page::PaperTally& one : paper::page::tally_of(paper, drawn)) {
       if (one.kind == kind) return one;
     }
@@ -55,11 +56,11 @@ struct SmallPaper {
 
 TEST(PaperPage, CountsWhatIsThereAgainstWhatThePaperHas) {
   const SmallPaper small;
-  EXPECT_EQ(small.tally("figures").printed, 22);
-  EXPECT_EQ(small.tally("figures").here, 1);
-  EXPECT_EQ(small.tally("figures").well, 1);
-  EXPECT_EQ(small.tally("tables").well, 0);
-  EXPECT_EQ(small.tally("equations").well, 1);
+  EXPECT_EQ(small.tally(ItemKind::figure).printed, 22);
+  EXPECT_EQ(small.tally(ItemKind::figure).here, 1);
+  EXPECT_EQ(small.tally(ItemKind::figure).well, 1);
+  EXPECT_EQ(small.tally(ItemKind::table).well, 0);
+  EXPECT_EQ(small.tally(ItemKind::equation).well, 1);
   const std::string page = small.page();
   EXPECT_NE(page.find("NOT ALL OF IT IS REPRODUCED"), std::string::npos);
   EXPECT_NE(page.find("1 of 22 figures, 0 of 2 tables, 1 of 14 equations"), std::string::npos);
@@ -70,8 +71,8 @@ TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
   SmallPaper small;
   small.drawn[0].png.clear();
   small.drawn[0].error = "the stack is gone";
-  EXPECT_EQ(small.tally("figures").here, 0);
-  EXPECT_EQ(small.tally("figures").well, 0);
+  EXPECT_EQ(small.tally(ItemKind::figure).here, 0);
+  EXPECT_EQ(small.tally(ItemKind::figure).well, 0);
   EXPECT_NE(small.page().find("The stack is gone."), std::string::npos);
   EXPECT_NE(small.page().find("22 of 22 figures missing"), std::string::npos);
 }
@@ -80,7 +81,7 @@ TEST(PaperPage, NamesTheCheckThatFails) {
   SmallPaper small;
   small.paper.sections[0].items[1].checks.push_back(
       paper::checks::printed_value("mass of row A", 79.999, 3, 80.5, 0.0107, "kg", "rounding"));
-  EXPECT_EQ(small.tally("equations").well, 0);
+  EXPECT_EQ(small.tally(ItemKind::equation).well, 0);
   const std::string page = small.page();
   EXPECT_NE(page.find("Equation 4: mass of row A"), std::string::npos);
   EXPECT_EQ(test::occurrences(page, "<tr class=\"fails\">"), 1U);
@@ -126,7 +127,7 @@ TEST(CheckTexts, RaiseExponentsAndKeepZero) {
 TEST(Check, ANumberThatIsNoneDoesNotHold) {
   EXPECT_FALSE(paper::checks::vanishing("", NAN, 1, "", "").holds());
   EXPECT_TRUE(paper::checks::vanishing("", -1, 1, "", "").holds());
-  EXPECT_FALSE(paper::checks::in_words("", paper::checks::Origin::printed, "B", "A").holds());
+  EXPECT_FALSE(paper::checks::by_name("", paper::checks::Origin::printed, "B", "A").holds());
 }
 
 }  // namespace

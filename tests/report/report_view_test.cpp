@@ -78,7 +78,7 @@ TEST(ReportView, ADirectDriveHasOneSide) {
 TEST(ReportView, EveryRowHasACellPerColumn) {
   for (const calibration::Calibration& c : {complete_calibration(), sweep_only()}) {
     const report::ReportView view = view_of(c);
-    std::vector<report::Table> tables{view.key_numbers, view.paper_table};
+    std::vector<report::Table> tables{view.key_numbers};
     tables.insert(tables.end(), view.conversion_tables.begin(), view.conversion_tables.end());
     tables.insert(tables.end(), view.provenance_tables.begin(), view.provenance_tables.end());
     for (const report::Section& section : view.sections) {
@@ -309,43 +309,6 @@ TEST(ReportView, ALongRunTableIsThinnedAndSaysSo) {
   const report::Table table = view_of(c).sections[4].tables.front();
   EXPECT_LE(table.rows.size(), 48U);
   EXPECT_NE(table.note.find("One row in 11"), std::string::npos);
-}
-
-TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
-  for (const paper::drawings::TorqueRow& row : paper::drawings::table_2) {
-    EXPECT_NEAR(paper::drawings::mass_of_torque_kg(row.torque_Nm), row.mass_kg,
-                paper::drawings::rounding_kg());
-  }
-  EXPECT_NEAR(paper::drawings::rounding_kg(), 0.0107, 5e-5);
-}
-
-TEST(PaperTable, PrintedColumnsSayWhoseTheyAre) {
-  const report::Table own = view_of(complete_calibration()).paper_table;
-  EXPECT_EQ(own.columns.size(), 7U);
-  EXPECT_EQ(own.rows[0].cells[6], "0.00");
-  const report::Table other = view_of(sweep_only()).paper_table;
-  EXPECT_EQ(other.columns.size(), 5U);
-  EXPECT_NE(other.note.find("is another one"), std::string::npos);
-}
-
-TEST(Errata, EvidenceComesFromTable2) {
-  const report::ErrataNumbers e = report::errata_numbers();
-  EXPECT_EQ(e.mass_A_with_500_m, "0.080");
-  EXPECT_EQ(e.mass_A_with_500_mm, "80.000");
-  EXPECT_EQ(e.mass_A_with_cos_q_c, "86.42");
-  EXPECT_EQ(e.rad_of_22, "0.38397");
-  EXPECT_EQ(e.rad_of_precise, "0.388019");
-  EXPECT_EQ(e.cut_of_22, "cut");
-  EXPECT_EQ(e.cut_of_precise, "cut");
-  EXPECT_LE(std::stod(e.largest_deviation), std::stod(e.allowed_deviation));
-}
-
-TEST(Sentences, CapitalAndFullStopButSymbolsStay) {
-  EXPECT_EQ(report::as_sentence("a fast sine"), "A fast sine.");
-  EXPECT_EQ(report::as_sentence("no data"), "No data.");
-  EXPECT_EQ(report::as_sentence("q_peak is unknown"), "q_peak is unknown.");
-  EXPECT_EQ(report::as_sentence("Done."), "Done.");
-  EXPECT_EQ(report::as_sentence(""), "");
 }
 
 }  // namespace

@@ -259,11 +259,11 @@ calibration::Calibration complete_calibration() {
                std::string(64, 'b'),
                140410,
                139210,
-               {{"outside the window 5..62.3 s", 1200}},
+               {{{"skipped.outside_window", {{"window", "5..62.3 s"}}}, 1200}},
                sample_conversions(),
                {}}};
   c.speed_sources = {{"sweep.csv", joint::Role::rough_sweep, true, 280, 0.28, 2.278}};
-  c.notes = {"column 'tau' is read as motor torque"};
+  c.notes = {Statement::verbatim("column 'tau' is read as motor torque")};
   c.rough = sweep("cog_rough", 0.0011);
   c.precise = sweep("cog_precise", 0.00021);
   c.q_peak_rad = c.precise.q_peak_rad;
@@ -313,7 +313,7 @@ calibration::Calibration sweep_only() {
                std::string(64, 'c'),
                6030,
                5369,
-               {{"outside the window 5..62.3 s", 661}},
+               {{{"skipped.outside_window", {{"window", "5..62.3 s"}}}, 661}},
                {},
                {}}};
   c.rough = sweep("cog_rough", 0.028);

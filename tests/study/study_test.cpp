@@ -13,6 +13,7 @@
 #include "simulate/simulate_joint.h"
 #include "study/small_scenario.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::study_test {
 namespace {
@@ -64,7 +65,7 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   double last = -1;
   for (const study::StudyLevel& level : factor(study, "torque_noise").levels) {
     const double scatter = study.case_of(level).find("midline")->errors.scatter;
-    EXPECT_GT(scatter, last) << level.text;
+    EXPECT_GT(scatter, last) << wording::words(level.text);
     last = scatter;
   }
 }
@@ -95,6 +96,9 @@ TEST(Study, EachFactorHasOneBaseLevelAndLevelsOfOneCaseAreOneScenario) {
     const auto bases = std::count_if(f.levels.begin(), f.levels.end(),
                                      [](const study::StudyLevel& level) { return level.is_base; });
     EXPECT_EQ(bases, 1) << f.key;
+    for (const char* topic : {"factor", "factor_axis", "factor_note"}) {
+      EXPECT_FALSE(wording::words_for(topic, f.key).empty()) << f.key;
+    }
     for (std::size_t i = 0; i < f.levels.size(); ++i) {
       const study::StudyLevel& level = f.levels[i];
       if (i > 0) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wording/words.h"
+
 namespace tribolog::trust_test {
 namespace {
 
@@ -24,11 +26,14 @@ study::StudiedReading reading(const std::string& name, double off, double half_w
 /// One factor of five levels, the third is the base case; the mid-line is off by these.
 study::StudyResult study_of(const std::vector<double>& midline_off, double half_width = 1) {
   study::StudyResult study;
-  study::StudyFactor factor{"torque_noise", "White torque noise", "noise [mN·m]", "", false, {}};
+  study::StudyFactor factor{"torque_noise", false, {}};
   for (std::size_t i = 0; i < midline_off.size(); ++i) {
     const std::string name = "case " + std::to_string(i);
-    factor.levels.push_back(
-        {static_cast<double>(i), std::to_string(i) + " mN·m", i == 2, name, {}});
+    factor.levels.push_back({static_cast<double>(i),
+                             Statement::verbatim(std::to_string(i) + " mN·m"),
+                             i == 2,
+                             name,
+                             {}});
     study.cases.push_back({name,
                            {reading("A", 0.02, 0.005), reading("B", -0.02, 0.005),
                             reading("midline", midline_off[i], half_width)}});
@@ -86,7 +91,7 @@ TEST(Trust, WhatIsNotFoundIsNotTrusted) {
 
 TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
   const study::StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
-  const std::vector<std::string> findings = study::study_findings(study);
+  const std::vector<std::string> findings = wording::words(study::study_findings(study));
   ASSERT_FALSE(findings.empty());
   EXPECT_NE(findings[0].find("point B biased by -0.500"), std::string::npos) << findings[0];
   EXPECT_EQ(findings[0].find("mid-line"), std::string::npos) << findings[0];
@@ -96,6 +101,18 @@ TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
     told |= finding == "Mid-line leaves 0.1 % first at white torque noise 3 mN·m.";
   }
   EXPECT_TRUE(told);
+}
+
+TEST(Trust, TheSentenceNamesPointBWhereItWasRead) {
+  study::StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
+  EXPECT_EQ(wording::words(study::study_sentence(study)),
+            "In the base case the mid-line is within 0.025 % of the true gravity torque in 95 of "
+            "100 runs, and 100 % of its stated intervals hold the truth; point B is off by "
+            "-0.50 %, the mid-line by +0.025 %.");
+  study.cases[0].readings = {reading("sweep", 0.004, 1)};
+  EXPECT_TRUE(study::study_sentence(study).is("study_sentence.sweep"));
+  study.cases[0].readings.clear();
+  EXPECT_TRUE(study::study_sentence(study).is("study.no_gravity"));
 }
 
 }  // namespace

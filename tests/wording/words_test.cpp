@@ -40,6 +40,13 @@ TEST(Words, WhatAPersonWroteStaysAsItIs) {
   EXPECT_EQ(wording::words(Statement::verbatim("100 % {of} it")), "100 % {of} it");
 }
 
+TEST(Words, WhatAnArchiveCallsAQuantityStaysAsItIs) {
+  EXPECT_EQ(wording::words_for("quantity", "inertia", "Inertia at the motor"),
+            "Inertia at the motor");
+  EXPECT_EQ(wording::words_for("quantity", "inertia", "Rotor {of} old"), "Rotor {of} old");
+  EXPECT_EQ(wording::words_for("quantity", "charm", "Charm"), "Charm");
+}
+
 TEST(Words, AFaultOfTheProgramIsNamed) {
   EXPECT_THROW(wording::words(Statement{"nobody.says_this"}), std::logic_error);
   EXPECT_THROW(wording::words(Statement{"verdict.known_to_share"}), std::logic_error);

@@ -10,10 +10,13 @@
 #include "exports/experiment/plan_table.h"
 #include "ingest/manifest/toml_text.h"
 #include "plan/simulated_plan.h"
+#include "wording/language.h"
+#include "wording/words.h"
 
 namespace tribolog::exports::experiment {
 
 std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
+  const wording::WordsIn english({});
   const joint::JointFacts& f = plan.joint.facts;
   std::string text = fmt::format(
       "# The log that is recorded while the joint follows setpoints.csv: name it {} or correct\n"
@@ -49,7 +52,7 @@ std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
         "note = {}\n",
         joint::to_string(*s.role), ingest::manifest::toml_text(plan::planned_log_name),
         ingest::manifest::toml_number(s.from_s), ingest::manifest::toml_number(s.to_s),
-        ingest::manifest::toml_text(s.name));
+        ingest::manifest::toml_text(wording::words(s.name)));
   }
   return text;
 }
@@ -96,15 +99,18 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
+Json words_or_null(const Statement& statement) { return text_or_null(wording::words(statement)); }
+
 Json part_json(const plan::PlannedPart& part) {
-  return {{"role", joint::to_string(part.role)}, {"state", plan::to_string(part.state)},
-          {"recordings", part.recordings},       {"duration_s", number(part.duration_s)},
-          {"motion", text_or_null(part.motion)}, {"gives", part.gives},
-          {"why", text_or_null(part.why)},       {"help", text_or_null(part.help)}};
+  return {
+      {"role", joint::to_string(part.role)},  {"state", wording::words(plan::stated(part.state))},
+      {"recordings", part.recordings},        {"duration_s", number(part.duration_s)},
+      {"motion", words_or_null(part.motion)}, {"gives", wording::words(part.gives)},
+      {"why", words_or_null(part.why)},       {"help", words_or_null(part.help)}};
 }
 
 Json segment_json(const plan::PlannedSegment& s) {
-  Json made{{"name", s.name},
+  Json made{{"name", wording::words(s.name)},
             {"role", s.role ? Json(joint::to_string(*s.role)) : Json(nullptr)},
             {"start_s", number(s.start_s)},
             {"end_s", number(s.end_s())}};
@@ -143,6 +149,7 @@ Json list_json(const List& list, const ToJson& to_json) {
 
 std::string plan_json(const plan::ExperimentPlan& plan, const plan::ExpectedIntervals& expected,
                       const calibration::Provenance& provenance) {
+  const wording::WordsIn english({});
   const joint::JointFacts& f = plan.joint.facts;
   const Json all{{"schema", "tribolog-plan-1"},
                  {"tool", provenance.tool_version},
@@ -155,7 +162,7 @@ std::string plan_json(const plan::ExperimentPlan& plan, const plan::ExpectedInte
                  {"effort", plan.effort},
                  {"first_of_two", plan.is_first_of_two()},
                  {"parts", list_json(plan.parts, part_json)},
-                 {"remarks", plan.remarks},
+                 {"remarks", wording::words(plan.remarks)},
                  {"instructions", plan_instructions(plan)},
                  {"positions_joint_rad", plan.positions_rad},
                  {"ripple_left_share", number(plan.ripple_left_share)},
@@ -165,10 +172,10 @@ std::string plan_json(const plan::ExperimentPlan& plan, const plan::ExpectedInte
                  {"segments", list_json(plan.segments, segment_json)},
                  {"assumptions", list_json(plan.joint.assumptions,
                                            [](const plan::Assumption& a) {
-                                             return Json{{"what", a.what},
+                                             return Json{{"what", wording::words(a.what)},
                                                          {"value", number(a.value)},
                                                          {"unit", text_or_null(a.unit)},
-                                                         {"source", a.source},
+                                                         {"source", wording::words(a.source)},
                                                          {"known", a.is_known}};
                                            })},
                  {"expected",

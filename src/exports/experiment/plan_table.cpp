@@ -7,14 +7,18 @@
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::exports::experiment {
 namespace {
 
-std::size_t count_in(const plan::ExperimentPlan& plan, plan::PartState state) {
-  return static_cast<std::size_t>(
-      std::count_if(plan.parts.begin(), plan.parts.end(),
-                    [&](const plan::PlannedPart& p) { return p.state == state; }));
+using wording::tr;
+using wording::tr_count;
+
+std::int64_t count_in(const plan::ExperimentPlan& plan, plan::PartState state) {
+  return std::count_if(plan.parts.begin(), plan.parts.end(),
+                       [&](const plan::PlannedPart& p) { return p.state == state; });
 }
 
 /// Decimals that show a size with so many digits.
@@ -34,17 +38,17 @@ std::string with_minus(std::string text) {
 std::string part_title(joint::Role role) {
   switch (role) {
     case joint::Role::rough_sweep:
-      return "rough sweep";
+      return tr("rough sweep");
     case joint::Role::precise_sweep:
-      return "precise sweep";
+      return tr("precise sweep");
     case joint::Role::oscillation:
-      return "micro-oscillations";
+      return tr("micro-oscillations");
     case joint::Role::constant_speed:
-      return "runs at constant speed";
+      return tr("runs at constant speed");
     case joint::Role::break_away:
       break;
   }
-  return "break-away ramps";
+  return tr("break-away ramps");
 }
 
 std::string duration_text(double seconds) {
@@ -54,23 +58,30 @@ std::string duration_text(double seconds) {
 }
 
 std::string next_plan_words() {
-  return "parts about the gravity peak wait for its angle: record this plan, identify it, and plan "
-         "again with --calibration and the calibration";
+  return tr(
+      "parts about the gravity peak wait for its angle: record this plan, identify it, and plan "
+      "again with --calibration and the calibration");
 }
 
 std::string plan_sentence(const plan::ExperimentPlan& plan) {
-  if (plan.segments.empty()) return "nothing can be measured within these limits";
+  if (plan.segments.empty()) return tr("nothing can be measured within these limits");
   std::size_t recordings = 0;
   for (const plan::PlannedPart& part : plan.parts) recordings += part.recordings;
   std::string text =
-      fmt::format("{} recordings in {}", recordings, duration_text(plan.duration_s()));
+      tr_count(static_cast<std::int64_t>(recordings), "{recordings} recording in {duration}",
+               "{recordings} recordings in {duration}",
+               {{"recordings", recordings}, {"duration", duration_text(plan.duration_s())}});
   if (plan.is_first_of_two()) {
-    text += fmt::format("; {} parts follow once the rough sweep has shown the gravity peak",
-                        count_in(plan, plan::PartState::later));
+    const std::int64_t parts = count_in(plan, plan::PartState::later);
+    text += "; ";
+    text += tr_count(parts, "{parts} part follows once the rough sweep has shown the gravity peak",
+                     "{parts} parts follow once the rough sweep has shown the gravity peak",
+                     {{"parts", parts}});
   }
-  if (const std::size_t n = count_in(plan, plan::PartState::impossible); n > 0) {
-    text +=
-        fmt::format("; {} of 5 parts {} not possible within the limits", n, n == 1 ? "is" : "are");
+  if (const std::int64_t parts = count_in(plan, plan::PartState::impossible); parts > 0) {
+    text += "; ";
+    text += tr_count(parts, "{parts} of 5 parts is not possible within the limits",
+                     "{parts} of 5 parts are not possible within the limits", {{"parts", parts}});
   }
   return text;
 }
@@ -79,17 +90,20 @@ std::vector<std::string> plan_lines(const plan::ExperimentPlan& plan) {
   std::vector<std::string> lines;
   for (const plan::PlannedPart& part : plan.parts) {
     const bool is_there = part.recordings > 0;
-    lines.push_back(
-        fmt::format("  {:<24} {}", part_title(part.role),
-                    is_there ? fmt::format("{}: {}", duration_text(part.duration_s), part.motion)
-                             : plan::to_string(part.state)));
+    const std::string state = wording::words(plan::stated(part.state));
+    lines.push_back(fmt::format("  {:<24} {}", part_title(part.role),
+                                is_there ? fmt::format("{}: {}", duration_text(part.duration_s),
+                                                       wording::words(part.motion))
+                                         : state));
     if (part.why.empty() || part.state == plan::PartState::later) continue;
     lines.push_back(fmt::format("  {:<24} {}{}; what would help: {}", "",
-                                is_there ? plan::to_string(part.state) + ": " : "", part.why,
-                                part.help));
+                                is_there ? state + ": " : "", wording::words(part.why),
+                                wording::words(part.help)));
   }
   if (plan.is_first_of_two()) lines.push_back("  note: " + next_plan_words());
-  for (const std::string& remark : plan.remarks) lines.push_back("  note: " + remark);
+  for (const std::string& remark : wording::words(plan.remarks)) {
+    lines.push_back("  note: " + remark);
+  }
   return lines;
 }
 
@@ -122,7 +136,7 @@ std::vector<std::string> expectation_lines(const plan::ExpectedIntervals& expect
   for (const plan::ExpectedInterval& e : expected.quantities) {
     const std::string found =
         e.found == e.runs ? "" : fmt::format(", identified in {} of {} runs", e.found, e.runs);
-    lines.push_back(fmt::format("  {:<38} {}{}", e.words,
+    lines.push_back(fmt::format("  {:<38} {}{}", wording::words_for("expected", e.name),
                                 interval_text(e.truth, e.half_width, e.quantity), found));
   }
   return lines;
@@ -131,31 +145,31 @@ std::vector<std::string> expectation_lines(const plan::ExpectedIntervals& expect
 std::vector<std::string> plan_instructions(const plan::ExperimentPlan& plan) {
   if (plan.segments.empty()) return {};
   std::vector<std::string> all;
-  all.push_back(fmt::format(
-      "Before the first set point move the joint to {} and let it rest; the other joints stand, in "
-      "a pose in which this joint's axis is horizontal.",
-      quantity_text(plan.angle_rad(0), truth::ReadingKind::peak_angle, 5)));
   all.push_back(
-      fmt::format("The drive follows setpoints.csv, {:.4g} set points a second, and interpolates "
-                  "between them. No set point leaves the stated limits of angle, speed and "
-                  "acceleration; that the way is free has to be seen to at the machine.",
-                  plan.joint.set_point_rate_Hz));
+      tr("Before the first set point move the joint to {angle} and let it rest; the other joints "
+         "stand, in a pose in which this joint's axis is horizontal.",
+         {{"angle", quantity_text(plan.angle_rad(0), truth::ReadingKind::peak_angle, 5)}}));
   all.push_back(
-      fmt::format("Log time, joint angle, speed and torque or current at {:.4g} Hz as log.csv, the "
-                  "clock starting "
-                  "with the first set point; then run tribolog report dataset.toml -o report.html.",
-                  plan.joint.sample_rate_Hz));
-  all.emplace_back("Warm the joint up first: friction of a cold gear drifts.");
+      tr("The drive follows setpoints.csv, {set_points:.4g} set points a second, and interpolates "
+         "between them. No set point leaves the stated limits of angle, speed and acceleration; "
+         "that the way is free has to be seen to at the machine.",
+         {{"set_points", plan.joint.set_point_rate_Hz}}));
+  all.push_back(
+      tr("Log time, joint angle, speed and torque or current at {sample_rate:.4g} Hz as log.csv, "
+         "the clock starting with the first set point; then run tribolog report dataset.toml -o "
+         "report.html.",
+         {{"sample_rate", plan.joint.sample_rate_Hz}}));
+  all.push_back(tr("Warm the joint up first: friction of a cold gear drifts."));
   const auto ramp = std::find_if(plan.segments.begin(), plan.segments.end(),
                                  [](const plan::PlannedSegment& s) { return s.ramp.has_value(); });
   if (ramp != plan.segments.end()) {
-    all.push_back(fmt::format(
-        "Where torque_mode is 1 the torque leads: the motor torque that holds the arm at that "
-        "moment, plus ramp_torque_Nm (at the motor). When the joint has slid {:.2g}° the drive "
-        "takes the angle over, holds it there until torque_mode is 0, and returns to the set "
-        "point within the rest that follows. A drive that cannot be led by torque leaves the ramps "
-        "out, with their entries in dataset.toml.",
-        present(ramp->ramp).largest_travel_rad * joint::degrees_per_rad));
+    all.push_back(
+        tr("Where torque_mode is 1 the torque leads: the motor torque that holds the arm at that "
+           "moment, plus ramp_torque_Nm (at the motor). When the joint has slid {travel:.2g}° the "
+           "drive takes the angle over, holds it there until torque_mode is 0, and returns to the "
+           "set point within the rest that follows. A drive that cannot be led by torque leaves "
+           "the ramps out, with their entries in dataset.toml.",
+           {{"travel", present(ramp->ramp).largest_travel_rad * joint::degrees_per_rad}}));
   }
   return all;
 }

@@ -12,6 +12,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "ingest/text/csv_dialect.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::arrays {
 namespace {
@@ -28,10 +29,11 @@ void transpose(NamedArray& matrix) {
 }
 
 /// Turns a matrix so that its rows are the samples. @return a note, where that is a guess.
-std::string turn_rows_first(NamedArray& matrix, const std::set<std::size_t>& vector_lengths) {
+Statement turn_rows_first(NamedArray& matrix, const std::set<std::size_t>& vector_lengths) {
   if (matrix.rows == matrix.columns) {
-    return fmt::format("{} is {} x {}: its first dimension is taken for the samples",
-                       in_quotes(matrix.name), matrix.rows, matrix.columns);
+    return {
+        "reading.square_matrix",
+        {{"array", in_quotes(matrix.name)}, {"rows", matrix.rows}, {"columns", matrix.columns}}};
   }
   const std::size_t shorter = std::min(matrix.rows, matrix.columns);
   const std::size_t longer = std::max(matrix.rows, matrix.columns);
@@ -70,16 +72,17 @@ void add_columns(NamedArray array, log::LogTable& table, std::set<std::string>& 
     const std::string wanted = is_matrix(array) ? fmt::format("{}_{}", array.name, i) : array.name;
     const std::string name = taken.contains(wanted) ? free_name(wanted, taken) : wanted;
     if (name != wanted) {
-      table.notes.push_back(fmt::format("column name {} stands twice; that of array {} is now {}",
-                                        in_quotes(wanted), in_quotes(array.name), in_quotes(name)));
+      table.notes.push_back({"reading.column_renamed",
+                             {{"column", in_quotes(wanted)},
+                              {"array", in_quotes(array.name)},
+                              {"name", in_quotes(name)}}});
     }
     taken.insert(name);
     table.header.push_back(name);
     table.columns.push_back(column_of(array, i, name));
   }
   if (array.was_rounded) {
-    table.notes.push_back(in_quotes(array.name) +
-                          " holds integers of 2^53 and more: they are rounded");
+    table.notes.push_back({"reading.integers_rounded", {{"array", in_quotes(array.name)}}});
   }
 }
 
@@ -107,44 +110,45 @@ void name_groups(std::vector<log::LogTable>& tables, const std::vector<std::stri
 }
 
 /// Scalars, texts and what was left out, each list cut with a count of the rest.
-std::vector<std::string> notes_of(const FileArrays& found) {
-  std::vector<std::string> facts;
+std::vector<Statement> notes_of(const FileArrays& found) {
+  std::vector<Statement> facts;
   for (const NamedArray& array : found.arrays) {
     if (!is_scalar(array)) continue;
-    facts.push_back(fmt::format("{} = {}", printable(array.name), array.values.front()));
+    facts.push_back(
+        {"reading.value",
+         {{"name", printable(array.name)}, {"value", fmt::format("{}", array.values.front())}}});
   }
   for (const auto& [name, text] : found.texts) {
-    facts.push_back(fmt::format("{} = {}", printable(name), in_quotes(text)));
+    facts.push_back({"reading.value", {{"name", printable(name)}, {"value", in_quotes(text)}}});
   }
-  std::vector<std::string> notes;
-  const auto add = [&](const std::vector<std::string>& list, const char* of_what) {
+  std::vector<Statement> notes;
+  const auto add = [&](const std::vector<Statement>& list, Code more, const char* of_what) {
     const std::size_t listed = std::min(list.size(), most_listed);
     notes.insert(notes.end(), list.begin(), list.begin() + static_cast<std::ptrdiff_t>(listed));
-    if (list.size() > listed) {
-      notes.push_back(fmt::format("and {} more {}", list.size() - listed, of_what));
-    }
+    if (list.size() > listed) notes.push_back({more, {{of_what, list.size() - listed}}});
   };
-  add(facts, "single values");
-  std::vector<std::string> refusals;
+  add(facts, "reading.more_values", "values");
+  std::vector<Statement> refusals;
   for (const auto& [name, reason] : found.left_out) {
-    refusals.push_back(fmt::format("{} is not read: {}", in_quotes(name), reason));
+    refusals.push_back({"reading.not_read", {{"name", in_quotes(name)}, {"why", reason}}});
   }
-  add(refusals, "that are not read");
+  add(refusals, "reading.more_not_read", "arrays");
   return notes;
 }
 
-[[noreturn]] void refuse_without_rows(const std::vector<std::string>& notes,
+[[noreturn]] void refuse_without_rows(const std::vector<Statement>& notes,
                                       const std::string& file) {
-  std::string held;
-  for (const std::string& note : notes) held += (held.empty() ? "" : "; ") + note;
-  throw InputError({file, 0, 0}, {"no rows of numbers", held.empty() ? "nothing" : held,
-                                  "arrays of two or more numbers", ""});
+  Statement held;
+  for (const Statement& note : notes) held.add(note);
+  throw InputError({file, 0, 0},
+                   {"no rows of numbers", held.empty() ? "nothing" : wording::words(held),
+                    "arrays of two or more numbers", ""});
 }
 
 }  // namespace
 
 std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file) {
-  std::vector<std::string> notes = notes_of(found);
+  std::vector<Statement> notes = notes_of(found);
   std::set<std::size_t> vector_lengths;
   for (const NamedArray& array : found.arrays) {
     if (!is_matrix(array) && array.rows > 1) vector_lengths.insert(array.rows);
@@ -153,7 +157,7 @@ std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file) 
   for (NamedArray& array : found.arrays) {
     if (is_scalar(array)) continue;
     if (is_matrix(array)) {
-      const std::string note = turn_rows_first(array, vector_lengths);
+      const Statement note = turn_rows_first(array, vector_lengths);
       if (!note.empty()) notes.push_back(note);
     }
     by_length[array.rows].push_back(std::move(array));

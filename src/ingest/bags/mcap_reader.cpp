@@ -43,7 +43,7 @@ class McapMessages {
   /// @param byte where the chunk stands in the file. @param is_cut its end may be missing.
   void take_chunk(std::string_view records, std::uint64_t byte, bool is_cut);
 
-  void note(const std::string& text) { tables_.note(text); }
+  void note(const Statement& note) { tables_.note(note); }
   [[nodiscard]] const std::string& file() const { return tables_.file(); }
   /// @throw InputError as TopicTables::finish.
   std::vector<log::LogTable> finish() &&;
@@ -117,10 +117,7 @@ void McapMessages::take_chunk(std::string_view records, std::uint64_t byte, bool
     at = start + bytes;
   }
   if (at < records.size() && !is_cut) {
-    note(
-        fmt::format("chunk (0x06) at byte {} is damaged: no record stands at its byte {}; the "
-                    "rest of the chunk is left out",
-                    byte, at));
+    note({"reading.chunk_damaged", {{"byte", byte}, {"at", at}}});
   }
 }
 
@@ -151,8 +148,7 @@ TopicTable* McapMessages::open(const McapChannel& channel) {
 
 std::vector<log::LogTable> McapMessages::finish() && {
   if (without_channel_ > 0) {
-    note(fmt::format("messages left out because no channel record stands before them: {}",
-                     without_channel_));
+    note({"reading.messages_without_channel", {{"messages", without_channel_}}});
   }
   return std::move(tables_).finish();
 }
@@ -198,7 +194,7 @@ class McapReader {
     std::string start;
     const bool is_whole = source_.append(start, mcap_record_start_bytes);
     if (start.empty()) {
-      note(fmt::format("ends at byte {} without a footer: the recording was not closed", byte));
+      note({"reading.no_footer", {{"byte", byte}}});
       return false;
     }
     if (!is_whole) {
@@ -207,8 +203,7 @@ class McapReader {
     }
     const McapRecordStart record = mcap_record_start(start);
     if (record.opcode == 0) {
-      note(fmt::format("damaged at byte {}: no record has opcode 0x00; what follows is not read",
-                       byte));
+      note({"reading.damaged_record", {{"byte", byte}}});
       return false;
     }
     if (record.opcode == opcode_of(McapOpcode::chunk)) return take_chunk(record, byte);
@@ -255,7 +250,7 @@ class McapReader {
                source_.position() - byte - mcap_record_start_bytes);
     }
     if (!chunk.damage.empty()) {
-      note(fmt::format("chunk (0x06) at byte {} is left out: {}", byte, chunk.damage));
+      note({"reading.chunk_left_out", {{"byte", byte}, {"why", chunk.damage}}});
     } else {
       messages_.take_chunk(chunk.records, byte, chunk.is_cut);
     }
@@ -267,18 +262,17 @@ class McapReader {
     std::string end;
     (void)source_.append(end, mcap_magic.size());
     if (end != mcap_magic) {
-      note(fmt::format("damaged at byte {}: the closing 8 bytes are not those of MCAP", byte));
+      note({"reading.damaged_end", {{"byte", byte}}});
     } else if (const std::uint64_t rest = source_.skip(~std::uint64_t{0}); rest > 0) {
-      note(fmt::format("{} bytes after the log's end at byte {} are not read", rest,
-                       byte + mcap_magic.size()));
+      note({"reading.bytes_after_end", {{"bytes", rest}, {"end", byte + mcap_magic.size()}}});
     }
   }
 
-  void note(const std::string& text) { messages_.note(text); }
+  void note(const Statement& note) { messages_.note(note); }
   void note_cut(const std::string& record, std::uint64_t byte, std::uint64_t expected,
                 std::uint64_t got) {
-    note(fmt::format("truncated in {} at byte {}: expected {} bytes, ended after {}", record, byte,
-                     expected, got));
+    note({"reading.truncated",
+          {{"record", record}, {"byte", byte}, {"expected", expected}, {"got", got}}});
   }
 
   ByteReader& source_;

@@ -217,8 +217,7 @@ void take_messages(SqliteDatabase& database, TopicTables& tables) {
     }
   }
   if (without_topic > 0) {
-    tables.note(
-        fmt::format("messages left out because they belong to no topic: {}", without_topic));
+    tables.note({"reading.messages_without_topic", {{"messages", without_topic}}});
   }
 }
 
@@ -228,9 +227,7 @@ void note_files_beside(const std::string& path, TopicTables& tables) {
     const auto bytes = std::filesystem::file_size(path + ending, none);
     if (none || bytes == 0) continue;
     tables.note(
-        fmt::format("the recording was not closed: what stands in {}{} ({} bytes) is not "
-                    "read; sqlite3 can join it to the log",
-                    printable(path, 400), ending, bytes));
+        {"reading.not_closed", {{"file", printable(path, 400) + ending}, {"bytes", bytes}}});
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "ingest/bags/ros2msg_schema.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::bags {
 
@@ -44,17 +45,18 @@ void make_names_differ(std::vector<log::LogColumn>& columns) {
   }
 }
 
-std::vector<std::string> notes_of(const MessageColumns& columns, const std::string& topic) {
-  std::vector<std::string> notes;
+std::vector<Statement> notes_of(const MessageColumns& columns, const std::string& topic) {
+  std::vector<Statement> notes;
   for (const std::string& path : columns.long_arrays()) {
-    notes.push_back(fmt::format("{}: {} has more than 64 elements and was not read", topic, path));
+    notes.push_back({"reading.long_array", {{"topic", topic}, {"path", path}}});
   }
   if (columns.has_too_many_columns()) {
-    notes.push_back(topic + ": there are more numbers in a message than columns are kept");
+    notes.push_back({"reading.too_many_columns", {{"topic", topic}}});
   }
   if (columns.too_long() > 0) {
-    notes.push_back(fmt::format("{}: {} of {} messages are longer than their type says", topic,
-                                columns.too_long(), columns.rows()));
+    notes.push_back(
+        {"reading.long_messages",
+         {{"topic", topic}, {"longer", columns.too_long()}, {"messages", columns.rows()}}});
   }
   return notes;
 }
@@ -90,9 +92,8 @@ std::optional<log::LogTable> TopicTable::finish(const std::string& file) && {
   make_names_differ(table.columns);
   for (const log::LogColumn& column : table.columns) table.header.push_back(column.header.full);
   if (const std::size_t back = times_going_back(log_times_ns_); back > 0) {
-    table.notes.push_back(
-        fmt::format("{}: rows stand in the file's order; log_time goes back at {} of {}",
-                    printable(topic_), back, table.rows));
+    table.notes.push_back({"reading.log_time_goes_back",
+                           {{"topic", printable(topic_)}, {"back", back}, {"rows", table.rows}}});
   }
   return table;
 }
@@ -117,8 +118,8 @@ MessageSchema schema_of(const TopicDescription& topic) {
                     "', not in ros2msg");
 }
 
-std::string without_numbers(const std::string& topic) {
-  return printable(topic) + " is not read: no message holds a number";
+Statement without_numbers(const std::string& topic) {
+  return {"reading.no_number_in_topic", {{"topic", printable(topic)}}};
 }
 
 }  // namespace
@@ -131,7 +132,7 @@ TopicTable* TopicTables::table_for(const TopicDescription& topic) {
   try {
     entry->second = &tables_.emplace_back(topic.topic, schema_of(topic));
   } catch (const SchemaError& error) {
-    note(printable(topic.topic) + " is not read: " + error.what());
+    note({"reading.not_read", {{"name", printable(topic.topic)}, {"why", error.what()}}});
   }
   return entry->second;
 }
@@ -147,10 +148,10 @@ std::vector<log::LogTable> TopicTables::finish() && {
     }
   }
   if (finished.empty()) {
-    std::string reasons;
-    for (const std::string& note : notes_) reasons += (reasons.empty() ? "" : "; ") + note;
+    Statement reasons;
+    for (const Statement& note : notes_) reasons.add(note);
     throw InputError({file_, 0, 0},
-                     {"holds no topic with numbers that can be read", reasons,
+                     {"holds no topic with numbers that can be read", wording::words(reasons),
                       "messages of ROS 2 in CDR, such as sensor_msgs/JointState", ""});
   }
   const bool any_whole =

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/statement.h"
 #include "ingest/bags/message_columns.h"
 #include "ingest/log/log_table.h"
 
@@ -59,7 +60,7 @@ class TopicTables {
   /// @return nullptr where they are not read; a note says why.
   TopicTable* table_for(const TopicDescription& description);
   /// Something that the user should know of the whole log.
-  void note(const std::string& text) { notes_.push_back(text); }
+  void note(const Statement& note) { notes_.push_back(note); }
   [[nodiscard]] const std::string& file() const { return file_; }
 
   /// In the order in which the topics occurred; every table with all notes on the whole log.
@@ -72,7 +73,7 @@ class TopicTables {
   std::string file_;
   std::deque<TopicTable> tables_;
   std::map<std::vector<std::string>, TopicTable*> table_of_;
-  std::vector<std::string> notes_;
+  std::vector<Statement> notes_;
 };
 
 }  // namespace tribolog::ingest::bags

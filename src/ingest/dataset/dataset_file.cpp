@@ -35,7 +35,7 @@ class UnusedColumns {
  public:
   void add(const log::LogTable& table);
   /// One for all logs; empty if every column is used.
-  [[nodiscard]] std::string note() const;
+  [[nodiscard]] Statement note() const;
 
  private:
   std::vector<std::string> names_;  ///< Of all columns, in the order in which they came.
@@ -50,12 +50,13 @@ void UnusedColumns::add(const log::LogTable& table) {
   for (const log::LogColumn& column : table.columns) used_.insert(column.header.full);
 }
 
-std::string UnusedColumns::note() const {
+Statement UnusedColumns::note() const {
   std::vector<std::string> unused;
   for (const std::string& name : names_) {
     if (used_.count(name) == 0) unused.push_back(name);
   }
-  return unused.empty() ? "" : "columns of the logs that are not used: " + list_of_names(unused);
+  if (unused.empty()) return {};
+  return {"reading.column_not_used", {{"columns", list_of_names(unused)}}};
 }
 
 constexpr double noticeable_rad = 1e-3;  // of an angle beyond a limit that is given in degrees
@@ -80,10 +81,10 @@ void add_robot(const std::filesystem::path& directory, joint::Dataset& dataset) 
   dataset.inputs.push_back(fingerprint(file, "robot", text));
   const std::string& tested = dataset.robot->under_test.joint().name;
   if (tested == dataset.manifest.joint) return;
-  dataset.notes.push_back(fmt::format(
-      "{} describes the test of joint {}, the manifest is of joint {}: the drawings of the robot "
-      "show the former",
-      printable(file), in_quotes(tested), in_quotes(dataset.manifest.joint)));
+  dataset.notes.push_back({"reading.robot_of_other_joint",
+                           {{"file", printable(file)},
+                            {"described", in_quotes(tested)},
+                            {"stated", in_quotes(dataset.manifest.joint)}}});
 }
 
 /// A note where a log's angles leave the described range of motion: it counts otherwise, or the
@@ -101,12 +102,13 @@ void compare_angles(joint::Dataset& dataset) {
   const double beyond_rad =
       std::max(joint.lowest_rad - lowest_rad, highest_rad - joint.highest_rad);
   if (beyond_rad <= noticeable_rad) return;
-  dataset.notes.push_back(fmt::format(
-      "the logs reach {:.4g}°, outside the range of motion of joint {} in {}, {:.4g}° to {:.4g}°: "
-      "do both count the angle from the same zero and with the same sign?",
-      joint::degrees_per_rad * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad),
-      in_quotes(joint.name), printable(dataset.manifest.robot_description),
-      joint::degrees_per_rad * joint.lowest_rad, joint::degrees_per_rad * joint.highest_rad));
+  const double reached_rad = lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad;
+  dataset.notes.push_back({"reading.outside_range_of_motion",
+                           {{"angle_deg", joint::degrees_per_rad * reached_rad},
+                            {"joint", in_quotes(joint.name)},
+                            {"file", printable(dataset.manifest.robot_description)},
+                            {"lowest_deg", joint::degrees_per_rad * joint.lowest_rad},
+                            {"highest_deg", joint::degrees_per_rad * joint.highest_rad}}});
 }
 
 /// What became of the rows, which a recording's files share.
@@ -158,7 +160,9 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
     count_rows(recording, beside);
     dataset.inputs.push_back(std::move(beside));
   }
-  if (!entry.note.empty()) dataset.notes.push_back(printable(entry.file) + ": " + entry.note);
+  if (!entry.note.empty()) {
+    RecordingNotes(entry.file, dataset.notes).add(Statement::verbatim(entry.note));
+  }
   dataset.recordings.push_back(std::move(recording));
 }
 
@@ -178,7 +182,7 @@ joint::Dataset read_dataset(const std::string& manifest_path) {
   for (const manifest::RecordingEntry& entry : manifest.recordings) {
     add_recording(entry, manifest, logs, dataset, unused);
   }
-  if (const std::string note = unused.note(); !note.empty()) dataset.notes.push_back(note);
+  if (const Statement note = unused.note(); !note.empty()) dataset.notes.push_back(note);
   if (dataset.robot) compare_angles(dataset);
   return dataset;
 }

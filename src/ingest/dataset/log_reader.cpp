@@ -16,6 +16,7 @@
 #include "ingest/bags/rosbag_reader.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/dataset/row_choice.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -154,7 +155,7 @@ void read_to_the_end(ByteSource& bytes) {
 
 ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
                  const std::vector<log::WantedColumn>& columns, const text::TextLogRules& rules,
-                 std::vector<std::string>& notes) {
+                 std::vector<Statement>& notes) {
   InputFileSource log(path);
   FingerprintedSource bytes(log);
   const log::LogFormat format = format_of_log(path);
@@ -163,9 +164,7 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
                                               : take_columns(read_tables(path, format), columns);
   read_to_the_end(bytes);
   if (log.has_grown()) {
-    notes.push_back(printable(entry.file) +
-                    ": the log is still being written; what came after the start of reading "
-                    "is not in");
+    RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});
   }
   read.file.name = entry.file;
   read.file.bytes = log.bytes_read();
@@ -186,7 +185,7 @@ KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
-                                              std::vector<std::string>& notes) {
+                                              std::vector<Statement>& notes) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "ingest/log/log_format.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
@@ -56,7 +57,7 @@ class KeptLogs {
   /// @throw InputError as read_csv(), take_columns() and refuse_unusable_columns().
   std::shared_ptr<const ReadLog> read(const manifest::RecordingEntry& entry,
                                       const std::vector<joint::KnownLoad>& loads,
-                                      std::vector<std::string>& notes);
+                                      std::vector<Statement>& notes);
 
  private:
   struct Kept {

@@ -82,10 +82,7 @@ void note_wrapped_angle(const manifest::ColumnEntry& angle, const joint::Drive& 
     if (jumps++ == 0) first_s = r.t_s[i];
   }
   if (jumps == 0) return;
-  notes.add(
-      fmt::format("the angle jumps by a turn {} time{}, first at {:.6g} s: an encoder that wraps "
-                  "round? unwrap the angle in the log",
-                  jumps, jumps == 1 ? "" : "s", first_s));
+  notes.add({"reading.angle_wraps", {{"jumps", jumps}, {"first_s", first_s}}});
 }
 
 void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& table,
@@ -98,12 +95,9 @@ void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& tabl
   }
   const bool has_loops = r.role == joint::Role::oscillation || r.role == joint::Role::break_away;
   if (rate_Hz < slowest_likely_Hz) {
-    notes.add(fmt::format("{:.3g} samples a second, read in {}: another unit of time?", rate_Hz,
-                          printable(time.unit)));
+    notes.add({"reading.unlikely_rate", {{"rate_Hz", rate_Hz}, {"unit", printable(time.unit)}}});
   } else if (has_loops && rate_Hz < slowest_for_loops_Hz) {
-    notes.add(fmt::format(
-        "{:.3g} samples a second are few for what happens at a reversal; log at 100 or more",
-        rate_Hz));
+    notes.add({"reading.slow_for_loops", {{"rate_Hz", rate_Hz}}});
   }
 }
 
@@ -143,16 +137,15 @@ void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& tab
                  RecordingNotes& notes) {
   const double angle_rad = largest(recording.q_rad);
   if (angle_rad > likely_largest_angle_rad) {
-    notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", angle_rad,
-                          printable(present(entry.columns.angle).unit)));
+    notes.add({"reading.large_angle",
+               {{"angle_rad", angle_rad}, {"unit", printable(present(entry.columns.angle).unit)}}});
   }
   note_wrapped_angle(present(entry.columns.angle), drive, recording, notes);
   const double torque_Nm = largest(recording.torque_Nm) * drive.gear_ratio();
   if (torque_Nm > likely_largest_torque_Nm) {
-    notes.add(fmt::format(
-        "the joint's torque reaches {:.3g} N·m, read as {}: another unit, or the other side of "
-        "the gear?",
-        torque_Nm, printable(present(entry.columns.effort).unit)));
+    notes.add(
+        {"reading.large_torque",
+         {{"torque_Nm", torque_Nm}, {"unit", printable(present(entry.columns.effort).unit)}}});
   }
   judge_rate(entry, table, recording, notes);
 }

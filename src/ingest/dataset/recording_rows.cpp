@@ -147,26 +147,24 @@ void refuse_unusable_columns(const manifest::RecordingEntry& entry,
 }
 
 void note_reading(const log::LogTable& table, RecordingNotes& notes) {
-  for (const std::string& note : table.notes) notes.add(note);
+  for (const Statement& note : table.notes) notes.add(note);
   for (const log::LogColumn& column : table.columns) {
     if (column.stands_in) continue;  // noted of its own file
     const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
     if (share <= many_gaps) continue;
-    notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
-                          in_quotes(column.header.full), 100 * share));
+    notes.add(
+        {"reading.gaps", {{"column", in_quotes(column.header.full)}, {"percent", 100 * share}}});
   }
 }
 
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
                                 const joint::Drive& drive, double effort_sign,
-                                std::vector<std::string>& notes_of_all,
+                                std::vector<Statement>& notes_of_all,
                                 std::vector<joint::KnownLoad>* loads) {
   RecordingNotes notes(entry.file, notes_of_all);
   note_reading(table, notes);
   if (table.columns.front().origin != 0) {
-    notes.add(
-        "its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
-        "reading, in whole units");
+    notes.add(Code{"reading.clock_from_1970"});
   }
   const RowChoice choice = choose_rows(entry, table, notes);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/input_file.h"
+#include "base/statement.h"
 #include "ingest/dataset/row_choice.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
@@ -36,7 +37,7 @@ void note_reading(const log::LogTable& table, RecordingNotes& notes);
 ///        fewer than 20 rows are left.
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
                                 const joint::Drive& drive, double effort_sign,
-                                std::vector<std::string>& notes,
+                                std::vector<Statement>& notes,
                                 std::vector<joint::KnownLoad>* loads = nullptr);
 
 }  // namespace tribolog::ingest::dataset

@@ -8,13 +8,14 @@
 
 #include "base/closest_match.h"
 #include "base/requirements.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::dataset {
 namespace {
 
-constexpr const char* outside_window = "outside the window ";
-constexpr const char* cut_off = "cut off at the end of the file";
-constexpr const char* not_usable = "cannot be used (skip_bad_rows)";
+constexpr Code outside_window{"skipped.outside_window"};
+constexpr Code cut_off{"skipped.cut_off"};
+constexpr Code not_usable{"skipped.not_usable"};
 constexpr std::size_t fewest_rows = 20;
 constexpr double largest_step_back_s = 1.0;    ///< Beyond: two logs, not a clock being set.
 constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
@@ -44,7 +45,7 @@ class RowChooser {
     return table_.columns.front().values[row] * to_seconds_;
   }
 
-  void skip(const std::string& reason, std::size_t count) {
+  void skip(const Statement& reason, std::size_t count) {
     if (count > 0) skipped_.push_back({reason, count});
   }
 
@@ -83,10 +84,9 @@ class RowChooser {
         ++gaps[static_cast<std::size_t>(gap - table_.columns.begin())];
       }
     }
-    skip(outside_window + window(), outside);
+    skip({outside_window, {{"window", window()}}}, outside);
     for (std::size_t k = 0; k < gaps.size(); ++k) {
-      skip(fmt::format("gap (nan) in column {}", in_quotes(table_.columns[k].header.full)),
-           gaps[k]);
+      skip({"skipped.gap", {{"column", in_quotes(table_.columns[k].header.full)}}}, gaps[k]);
     }
   }
 
@@ -98,8 +98,7 @@ class RowChooser {
   void put_in_order() {
     std::stable_sort(rows_.begin(), rows_.end(),
                      [this](std::size_t a, std::size_t b) { return time_s(a) < time_s(b); });
-    notes_.add(fmt::format("time runs back in {} row{} (first in line {}); put in order of time",
-                           steps_back_, steps_back_ == 1 ? "" : "s", first_back_line_));
+    notes_.add({"reading.time_runs_back", {{"rows", steps_back_}, {"line", first_back_line_}}});
   }
 
   void drop_repeated_stamps() {
@@ -107,7 +106,7 @@ class RowChooser {
     const std::size_t before = rows_.size();
     rows_.erase(std::unique(rows_.begin(), rows_.end(), same_time), rows_.end());
     const std::size_t repeated = before - rows_.size();
-    skip("repeated time stamp", repeated);
+    skip(Code{"skipped.repeated_stamp"}, repeated);
     if (static_cast<double>(repeated) <= most_repeated_stamps * static_cast<double>(before)) return;
     throw InputError({table_.file, 0, 0},
                      {fmt::format("column {}: {} of {} time stamps repeat an earlier one",
@@ -118,8 +117,8 @@ class RowChooser {
   [[noreturn]] void refuse_too_few() const {
     std::string reasons;
     for (const joint::SkippedRows& skipped : skipped_) {
-      reasons += fmt::format("{}{}: {}", reasons.empty() ? "left out: " : ", ", skipped.reason,
-                             skipped.count);
+      reasons += fmt::format("{}{}: {}", reasons.empty() ? "left out: " : ", ",
+                             wording::words(skipped.reason), skipped.count);
     }
     throw InputError({table_.file, 0, 0},
                      {"too few usable rows", fmt::format("{} of {}", rows_.size(), table_.rows),
@@ -138,19 +137,21 @@ class RowChooser {
 
 }  // namespace
 
-void RecordingNotes::add(const std::string& note) {
-  std::string words = printable(file_) + ": " + note;
-  if (std::find(notes_.begin(), notes_.end(), words) == notes_.end()) {
-    notes_.push_back(std::move(words));
-  }
+void RecordingNotes::add(const Statement& note) {
+  Statement of_file("reading.of_file", {{"file", printable(file_)}, {"note", note}});
+  const std::string said = wording::words(of_file);
+  const bool is_known = std::any_of(notes_.begin(), notes_.end(), [&said](const Statement& one) {
+    return wording::words(one) == said;
+  });
+  if (!is_known) notes_.push_back(std::move(of_file));
 }
 
 bool is_outside_window(const joint::SkippedRows& skipped) {
-  return skipped.reason.starts_with(outside_window);
+  return skipped.reason.is(outside_window);
 }
 
 bool is_of_whole_file(const joint::SkippedRows& skipped) {
-  return skipped.reason == cut_off || skipped.reason == not_usable;
+  return skipped.reason.is(cut_off) || skipped.reason.is(not_usable);
 }
 
 RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable& table,

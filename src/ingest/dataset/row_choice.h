@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/statement.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 #include "joint/recording.h"
@@ -16,13 +17,13 @@ namespace tribolog::ingest::dataset {
 /// common is noted once.
 class RecordingNotes {
  public:
-  RecordingNotes(const std::string& file, std::vector<std::string>& notes)
+  RecordingNotes(const std::string& file, std::vector<Statement>& notes)
       : file_(file), notes_(notes) {}
-  void add(const std::string& note);
+  void add(const Statement& note);
 
  private:
   const std::string& file_;
-  std::vector<std::string>& notes_;
+  std::vector<Statement>& notes_;
 };
 
 /// Rows left out as those of another time: with a file of several recordings, most of them.

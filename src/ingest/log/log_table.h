@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/statement.h"
+
 namespace tribolog::ingest::log {
 
 /// A column's name and unit: "tau [Nm]" and "tau (Nm)" are "tau" in "Nm".
@@ -38,7 +40,7 @@ struct LogTable {
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
   std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
-  std::vector<std::string> notes;   ///< Peculiarities that the user should know.
+  std::vector<Statement> notes;     ///< Peculiarities that the user should know.
   /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
   /// and take_columns() refuses them; other tables of the log are not concerned.
   std::string refusal;

@@ -73,14 +73,14 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
                         "by their position: \"#1\", \"#2\""});
     }
     header.fields = names_by_position(header.fields.size());
-    table.notes.emplace_back("no column names; columns are taken by their position");
+    table.notes.push_back(Code{"reading.columns_by_position"});
     return header;
   }
   if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));
   header.row = first.row();
   refuse_other_encodings(header.fields, line);
   if (const auto repeated = repeated_names(header.fields); !repeated.empty()) {
-    table.notes.push_back("column names that stand more than once: " + list_of_names(repeated));
+    table.notes.push_back({"reading.repeated_names", {{"columns", list_of_names(repeated)}}});
   }
   cursor = first;
   RowCursor second = cursor;
@@ -90,7 +90,7 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
     return header;
   }
   for (const Field& field : below) header.units.emplace_back(without_brackets(field.text));
-  table.notes.emplace_back("units are taken from the row under the header");
+  table.notes.push_back(Code{"reading.units_in_second_row"});
   cursor = second;
   return header;
 }
@@ -191,9 +191,25 @@ std::vector<log::WantedColumn> readable_columns(const RowCursor& cursor, const H
     columns.push_back({fmt::format("#{}", k + 1), "", reading});
   }
   if (!others.empty()) {
-    table.notes.push_back("columns that hold no numbers are not read: " + list_of_names(others));
+    table.notes.push_back(
+        {"reading.columns_without_numbers", {{"columns", list_of_names(others)}}});
   }
   return columns;
+}
+
+/// What a reader should know of it; nothing of commas.
+Statement note_of(Delimiter delimiter) {
+  switch (delimiter) {
+    case Delimiter::comma:
+      break;
+    case Delimiter::semicolon:
+      return {"reading.separated_by_semicolons"};
+    case Delimiter::tab:
+      return {"reading.separated_by_tabs"};
+    case Delimiter::spaces:
+      return {"reading.separated_by_spaces"};
+  }
+  return {};
 }
 
 /// Rows to make room for; a guess from the first row's length, bounded by the file's size.
@@ -215,8 +231,7 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   if (rules.header_line) {
     cursor.go_to_line(*rules.header_line, file);
     if (*rules.header_line > 1) {
-      table.notes.push_back(
-          fmt::format("{} lines in front of the header are not read", *rules.header_line - 1));
+      table.notes.push_back({"reading.lines_before_header", {{"lines", *rules.header_line - 1}}});
     }
   }
   table.delimiter =
@@ -231,15 +246,13 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   for (log::LogColumn& column : table.columns) {
     reserve_in_large_pages(column.values, likely_rows(cursor.rest(), bytes.likely_bytes()));
   }
-  if (table.delimiter != Delimiter::comma) {
-    table.notes.push_back("columns are separated by " + to_string(table.delimiter));
-  }
+  if (const Statement note = note_of(table.delimiter); !note.empty()) table.notes.push_back(note);
   if (rules.decimal_mark == DecimalMark::comma) {
-    table.notes.emplace_back("numbers have a decimal comma, as stated");
+    table.notes.push_back(Code{"reading.decimal_comma"});
   }
   cursor.go_on_in(window);
   read_rows(cursor, layout, table);
-  if (cursor.mixed_line_ends()) table.notes.emplace_back("line ends are mixed (LF, CR LF, CR)");
+  if (cursor.mixed_line_ends()) table.notes.push_back(Code{"reading.mixed_line_ends"});
   if (table.rows == 0) {
     throw InputError({file, cursor.line(), 0}, {"no data rows", "", "", ""});
   }

@@ -150,7 +150,7 @@ class RowReader {
     const std::size_t columns = layout_.slots.size();
     if (fields.size() == columns + 1 && fields.back().text.empty()) {
       fields.pop_back();
-      note_once(has_trailing_delimiter_, "rows end with a delimiter; the empty column is ignored");
+      note_once(has_trailing_delimiter_, Code{"reading.trailing_delimiter"});
     } else if (fields.size() + 1 == columns && layout_.header.back().text.empty()) {
       fields.push_back({"", cursor_.row().size() + 1});
     }
@@ -183,7 +183,7 @@ class RowReader {
     ++table_.rows;
   }
 
-  void note_once(bool& done, const std::string& note) {
+  void note_once(bool& done, const Statement& note) {
     if (!std::exchange(done, true)) table_.notes.push_back(note);
   }
 
@@ -195,26 +195,23 @@ class RowReader {
 
   void judge_bad_rows() {
     const std::size_t all = table_.rows + table_.bad_rows;
-    const std::string count = fmt::format("{} of {} rows cannot be used", table_.bad_rows, all);
-    const std::string first = fmt::format("the first: {}", present(first_bad_row_).what());
+    const std::string first = present(first_bad_row_).what();
     if (static_cast<double>(table_.bad_rows) > most_bad_rows * static_cast<double>(all)) {
-      throw InputError({table_.file, present(first_bad_row_).where().line, 0},
-                       {count, "", fmt::format("no more than {} %", 100 * most_bad_rows), first});
+      throw InputError(
+          {table_.file, present(first_bad_row_).where().line, 0},
+          {fmt::format("{} of {} rows cannot be used", table_.bad_rows, all), "",
+           fmt::format("no more than {} %", 100 * most_bad_rows), "the first: " + first});
     }
-    table_.notes.push_back(count + " and are left out; " + first);
+    table_.notes.push_back(
+        {"reading.bad_rows", {{"bad", table_.bad_rows}, {"rows", all}, {"first", first}}});
   }
 
   void note_cut_row() {
     ++table_.cut_rows;
-    table_.notes.push_back(
-        fmt::format("file ends inside a row at byte {} (log truncated?); the row is left out",
-                    cursor_.bytes_walked()));
+    table_.notes.push_back({"reading.ends_inside_row", {{"byte", cursor_.bytes_walked()}}});
   }
 
-  void note_missing_line_end() {
-    table_.notes.emplace_back(
-        "the last row has no line end; where the log was cut off, its last number may be too");
-  }
+  void note_missing_line_end() { table_.notes.push_back(Code{"reading.no_last_line_end"}); }
 
   void refuse_repeated_header() const {
     if (layout_.header_row.empty()) return;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_format.h"
 #include "ingest/text/csv_dialect.h"
@@ -62,7 +63,7 @@ struct LogSurvey {
   ingest::log::LogFormat format{};
   std::string refusal;  ///< Why it cannot be read, for people; nothing else is there then.
   std::vector<TableSurvey> tables;
-  std::vector<std::string> notes;
+  std::vector<Statement> notes;
 };
 
 /// @throw InputError for a log that cannot be read.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
+#include "wording/words.h"
 
 namespace tribolog::inspect::survey {
 namespace {
@@ -101,7 +102,7 @@ std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& m
       json["refusal"] = log.refusal;
     } else {
       json["format"] = ingest::log::to_string(log.format);
-      json["notes"] = log.notes;
+      json["notes"] = wording::words(log.notes);
       for (const TableSurvey& table : log.tables) json["tables"].push_back(json_of(table));
     }
     all["logs"].push_back(std::move(json));

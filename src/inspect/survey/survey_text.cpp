@@ -13,6 +13,7 @@
 #include "inspect/survey/log_survey.h"
 #include "inspect/survey/recording_roles.h"
 #include "inspect/survey/text_table.h"
+#include "wording/words.h"
 
 namespace tribolog::inspect::survey {
 
@@ -211,7 +212,9 @@ std::string table_title(const TableSurvey& table) {
 
 std::string notes_text(const LogSurvey& log) {
   std::string text;
-  for (const std::string& note : log.notes) text += paragraph("note", printable(note, 400));
+  for (const Statement& note : log.notes) {
+    text += paragraph("note", printable(wording::words(note), 400));
+  }
   return text;
 }
 

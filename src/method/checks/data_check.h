@@ -19,16 +19,17 @@ std::string to_string(CheckState state);
 
 struct DataCheck {
   std::string name;                ///< Stable key: "speed_scale".
-  std::string recording;           ///< The one the number is of, or "all"; empty: none.
+  std::string recording;           ///< The one the number is of, a role, or "all"; empty: none.
   Statement measure;               ///< What was measured.
   std::optional<double> measured;  ///< In `unit`; absent where not applicable.
   std::optional<double> at_least;  ///< Limits of what passes, in `unit`.
   std::optional<double> at_most;
   std::string unit;  ///< "1" for a pure number.
   CheckState state{CheckState::not_applicable};
-  Statement found;        ///< One clause on what was found, or why the check does not apply.
-  Statement consequence;  ///< What that does to the results; empty if it passed.
-  Statement experiment;   ///< What to record instead; empty if it passed.
+  Statement found;          ///< One clause on what was found, or why the check does not apply.
+  Statement consequence;    ///< What that does to the results; empty if it passed.
+  Statement experiment;     ///< What to record instead; empty if it passed.
+  bool is_of_whole_role{};  ///< `recording` is a role: the number is of all its recordings.
 };
 
 struct DataChecksResult {

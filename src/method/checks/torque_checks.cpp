@@ -80,9 +80,11 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
     TorqueScatter scatter;
     for (const CheckedRecording* r : recordings) scatter.add(r->recording->torque_Nm);
     const double percent = scatter.white_percent();
-    take_if_worst(check, percent,
-                  recordings.size() == 1 ? recordings.front()->recording->name
-                                         : joint::to_string(role) + ", all");
+    const bool is_one = recordings.size() == 1;
+    if (take_if_worst(check, percent,
+                      is_one ? recordings.front()->recording->name : joint::to_string(role))) {
+      check.is_of_whole_role = !is_one;
+    }
   }
   if (!check.measured) {
     return not_applicable(check.name, {"not_applicable.no_sweep_oscillation_or_run"});

@@ -39,7 +39,7 @@ joint::Recording moving_part(const joint::Recording& recording) {
   out.z_rad = cut(recording.z_rad, first, last);
   out.dz_rad_s = cut(recording.dz_rad_s, first, last);
   out.temperature_C = cut(recording.temperature_C, first, last);
-  out.skipped.push_back({"at_rest", n - (last - first)});
+  out.skipped.push_back({Code{"skipped.at_rest"}, n - (last - first)});
   return out;
 }
 

@@ -6,11 +6,10 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "figures/report_figure.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::charts {
 namespace {
@@ -19,6 +18,8 @@ using wording::AxisScale;
 using wording::listed;
 using wording::prefixed;
 using wording::significant;
+using wording::tr;
+using wording::tr_count;
 using wording::with_unit;
 
 constexpr int head_px = 120;
@@ -29,25 +30,27 @@ std::string length_text(double length_m) {
 }
 
 std::string force_text(const simulate::PreslidingLoop& loop) {
-  return fmt::format("{} N at {} Hz", loop.amplitude_N, loop.frequency_Hz);
+  return tr("{force_amplitude_N} N at {frequency_Hz} Hz",
+            {{"force_amplitude_N", loop.amplitude_N}, {"frequency_Hz", loop.frequency_Hz}});
 }
 
 render::figure::Panel panel_of(const simulate::PreslidingLoop& loop, double largest_N) {
   constexpr double margin = 1.15;
   const wording::AxisScale lengths = wording::prefixed("m", loop.width_m / 2);
   render::figure::Panel panel;
-  panel.title =
-      fmt::format("{}: {} wide, up to {} mm/s", force_text(loop), length_text(loop.width_m),
-                  wording::significant(loop.largest_speed_m_s * 1e3, 3));
-  panel.x.title = wording::axis_title("displacement x", lengths);
-  panel.y.title = "force [N]";
+  panel.title = tr("{force}: {loop_width} wide, up to {largest_speed_mm_s} mm/s",
+                   {{"force", force_text(loop)},
+                    {"loop_width", length_text(loop.width_m)},
+                    {"largest_speed_mm_s", wording::significant(loop.largest_speed_m_s * 1e3, 3)}});
+  panel.x.title = wording::axis_title(tr("displacement x"), lengths);
+  panel.y.title = tr("force [N]");
   panel.y.minimum = -margin * largest_N;
   panel.y.maximum = margin * largest_N;
   const std::vector<double> x = figures::shown(loop.cycle.angle_rad, lengths);
-  panel.series.push_back(figures::line("applied force", x, loop.cycle.applied_Nm,
+  panel.series.push_back(figures::line(tr("applied force"), x, loop.cycle.applied_Nm,
                                        render::figure::palette::grey, 1.5,
                                        render::figure::LineStyle::dash));
-  render::figure::Series friction = figures::line("friction T_{f}", x, loop.cycle.friction_Nm,
+  render::figure::Series friction = figures::line(tr("friction T_{{f}}"), x, loop.cycle.friction_Nm,
                                                   render::figure::palette::blue, 3.5);
   friction.direction_arrows_at = {0.1, 0.35, 0.6, 0.85};
   panel.series.push_back(std::move(friction));
@@ -62,39 +65,53 @@ std::string for_each_loop(const std::vector<simulate::PreslidingLoop>& loops, co
 }
 
 /// Whether the loops are what the paper calls them.
-std::string regime_words(const std::vector<simulate::PreslidingLoop>& loops) {
+std::string regime_sentence(const std::vector<simulate::PreslidingLoop>& loops) {
+  const std::string speeds = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
+    return wording::significant(loop.largest_speed_m_s / loop.stribeck_speed_m_s, 2);
+  });
   const auto holding =
       std::count_if(loops.begin(), loops.end(), [](const simulate::PreslidingLoop& loop) {
         return loop.largest_speed_m_s <= loop.stribeck_speed_m_s;
       });
   const auto all = static_cast<std::ptrdiff_t>(loops.size());
-  if (holding == all) return "the loops are pure pre-sliding";
-  if (holding == 0) return "none of the loops is pure pre-sliding";
-  return fmt::format("{} of the {} loops {} pure pre-sliding", holding, all,
-                     holding == 1 ? "is" : "are");
+  if (holding == all) {
+    return tr("Speeds reach {speeds} times the Stribeck velocity: the loops are pure pre-sliding.",
+              {{"speeds", speeds}});
+  }
+  if (holding == 0) {
+    return tr(
+        "Speeds reach {speeds} times the Stribeck velocity: none of the loops is pure "
+        "pre-sliding.",
+        {{"speeds", speeds}});
+  }
+  return tr_count(holding,
+                  "Speeds reach {speeds} times the Stribeck velocity: {presliding_loops} of the "
+                  "{loops} loops is pure pre-sliding.",
+                  "Speeds reach {speeds} times the Stribeck velocity: {presliding_loops} of the "
+                  "{loops} loops are pure pre-sliding.",
+                  {{"speeds", speeds}, {"presliding_loops", holding}, {"loops", all}});
 }
 
 std::string caption(const std::vector<simulate::PreslidingLoop>& loops) {
   const std::string widths = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
-    return fmt::format("{} ({})", length_text(loop.width_m), force_text(loop));
-  });
-  const std::string speeds = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
-    return wording::significant(loop.largest_speed_m_s / loop.stribeck_speed_m_s, 2);
+    return length_text(loop.width_m) + " (" + force_text(loop) + ")";
   });
   const std::string limits = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
-    return fmt::format("{} N at {} Hz", wording::significant(loop.largest_presliding_N, 3),
-                       loop.frequency_Hz);
+    return tr("{force_amplitude_N} N at {frequency_Hz} Hz",
+              {{"force_amplitude_N", wording::significant(loop.largest_presliding_N, 3)},
+               {"frequency_Hz", loop.frequency_Hz}});
   });
-  return fmt::format(
-      "LuGre friction of a unit mass, Table 1 as meant; one period of the motion that repeats. "
-      "Widths are {}. Speeds reach {} times the Stribeck velocity: {}. Amplitudes up to {} "
-      "stay below that velocity.",
-      widths, speeds, regime_words(loops), limits);
+  return tr("LuGre friction of a unit mass, Table 1 as meant; one period of the motion that "
+            "repeats. Widths are {loop_widths}.",
+            {{"loop_widths", widths}}) +
+         " " + regime_sentence(loops) + " " +
+         tr("Amplitudes up to {force_amplitudes} stay below that velocity.",
+            {{"force_amplitudes", limits}});
 }
 
 std::string how_to_read(const std::vector<simulate::PreslidingLoop>& loops) {
   const std::string slow = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
-    return std::isfinite(loop.slow_width_m) ? length_text(loop.slow_width_m) : "no bound";
+    return std::isfinite(loop.slow_width_m) ? length_text(loop.slow_width_m) : tr("no bound");
   });
   const std::string peaks = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
     return wording::with_unit(loop.largest_friction_N, {1.0, "N"}, 4);
@@ -105,27 +122,35 @@ std::string how_to_read(const std::vector<simulate::PreslidingLoop>& loops) {
     gap = std::max(gap, loop.gap);
     shift = std::max(shift, loop.tolerance_shift);
   }
-  return fmt::format(
+  return tr(
       "Mind the axes of displacement: each panel has its own. After a reversal friction climbs "
       "while the bristles bend, which is pre-sliding; where it is level the mass slides, driven "
-      "by what the applied force (dashed) has more than friction. Friction peaks at {}; where the "
+      "by what the applied force (dashed) has more than friction. Friction peaks at "
+      "{friction_peaks}; where the "
       "mass breaks away that is short of the static force, the more so the faster the force rises. "
       "Forces of the same amplitudes but so slow that neither rate nor inertia counts would give "
-      "widths of {}. The loops close to {} millionths of their size, and halving the solver's "
-      "tolerance moves them by at most {} millionths; a loop that gapes has not reached the motion "
+      "widths of {slow_widths}. The loops close to {gap_millionths} millionths of their size, and "
+      "halving the solver's "
+      "tolerance moves them by at most {shift_millionths} millionths; a loop that gapes has not "
+      "reached the motion "
       "that repeats.",
-      peaks, slow, wording::significant(gap * 1e6, 1), wording::significant(shift * 1e6, 1));
+      {{"friction_peaks", peaks},
+       {"slow_widths", slow},
+       {"gap_millionths", wording::significant(gap * 1e6, 1)},
+       {"shift_millionths", wording::significant(shift * 1e6, 1)}});
 }
 
 std::string alt(const std::vector<simulate::PreslidingLoop>& loops) {
-  return fmt::format(
+  const std::string each = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
+    return tr("{force} ({loop_width} wide, friction up to {largest_friction})",
+              {{"force", force_text(loop)},
+               {"loop_width", length_text(loop.width_m)},
+               {"largest_friction", wording::with_unit(loop.largest_friction_N, {1.0, "N"}, 4)}});
+  });
+  return tr(
       "Closed loops of friction force against displacement, run through clockwise, one panel "
-      "each: {}.",
-      for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
-        return fmt::format("{} ({} wide, friction up to {})", force_text(loop),
-                           length_text(loop.width_m),
-                           wording::with_unit(loop.largest_friction_N, {1.0, "N"}, 4));
-      }));
+      "each: {loops}.",
+      {{"loops", each}});
 }
 
 }  // namespace
@@ -136,7 +161,7 @@ figures::ReportFigure presliding_hysteresis_figure(
   figures::ReportFigure out;
   out.number = 5;
   out.id = "fig-05-presliding-hysteresis";
-  out.title = "Hysteresis of friction under an oscillating force";
+  out.title = tr("Hysteresis of friction under an oscillating force");
   out.caption = caption(loops);
   out.how_to_read = how_to_read(loops);
   out.alt = alt(loops);

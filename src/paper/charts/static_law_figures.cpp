@@ -12,6 +12,7 @@
 #include "render/figure/figure.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::charts {
 
@@ -34,6 +35,7 @@ struct StaticLevels {
 
 using wording::AxisScale;
 using wording::prefixed;
+using wording::tr;
 
 constexpr double curve_px = 4.0;
 constexpr double part_px = 3.0;
@@ -56,10 +58,10 @@ render::figure::Panel static_law_panel(double largest_rad_s, double largest_Nm) 
   const wording::AxisScale speeds = wording::prefixed("rad/s", largest_rad_s);
   constexpr double margin = 1.25;  // room for the legend
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title("motor speed ω", speeds);
+  panel.x.title = wording::axis_title(tr("motor speed ω"), speeds);
   panel.x.minimum = speeds(-largest_rad_s);
   panel.x.maximum = speeds(largest_rad_s);
-  panel.y.title = "friction T_{f} [N·m]";
+  panel.y.title = tr("friction T_{{f}} [N·m]");
   panel.y.minimum = -margin * largest_Nm;
   panel.y.maximum = margin * largest_Nm;
   return panel;
@@ -103,16 +105,9 @@ void add_levels(render::figure::Panel& panel, const StaticLevels& levels, double
         render::figure::palette::vermilion, part_px, render::figure::LineStyle::dash));
   };
   viscous(-1, "");
-  viscous(+1, fmt::format("T_{{c}} + {0} |ω|, slope {0} = {1}", levels.slope_symbol,
-                          parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")));
-}
-
-/// "break-away torque 0.884 N·m, Coulomb torque 0.45 N·m, ..."
-std::string levels_words(const StaticLevels& levels) {
-  return fmt::format("break-away torque {}, Coulomb torque {}, viscous slope {}",
-                     parameter_text(levels.static_Nm, "N·m"),
-                     parameter_text(levels.coulomb_Nm, "N·m"),
-                     parameter_text(levels.viscous_Nms_rad, "N·m·s/rad"));
+  viscous(+1, tr("T_{{c}} + {slope_symbol} |ω|, slope {slope_symbol} = {viscous_slope}",
+                 {{"slope_symbol", levels.slope_symbol},
+                  {"viscous_slope", parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")}}));
 }
 
 constexpr double shown_stribeck_speeds = 8;
@@ -139,12 +134,12 @@ render::figure::Panel panel_of(const friction::StribeckFriction& friction,
   render::figure::Panel panel = static_law_panel(largest, std::max(levels.static_Nm, law(largest)));
   add_levels(panel, levels, largest);
   render::figure::Series at_rest =
-      figures::line("at rest: equal to the applied torque, up to ±T_{brk}", {0.0, 0.0},
+      figures::line(tr("at rest: equal to the applied torque, up to ±T_{{brk}}"), {0.0, 0.0},
                     {-levels.static_Nm, levels.static_Nm}, render::figure::palette::black, 3.0,
                     render::figure::LineStyle::dot);
   at_rest.marker = render::figure::Marker::circle;
   render::figure::Series forward = law_series(law, rest, largest, speeds);
-  forward.label = "in motion, eq. (1)";
+  forward.label = tr("in motion, eq. (1)");
   panel.series.push_back(law_series(law, -largest, -rest, speeds));
   panel.series.push_back(std::move(forward));
   panel.series.push_back(std::move(at_rest));
@@ -155,25 +150,34 @@ render::figure::Panel panel_of(const friction::StribeckFriction& friction,
 
 figures::ReportFigure static_friction_figure(const friction::StribeckFriction& friction) {
   const StaticLevels levels = levels_of(friction);
+  const std::string static_torque = parameter_text(levels.static_Nm, "N·m");
+  const std::string coulomb_torque = parameter_text(levels.coulomb_Nm, "N·m");
   const std::string speed = parameter_text(levels.fall_rad_s, "rad/s");
   figures::ReportFigure out;
   out.number = 1;
   out.id = "fig-01-static-discontinuous";
-  out.title = "Static friction, discontinuous at rest";
-  out.caption = fmt::format(
-      "Equation (1): {}, Stribeck velocity {}. The paper prints no values; these parameters are "
-      "ours, at the size of its joint.",
-      levels_words(levels), speed);
-  out.how_to_read =
+  out.title = tr("Static friction, discontinuous at rest");
+  out.caption =
+      tr("Equation (1): break-away torque {break_away_torque}, Coulomb torque {coulomb_torque}, "
+         "viscous slope {viscous_slope}, Stribeck velocity {stribeck_velocity}. The paper prints "
+         "no values; these parameters are ours, at the size of its joint.",
+         {{"break_away_torque", static_torque},
+          {"coulomb_torque", coulomb_torque},
+          {"viscous_slope", parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")},
+          {"stribeck_velocity", speed}});
+  out.how_to_read = tr(
       "At rest the law is no function of speed: friction equals the applied torque, whatever it "
       "is, up to ±T_brk (dotted). In motion it starts at T_brk and falls towards the Coulomb "
       "torque: at the Stribeck velocity 37 % of the excess is left. Then the viscous part leads it "
       "upwards along the dashed line. Between −T_brk and +T_brk a solver cannot tell from the "
-      "speed what friction is, which is why figure 2 and the models with memory exist.";
-  out.alt = fmt::format(
-      "Friction torque against motor speed. It jumps at rest from −{0} to +{0}, falls on both "
-      "sides within some {1} towards a line that starts at {2} and rises with speed.",
-      parameter_text(levels.static_Nm, "N·m"), speed, parameter_text(levels.coulomb_Nm, "N·m"));
+      "speed what friction is, which is why figure 2 and the models with memory exist.");
+  out.alt =
+      tr("Friction torque against motor speed. It jumps at rest from −{break_away_torque} to "
+         "+{break_away_torque}, falls on both sides within some {stribeck_velocity} towards a "
+         "line that starts at {coulomb_torque} and rises with speed.",
+         {{"break_away_torque", static_torque},
+          {"stribeck_velocity", speed},
+          {"coulomb_torque", coulomb_torque}});
   out.figure.id = out.id;
   out.figure.title = out.title;
   out.figure.panels.push_back(panel_of(friction, levels));
@@ -207,7 +211,7 @@ render::figure::Panel whole(const StaticLaw& law, const StaticLevels& levels, do
   const render::figure::Series forward = law_series(law, threshold, largest, speeds);
   line.x.insert(line.x.end(), forward.x.begin(), forward.x.end());
   line.y.insert(line.y.end(), forward.y.begin(), forward.y.end());
-  line.label = "eq. (2)";
+  line.label = tr("eq. (2)");
   panel.series.push_back(std::move(line));
   return panel;
 }
@@ -218,12 +222,12 @@ render::figure::Panel close_up(const StaticLaw& law, double threshold) {
   const double at_threshold = law(threshold);
   const wording::AxisScale speeds = wording::prefixed("rad/s", largest);
   render::figure::Panel panel = static_law_panel(largest, at_threshold);
-  panel.title = "The linear zone";
+  panel.title = tr("The linear zone");
   const double low = present(panel.y.minimum);
   const double high = present(panel.y.maximum);
   render::figure::Band band;
-  band.label = fmt::format("linear zone, slope T_{{f}}(ω_{{th}})/ω_{{th}} = {}",
-                           slope_text(at_threshold / threshold));
+  band.label = tr("linear zone, slope T_{{f}}(ω_{{th}})/ω_{{th}} = {slope}",
+                  {{"slope", slope_text(at_threshold / threshold)}});
   band.x = {speeds(-threshold), speeds(threshold)};
   band.low = {low, low};
   band.high = {high, high};
@@ -233,7 +237,7 @@ render::figure::Panel close_up(const StaticLaw& law, double threshold) {
   panel.reference_lines.push_back({Direction::vertical, speeds(threshold), text});
   panel.reference_lines.push_back({Direction::vertical, speeds(-threshold), "−ω_{th}"});
   panel.series.push_back(law_series(law, -largest, largest, speeds));
-  panel.series.back().label = "eq. (2)";
+  panel.series.back().label = tr("eq. (2)");
   return panel;
 }
 
@@ -247,33 +251,42 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
   const double slope = law(p.threshold_rad_s) / p.threshold_rad_s;
   constexpr double minute_s = 60;
   const double crept = p.threshold_rad_s / 2 * minute_s;
+  const std::string static_torque = parameter_text(levels.static_Nm, "N·m");
+  const std::string coulomb_torque = parameter_text(levels.coulomb_Nm, "N·m");
+  const std::string threshold_speed = parameter_text(p.threshold_rad_s, "rad/s");
   figures::ReportFigure out;
   out.number = 2;
   out.id = "fig-02-static-continuous";
-  out.title = "Static friction with a linear zone around rest";
-  out.caption = fmt::format(
-      "Equation (2): {}, decay c_ω {:.4g} s/rad; between ±{} (threshold speed) friction is "
-      "proportional to speed, {}. The paper prints no values except the threshold's range of "
-      "10⁻⁵ to 10⁻³ rad/s; these parameters are ours, at the size of its joint.",
-      levels_words(levels), p.stribeck_decay_s_rad, parameter_text(p.threshold_rad_s, "rad/s"),
-      slope_text(slope));
-  out.how_to_read = fmt::format(
+  out.title = tr("Static friction with a linear zone around rest");
+  out.caption =
+      tr("Equation (2): break-away torque {break_away_torque}, Coulomb torque {coulomb_torque}, "
+         "viscous slope {viscous_slope}, decay c_ω {decay_s_rad:.4g} s/rad; between "
+         "±{threshold_speed} (threshold speed) friction is proportional to speed, {slope}. The "
+         "paper prints no values except the threshold's range of 10⁻⁵ to 10⁻³ rad/s; these "
+         "parameters are ours, at the size of its joint.",
+         {{"break_away_torque", static_torque},
+          {"coulomb_torque", coulomb_torque},
+          {"viscous_slope", parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")},
+          {"decay_s_rad", p.stribeck_decay_s_rad},
+          {"threshold_speed", threshold_speed},
+          {"slope", slope_text(slope)}});
+  const double enlargement =
+      shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s);
+  out.how_to_read = tr(
       "Above, no jump is left: the line through zero is only too steep to see that it leans. Away "
       "from rest friction falls exponentially with speed, so sooner but longer than in figure 1. "
-      "Below, the same enlarged {} times along the speed. The law never holds: a torque of half "
-      "the "
-      "break-away torque, at which a real joint stands still, turns the shaft at half of ω_th, {} "
-      "in a "
-      "minute.",
-      wording::significant(shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s),
-                           2),
-      wording::with_unit(crept, wording::prefixed("rad", crept), 2));
-  out.alt = fmt::format(
-      "Two charts of friction torque against motor speed. Above it changes sides at rest, falls "
-      "from {} to {} and rises with speed. Below, near rest, it is a straight line through zero "
-      "between ±{}, level outside.",
-      parameter_text(levels.static_Nm, "N·m"), parameter_text(levels.coulomb_Nm, "N·m"),
-      parameter_text(p.threshold_rad_s, "rad/s"));
+      "Below, the same enlarged {enlargement} times along the speed. The law never holds: a "
+      "torque of half the break-away torque, at which a real joint stands still, turns the shaft "
+      "at half of ω_th, {crept_angle} in a minute.",
+      {{"enlargement", wording::significant(enlargement, 2)},
+       {"crept_angle", wording::with_unit(crept, wording::prefixed("rad", crept), 2)}});
+  out.alt =
+      tr("Two charts of friction torque against motor speed. Above it changes sides at rest, "
+         "falls from {break_away_torque} to {coulomb_torque} and rises with speed. Below, near "
+         "rest, it is a straight line through zero between ±{threshold_speed}, level outside.",
+         {{"break_away_torque", static_torque},
+          {"coulomb_torque", coulomb_torque},
+          {"threshold_speed", threshold_speed}});
   out.figure.id = out.id;
   out.figure.title = out.title;
   out.figure.height_px = 1500;

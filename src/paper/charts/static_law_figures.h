@@ -8,6 +8,8 @@
 
 namespace tribolog::paper::charts {
 
+// The law itself is what is drawn solid.
+
 /// Friction over speed on both sides of rest, the range at rest, and the levels.
 figures::ReportFigure static_friction_figure(const friction::StribeckFriction& friction);
 

@@ -10,10 +10,13 @@
 #include "paper/drawings/lugre_diagram.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
 namespace {
+
+using wording::tr;
 
 std::vector<double> grid() { return speeds_of_both_signs(1e-4, 300); }
 
@@ -47,13 +50,13 @@ Checks check_equation_3(const PapersJoint& joint) {
   const friction::LuGreFriction table_1 = *dynamic_cast<const friction::LuGreFriction*>(
       friction::dynamic_friction_model("lugre").matched({}).get());
   const double steady = 0.01;
-  return {vanishing("Equation against program, at 1000 states: largest difference", from_equation,
-                    law_rounding_Nm, "N·m", law_rounding),
-          vanishing("Block diagram of figure 4 against program, at the same states", from_diagram,
-                    1e-10, "N·m", "rounding, where σ₁ dz/dt reaches 1000 N·m"),
-          law_value("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω",
+  return {vanishing(tr("Equation against program, at 1000 states: largest difference"),
+                    from_equation, law_rounding_Nm, "N·m", tr(law_rounding)),
+          vanishing(tr("Block diagram of figure 4 against program, at the same states"),
+                    from_diagram, 1e-10, "N·m", tr("rounding, where σ₁ dz/dt reaches 1000 N·m")),
+          law_value(tr("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω"),
                     1.0 + 0.4 * steady, table_1.steady_torque_Nm(steady), law_rounding_Nm, "N",
-                    law_rounding)};
+                    tr(law_rounding))};
 }
 
 Checks check_equation_4(const PapersJoint& joint) {
@@ -66,31 +69,31 @@ Checks check_equation_4(const PapersJoint& joint) {
     largest = std::max(largest, std::abs(solved[i]));
     apart = std::max(apart, std::abs(solved[i] - log.z_rad.at(i)));
   }
-  return {
-      vanishing(
-          "Equation against program, at 1000 states: largest difference",
-          [&] {
-            std::size_t i = 0;
-            return largest_over(grid(), [&](double w) {
-              const double z = some_deflection(friction, i++);
-              const double g = friction.steady_deflection_rad(w);
-              const double printed = w - std::abs(w) / g * z;
-              return friction.deflection_rate_rad_s(z, w) - printed;
-            });
-          }(),
-          1e-12, "rad/s", law_rounding),
-      vanishing("In steady sliding z = g(ω) sgn(ω) stays: largest dz/dt",
-                largest_over(grid(),
-                             [&](double w) {
-                               const double g = friction.steady_deflection_rad(w);
-                               return friction.deflection_rate_rad_s(std::copysign(g, w), w);
-                             }),
-                1e-12, "rad/s", law_rounding),
-      vanishing("The oscillation's z(t), program against CVODE: largest difference by largest z",
-                apart / largest, 1e-8, "", "what the program promises"),
-      vanishing("z never exceeds g(0): by how much, as a share of it",
-                std::max(0.0, largest / friction.steady_deflection_rad(0) - 1), 0, "",
-                "proved for LuGre")};
+  return {vanishing(
+              tr("Equation against program, at 1000 states: largest difference"),
+              [&] {
+                std::size_t i = 0;
+                return largest_over(grid(), [&](double w) {
+                  const double z = some_deflection(friction, i++);
+                  const double g = friction.steady_deflection_rad(w);
+                  const double printed = w - std::abs(w) / g * z;
+                  return friction.deflection_rate_rad_s(z, w) - printed;
+                });
+              }(),
+              1e-12, "rad/s", tr(law_rounding)),
+          vanishing(tr("In steady sliding z = g(ω) sgn(ω) stays: largest dz/dt"),
+                    largest_over(grid(),
+                                 [&](double w) {
+                                   const double g = friction.steady_deflection_rad(w);
+                                   return friction.deflection_rate_rad_s(std::copysign(g, w), w);
+                                 }),
+                    1e-12, "rad/s", tr(law_rounding)),
+          vanishing(
+              tr("The oscillation's z(t), program against CVODE: largest difference by largest z"),
+              apart / largest, 1e-8, "", tr("what the program promises")),
+          vanishing(tr("z never exceeds g(0): by how much, as a share of it"),
+                    std::max(0.0, largest / friction.steady_deflection_rad(0) - 1), 0, "",
+                    tr("proved for LuGre"))};
 }
 
 Checks check_equation_5(const PapersJoint& joint) {
@@ -100,7 +103,7 @@ Checks check_equation_5(const PapersJoint& joint) {
     return p.bristle_stiffness_Nm_rad * friction.steady_deflection_rad(w);
   };
   const double ws = p.stribeck_speed_rad_s;
-  return {vanishing("Equation against program, at 1000 speeds: largest difference",
+  return {vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
                     largest_over(grid(),
                                  [&](double w) {
                                    const double ratio = w / ws;
@@ -109,10 +112,11 @@ Checks check_equation_5(const PapersJoint& joint) {
                                        (p.static_Nm - p.coulomb_Nm) * std::exp(-ratio * ratio);
                                    return level(w) - printed;
                                  }),
-                    law_rounding_Nm, "N·m", law_rounding),
-          law_value("At rest: T_s", p.static_Nm, level(0), law_rounding_Nm, "N·m", law_rounding),
-          law_value("Far beyond ω_s: T_c", p.coulomb_Nm, level(10 * ws), law_rounding_Nm, "N·m",
-                    law_rounding)};
+                    law_rounding_Nm, "N·m", tr(law_rounding)),
+          law_value(tr("At rest: T_s"), p.static_Nm, level(0), law_rounding_Nm, "N·m",
+                    tr(law_rounding)),
+          law_value(tr("Far beyond ω_s: T_c"), p.coulomb_Nm, level(10 * ws), law_rounding_Nm, "N·m",
+                    tr(law_rounding))};
 }
 
 // Equations (12) and (14): surrogate mass, and the corrected angle.
@@ -125,21 +129,22 @@ Checks check_equation_12(const PapersJoint& joint) {
   const joint::GravityLoad& load = joint.scenario.load;
   const double truth = load.mass_kg() * load.distance_m() / drawings::distance_m;
   const method::hysteresis::SurrogateMass* midline = joint.calibration.masses.find("midline");
-  Checks out{vanishing("All six rows of table 2, mass from torque: largest difference from print",
-                       apart, drawings::rounding_kg(), "kg", "rounding of printed torque and mass"),
-             reconstructed_value(
-                 "Surrogate mass of the joint's gravity torque", 79.1679, 4,
-                 joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
-                                          drawings::distance_m, load.gravity_m_s2(), 1.0),
-                 5e-5, "kg", "digits of the method's number"),
-             law_value("The same torque at every angle: its m r by that of the arm", 1.0,
-                       present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
-                           drawings::distance_m / (load.mass_kg() * load.distance_m()),
-                       1e-12, "", "rounding")};
+  Checks out{
+      vanishing(tr("All six rows of table 2, mass from torque: largest difference from print"),
+                apart, drawings::rounding_kg(), "kg", tr("rounding of printed torque and mass")),
+      reconstructed_value(
+          tr("Surrogate mass of the joint's gravity torque"), 79.1679, 4,
+          joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
+                                   drawings::distance_m, load.gravity_m_s2(), 1.0),
+          5e-5, "kg", tr("digits of the method's number")),
+      law_value(tr("The same torque at every angle: its m r by that of the arm"), 1.0,
+                present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
+                    drawings::distance_m / (load.mass_kg() * load.distance_m()),
+                1e-12, "", tr("rounding"))};
   if (midline != nullptr) {
-    out.push_back(law_value("Mid-line of the loop, an estimate that friction does not enter", truth,
-                            midline->mass_kg.value, 1e-4 * truth, "kg",
-                            "what the program promises"));
+    out.push_back(law_value(tr("Mid-line of the loop, an estimate that friction does not enter"),
+                            truth, midline->mass_kg.value, 1e-4 * truth, "kg",
+                            tr("what the program promises")));
   }
   return out;
 }
@@ -151,13 +156,13 @@ Checks check_equation_14(const PapersJoint& joint) {
   const double q_c = -joint.scenario.load.q_peak_rad();
   const method::selection::SelectionResult& selection = joint.calibration.selection;
   const double found = selection.q_c_corrected_rad.value_or(std::nan(""));
-  return {law_value("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops",
-                    q_c - q_3, found, 1e-7, "rad", "q_peak is identified to 10⁻⁷ rad"),
-          law_value("The angle q₃ that is taken off", q_3,
+  return {law_value(tr("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops"),
+                    q_c - q_3, found, 1e-7, "rad", tr("q_peak is identified to 10⁻⁷ rad")),
+          law_value(tr("The angle q₃ that is taken off"), q_3,
                     selection.q_c_rad ? selection.q_c_rad->value - found : std::nan(""), 1e-8,
-                    "rad", "read between samples 1 ms apart"),
-          in_words("Sign: less than q_c, “less of the value”", Origin::printed, "less",
-                   found < q_c ? "less" : "not less")};
+                    "rad", tr("read between samples 1 ms apart")),
+          in_words(tr("Sign: less than q_c, “less of the value”"), Origin::printed, found < q_c,
+                   tr("less"), tr("not less"))};
 }
 
 }  // namespace tribolog::paper::checks

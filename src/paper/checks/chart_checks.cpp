@@ -12,21 +12,23 @@
 #include "paper/drawings/printed_paper.h"
 #include "statistics/random_stream.h"
 #include "wording/axis_scale.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
 namespace {
 
+using wording::tr;
+using wording::tr_count;
+
 constexpr double chart_rounding_Nm = 1e-12;
 
-/// Largest distance of a drawn law's points from the law. Series with markers are not of the law.
+/// Largest distance of a drawn law's points from the law: it is what is drawn solid.
 template <class Law>
-double off_the_law(const render::figure::Panel& panel, const std::string& label_of_law,
-                   const Law& law, double speed_factor) {
+double off_the_law(const render::figure::Panel& panel, const Law& law, double speed_factor) {
   double largest = -1;
   for (const render::figure::Series& series : panel.series) {
-    const bool is_law = series.label.find(label_of_law) != std::string::npos;
-    if (!is_law) continue;
+    if (series.style != render::figure::LineStyle::solid) continue;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
       const double speed = series.x[i] / speed_factor;
@@ -47,9 +49,9 @@ Checks check_static_chart(const PapersJoint& joint, const figures::ReportFigure&
     const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
     at_rest_Nm = std::max(at_rest_Nm, *high - *low);
   }
-  return {vanishing("Points of the drawn line against eq. (1): largest difference",
-                    off_the_law(panel, "eq. (1)", law, 1.0), chart_rounding_Nm, "N·m", "rounding"),
-          law_value("The range drawn at rest: from −T_brk to T_brk",
+  return {vanishing(tr("Points of the drawn line against eq. (1): largest difference"),
+                    off_the_law(panel, law, 1.0), chart_rounding_Nm, "N·m", tr("rounding")),
+          law_value(tr("The range drawn at rest: from −T_brk to T_brk"),
                     2 * law.curve().parameters().static_Nm, at_rest_Nm, 0, "N·m", "")};
 }
 
@@ -60,17 +62,16 @@ Checks check_linear_zone_chart(const PapersJoint& joint, const figures::ReportFi
   const double milli = wording::prefixed("rad/s", threshold).factor;
   const bool is_in_range = threshold >= drawings::smallest_threshold_rad_s &&
                            threshold <= drawings::largest_threshold_rad_s;
-  return {vanishing("Points of the drawn line against eq. (2): largest difference",
-                    off_the_law(panels.at(0), "eq. (2)", law, 1.0), chart_rounding_Nm, "N·m",
-                    "rounding"),
-          vanishing("The same in the close-up of the linear zone",
-                    off_the_law(panels.at(1), "eq. (2)", law, milli), chart_rounding_Nm, "N·m",
-                    "rounding"),
-          in_words("The threshold lies in the printed range of 10⁻⁵ to 10⁻³", Origin::printed,
-                   "within", is_in_range ? "within" : "outside"),
-          law_value("Half of T_f(ω_th) does not hold the shaft: it creeps at this share of ω_th",
-                    0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), chart_rounding_Nm,
-                    "", "rounding")};
+  return {
+      vanishing(tr("Points of the drawn line against eq. (2): largest difference"),
+                off_the_law(panels.at(0), law, 1.0), chart_rounding_Nm, "N·m", tr("rounding")),
+      vanishing(tr("The same in the close-up of the linear zone"),
+                off_the_law(panels.at(1), law, milli), chart_rounding_Nm, "N·m", tr("rounding")),
+      in_words(tr("The threshold lies in the printed range of 10⁻⁵ to 10⁻³"), Origin::printed,
+               is_in_range, tr("within"), tr("outside")),
+      law_value(tr("Half of T_f(ω_th) does not hold the shaft: it creeps at this share of ω_th"),
+                0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), chart_rounding_Nm, "",
+                tr("rounding"))};
 }
 
 Checks check_presliding_chart(const PapersJoint& joint) {
@@ -81,18 +82,20 @@ Checks check_presliding_chart(const PapersJoint& joint) {
     const drawings::Swing& swing = drawings::figure_5.at(i);
     const simulate::PreslidingLoop& loop = joint.loops.at(i);
     const std::vector<double>& force = loop.cycle.applied_Nm;
-    const std::string name = i == 0 ? "1st loop" : i == 1 ? "2nd loop" : "3rd loop";
-    out.push_back(printed_value(name + ": amplitude of the force", swing.amplitude_N, 3,
-                                *std::max_element(force.begin(), force.end()),
-                                rounding * swing.amplitude_N, "N", "rounding"));
-    out.push_back(printed_value(name + ": its frequency, from the cycle's duration",
-                                swing.frequency_Hz, 0,
-                                1 / (loop.cycle.t_s.back() - loop.cycle.t_s.front()),
-                                rounding * swing.frequency_Hz, "Hz", "rounding"));
-    out.push_back(vanishing(name + ": gap after the first cycle, as a share of its size", loop.gap,
-                            closed, "", "closed to a millionth"));
-    out.push_back(vanishing(name + ": largest change with the solver's tolerance halved",
-                            loop.tolerance_shift, closed, "", "nothing that could be seen"));
+    const std::string name = i == 0 ? tr("1st loop") : i == 1 ? tr("2nd loop") : tr("3rd loop");
+    out.push_back(printed_value(tr("{loop}: amplitude of the force", {{"loop", name}}),
+                                swing.amplitude_N, 3, *std::max_element(force.begin(), force.end()),
+                                rounding * swing.amplitude_N, "N", tr("rounding")));
+    out.push_back(
+        printed_value(tr("{loop}: its frequency, from the cycle's duration", {{"loop", name}}),
+                      swing.frequency_Hz, 0, 1 / (loop.cycle.t_s.back() - loop.cycle.t_s.front()),
+                      rounding * swing.frequency_Hz, "Hz", tr("rounding")));
+    out.push_back(
+        vanishing(tr("{loop}: gap after the first cycle, as a share of its size", {{"loop", name}}),
+                  loop.gap, closed, "", tr("closed to a millionth")));
+    out.push_back(
+        vanishing(tr("{loop}: largest change with the solver's tolerance halved", {{"loop", name}}),
+                  loop.tolerance_shift, closed, "", tr("nothing that could be seen")));
   }
   return out;
 }
@@ -125,12 +128,16 @@ Checks check_bristle_sketch(const figures::ReportFigure& drawn) {
   }
   const render::figure::Dimension& z = diagram.dimensions.at(0);
   const double dimension = z.to.x - z.from.x;
-  return {law_value("Mean deflection of the " + std::to_string(bristles) +
-                        " bristles as drawn, against the z of the enlarged one",
+  return {law_value(tr_count(bristles,
+                             "Mean deflection of the {bristles} bristle as drawn, against the z of "
+                             "the enlarged one",
+                             "Mean deflection of the {bristles} bristles as drawn, against the z "
+                             "of the enlarged one",
+                             {{"bristles", bristles}}),
                     dimension / drawings::enlargement_of_mean_bristle, sum / bristles, 0.01, "mm",
-                    "the drawing's resolution"),
-          law_value("The dimension z spans the enlarged bristle's deflection", enlarged, dimension,
-                    1e-9, "mm", "rounding")};
+                    tr("the drawing's resolution")),
+          law_value(tr("The dimension z spans the enlarged bristle's deflection"), enlarged,
+                    dimension, 1e-9, "mm", tr("rounding"))};
 }
 
 Checks check_lugre_diagram(const PapersJoint& joint) {
@@ -149,10 +156,10 @@ Checks check_lugre_diagram(const PapersJoint& joint) {
     torque_apart = std::max(torque_apart,
                             std::abs(values.at("friction") - friction.torque_Nm(z, rate, speed)));
   }
-  return {vanishing("dz/dt through the drawn blocks against eq. (4), at 1000 states: largest",
-                    rate_apart, 1e-12, "rad/s", "rounding"),
-          vanishing("T_f through the drawn blocks against eq. (3): largest", torque_apart, 1e-12,
-                    "N·m", "rounding")};
+  return {vanishing(tr("dz/dt through the drawn blocks against eq. (4), at 1000 states: largest"),
+                    rate_apart, 1e-12, "rad/s", tr("rounding")),
+          vanishing(tr("T_f through the drawn blocks against eq. (3): largest"), torque_apart,
+                    1e-12, "N·m", tr("rounding"))};
 }
 
 Checks check_drive_diagram(const PapersJoint& joint) {
@@ -171,8 +178,8 @@ Checks check_drive_diagram(const PapersJoint& joint) {
             .at("arm torque");
     apart = std::max(apart, std::abs(drawn - n * (torque - J * acceleration - friction)));
   }
-  return {vanishing("Through the drawn blocks against eq. (8), at 1000 states: largest", apart,
-                    1e-10, "N·m", "rounding")};
+  return {vanishing(tr("Through the drawn blocks against eq. (8), at 1000 states: largest"), apart,
+                    1e-10, "N·m", tr("rounding"))};
 }
 
 Checks check_joint_diagram(const PapersJoint& joint) {
@@ -199,8 +206,9 @@ Checks check_joint_diagram(const PapersJoint& joint) {
             .at("measured torque");
     apart = std::max(apart, std::abs(drawn - log.torque_Nm[i]));
   }
-  return {vanishing("Measured torque through the drawn blocks against the simulated log: largest",
-                    apart, log_rounding_Nm, "N·m", rounding_of_log)};
+  return {
+      vanishing(tr("Measured torque through the drawn blocks against the simulated log: largest"),
+                apart, log_rounding_Nm, "N·m", tr(rounding_of_log))};
 }
 
 Checks check_gear_diagram(const PapersJoint& joint) {
@@ -215,10 +223,10 @@ Checks check_gear_diagram(const PapersJoint& joint) {
     lost =
         std::max(lost, std::abs(values.at("arm torque") * values.at("arm angle") - torque * turn));
   }
-  return {
-      printed_value("Gear ratio n₃", drawings::gear_ratio, 0, joint.scenario.gear_ratio, 0, "", ""),
-      vanishing("An ideal gear loses no work, at 1000 states: largest loss", lost, 1e-12, "J",
-                "rounding")};
+  return {printed_value(tr("Gear ratio n₃"), drawings::gear_ratio, 0, joint.scenario.gear_ratio, 0,
+                        "", ""),
+          vanishing(tr("An ideal gear loses no work, at 1000 states: largest loss"), lost, 1e-12,
+                    "J", tr("rounding"))};
 }
 
 }  // namespace tribolog::paper::checks

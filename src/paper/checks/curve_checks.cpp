@@ -5,9 +5,12 @@
 #include "base/requirements.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/drawings/printed_paper.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 namespace {
+
+using wording::tr;
 
 constexpr double curve_rounding_Nm = 1e-12;
 
@@ -38,7 +41,8 @@ Checks check_candidate_curves(const PapersJoint& joint) {
     const method::viscous::ViscousCurve* first = viscous.find("A");
     const method::hysteresis::SurrogateMass* first_mass = joint.calibration.masses.find("A");
     if (curve == nullptr || mass == nullptr || first == nullptr || first_mass == nullptr) {
-      return {vanishing(std::string("Candidate ") + name + " has no curve", NAN, 0, "", "")};
+      return {vanishing(tr("Candidate {point} has no curve", {{"point", std::string(1, name)}}),
+                        NAN, 0, "", "")};
     }
     for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
       const double gravity_apart = first_mass->gravity_Nm.value - mass->gravity_Nm.value;
@@ -46,12 +50,13 @@ Checks check_candidate_curves(const PapersJoint& joint) {
       apart = std::max(apart, std::abs(curve->friction_Nm[i] - shifted));
     }
   }
-  return {law_value("Runs with a plateau: every speed in both directions",
-                    2.0 * static_cast<double>(speeds.size()),
-                    static_cast<double>(viscous.runs.size()), 0, "", ""),
-          vanishing("A candidate's mass only shifts its curve: six curves less curve A, less the "
-                    "difference of gravity: largest",
-                    apart, curve_rounding_Nm, "N·m", "rounding")};
+  return {
+      law_value(tr("Runs with a plateau: every speed in both directions"),
+                2.0 * static_cast<double>(speeds.size()), static_cast<double>(viscous.runs.size()),
+                0, "", ""),
+      vanishing(tr("A candidate's mass only shifts its curve: six curves less curve A, less the "
+                   "difference of gravity: largest"),
+                apart, curve_rounding_Nm, "N·m", tr("rounding"))};
 }
 
 Checks check_reference_curve(const PapersJoint& joint) {
@@ -65,16 +70,17 @@ Checks check_reference_curve(const PapersJoint& joint) {
     two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
   }
   return {
-      vanishing("The reference is eq. (6), (7) at the motor's speed: largest difference", apart,
-                curve_rounding_Nm, "N·m", "rounding"),
-      vanishing("(T(+ω) − T(−ω))/2 at equal angle gives it without knowing it: largest difference",
-                two_ways, 1e-5, "N·m", "angles are compared in bins")};
+      vanishing(tr("The reference is eq. (6), (7) at the motor's speed: largest difference"), apart,
+                curve_rounding_Nm, "N·m", tr("rounding")),
+      vanishing(
+          tr("(T(+ω) − T(−ω))/2 at equal angle gives it without knowing it: largest difference"),
+          two_ways, 1e-5, "N·m", tr("angles are compared in bins"))};
 }
 
 Checks check_quality_errors(const PapersJoint& joint) {
   const method::selection::QualityErrorsResult& quality = joint.calibration.quality;
-  Checks out{in_words("Point with the smallest error", Origin::printed, "B",
-                      joint.calibration.selection.paper_rule)};
+  Checks out{by_name(tr("Point with the smallest error"), Origin::printed, "B",
+                     joint.calibration.selection.paper_rule)};
   // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
   const double truth = joint.true_gravity_Nm();
   for (const char name : method::hysteresis::loop_point_names) {
@@ -89,9 +95,10 @@ Checks check_quality_errors(const PapersJoint& joint) {
       squares += expected * expected;
       ++counted;
     }
-    out.push_back(law_value(std::string("Error of ") + name + ", root mean square over the runs",
-                            std::sqrt(squares / static_cast<double>(counted)), error->rms_percent,
-                            1e-6, "% of T", rounding_of_log));
+    out.push_back(law_value(
+        tr("Error of {point}, root mean square over the runs", {{"point", std::string(1, name)}}),
+        std::sqrt(squares / static_cast<double>(counted)), error->rms_percent, 1e-6, tr("% of T"),
+        tr(rounding_of_log)));
   }
   return out;
 }
@@ -111,25 +118,25 @@ Checks check_selected_curve(const PapersJoint& joint) {
     }
   }
   const double truth = joint.true_mass_kg();
-  return {printed_value("Selected surrogate mass", row.mass_kg, 3,
+  return {printed_value(tr("Selected surrogate mass"), row.mass_kg, 3,
                         chosen != nullptr ? chosen->mass_kg.value : NAN,
-                        reconstruction_share * row.mass_kg, "kg", reconstruction),
-          law_value("The mid-line's mass, which this program recommends", truth,
+                        reconstruction_share * row.mass_kg, "kg", tr(reconstruction)),
+          law_value(tr("The mid-line's mass, which this program recommends"), truth,
                     midline != nullptr ? midline->mass_kg.value : NAN, 1e-4 * truth, "kg",
-                    "what the program promises"),
-          vanishing("Its curve against the analytic one: largest difference", apart, 1e-6, "N·m",
-                    "a millionth of friction")};
+                    tr("what the program promises")),
+          vanishing(tr("Its curve against the analytic one: largest difference"), apart, 1e-6,
+                    "N·m", tr("a millionth of friction"))};
 }
 
 Checks check_torque_choice(const PapersJoint& joint) {
   const drawings::TorqueRow& row = drawings::table_2[1];
   const method::hysteresis::LoopPoint& chosen = joint.point('B');
-  return {
-      printed_value("Selected torque", row.torque_Nm, 3, chosen.torque_Nm,
-                    reconstruction_share * row.torque_Nm, "N·m", reconstruction),
-      in_words("Which point that is", Origin::printed, "B", joint.calibration.selection.paper_rule),
-      in_words("Of the six, the nearest to the true mass", Origin::printed, "B",
-               nearest_to_the_truth(joint))};
+  return {printed_value(tr("Selected torque"), row.torque_Nm, 3, chosen.torque_Nm,
+                        reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)),
+          by_name(tr("Which point that is"), Origin::printed, "B",
+                  joint.calibration.selection.paper_rule),
+          by_name(tr("Of the six, the nearest to the true mass"), Origin::printed, "B",
+                  nearest_to_the_truth(joint))};
 }
 
 }  // namespace tribolog::paper::checks

@@ -7,9 +7,13 @@
 #include "paper/checks/equation_checks.h"
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/printed_paper.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 /// Largest |deviation(run)| over the plateaus of constant speed.
 template <class Deviation>
@@ -21,8 +25,8 @@ double largest_over_runs(const PapersJoint& joint, Deviation deviation) {
   return largest;
 }
 
-std::string runs_in_words(const PapersJoint& joint) {
-  return std::to_string(joint.calibration.viscous.runs.size()) + " plateaus of constant speed";
+std::int64_t plateaus_of(const PapersJoint& joint) {
+  return static_cast<std::int64_t>(joint.calibration.viscous.runs.size());
 }
 
 }  // namespace
@@ -48,12 +52,12 @@ Checks check_equation_8(const PapersJoint& joint) {
                              .at("arm torque");
     drawn_apart = std::max(drawn_apart, std::abs(drawn - arm));
   }
-  return {
-      printed_value("Gear ratio n₃ of the scenario", drawings::gear_ratio, 0, n, 0, "", ""),
-      vanishing("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest",
-                apart, n * log_rounding_Nm, "N·m", rounding_of_log),
-      vanishing("The same through the block diagram of figure 6", drawn_apart, n * log_rounding_Nm,
-                "N·m", rounding_of_log)};
+  return {printed_value(tr("Gear ratio n₃ of the scenario"), drawings::gear_ratio, 0, n, 0, "", ""),
+          vanishing(
+              tr("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest"),
+              apart, n * log_rounding_Nm, "N·m", tr(rounding_of_log)),
+          vanishing(tr("The same through the block diagram of figure 6"), drawn_apart,
+                    n * log_rounding_Nm, "N·m", tr(rounding_of_log))};
 }
 
 Checks check_equation_9(const PapersJoint& joint) {
@@ -68,37 +72,48 @@ Checks check_equation_9(const PapersJoint& joint) {
     apart =
         std::max(apart, std::abs(arm.holding_torque_Nm(q, present(joint.robot.load)) - printed));
   }
-  return {vanishing("Equation against lever and weight of the arm in space (figure 12), "
-                    "over its range of motion: largest difference",
-                    apart, 1e-9, "N·m", "rounding"),
-          reconstructed_value("Largest torque at the arm, m g r", 388.318571, 6,
-                              load.amplitude_Nm(), 1e-5, "N·m", "digits of G/n")};
+  return {vanishing(tr("Equation against lever and weight of the arm in space (figure 12), "
+                       "over its range of motion: largest difference"),
+                    apart, 1e-9, "N·m", tr("rounding")),
+          reconstructed_value(tr("Largest torque at the arm, m g r"), 388.318571, 6,
+                              load.amplitude_Nm(), 1e-5, "N·m", tr("digits of G/n"))};
 }
 
 Checks check_equation_10(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
+  const std::int64_t plateaus = plateaus_of(joint);
   return {
-      vanishing("n (T − T_f) less m g r cos(q + q_c), over " + runs_in_words(joint) + ": largest",
+      vanishing(tr_count(plateaus,
+                         "n (T − T_f) less m g r cos(q + q_c), over {plateaus} plateau of constant "
+                         "speed: largest",
+                         "n (T − T_f) less m g r cos(q + q_c), over {plateaus} plateaus of "
+                         "constant speed: largest",
+                         {{"plateaus", plateaus}}),
                 largest_over_runs(joint,
                                   [&](const method::viscous::ConstantSpeedRun& run) {
                                     const double friction = s.sliding->torque_Nm(run.speed_rad_s);
                                     return s.gear_ratio * (run.torque_Nm - friction) -
                                            s.load.amplitude_Nm() * run.mean_cos;
                                   }),
-                s.gear_ratio * log_rounding_Nm, "N·m", rounding_of_log)};
+                s.gear_ratio * log_rounding_Nm, "N·m", tr(rounding_of_log))};
 }
 
 Checks check_equation_11(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
-  return {vanishing("T − m g r cos(q + q_c) / n less the analytic T_f, over " +
-                        runs_in_words(joint) + ": largest",
+  const std::int64_t plateaus = plateaus_of(joint);
+  return {vanishing(tr_count(plateaus,
+                             "T − m g r cos(q + q_c) / n less the analytic T_f, over {plateaus} "
+                             "plateau of constant speed: largest",
+                             "T − m g r cos(q + q_c) / n less the analytic T_f, over {plateaus} "
+                             "plateaus of constant speed: largest",
+                             {{"plateaus", plateaus}}),
                     largest_over_runs(joint,
                                       [&](const method::viscous::ConstantSpeedRun& run) {
                                         const double gravity = joint.true_gravity_Nm();
                                         return run.torque_Nm - gravity * run.mean_cos -
                                                s.sliding->torque_Nm(run.speed_rad_s);
                                       }),
-                    log_rounding_Nm, "N·m", rounding_of_log)};
+                    log_rounding_Nm, "N·m", tr(rounding_of_log))};
 }
 
 Checks check_equation_13(const PapersJoint& joint) {
@@ -106,11 +121,11 @@ Checks check_equation_13(const PapersJoint& joint) {
   const method::gravity::CogSweepResult& rough = joint.calibration.rough;
   const double speed = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
   const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
-  return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
-                    rough.argmax_torque_Nm, 1e-7, "N·m", "the peak lies between two samples"),
-          law_value("Its part m g r / n, told from friction by the two directions",
+  return {law_value(tr("Largest torque of the rough sweep: T_f + m g r / n"), expected,
+                    rough.argmax_torque_Nm, 1e-7, "N·m", tr("the peak lies between two samples")),
+          law_value(tr("Its part m g r / n, told from friction by the two directions"),
                     joint.true_gravity_Nm(), rough.gravity_Nm.value, 1e-5, "N·m",
-                    "what the program promises")};
+                    tr("what the program promises"))};
 }
 
 }  // namespace tribolog::paper::checks

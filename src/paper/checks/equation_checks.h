@@ -12,7 +12,7 @@ namespace tribolog::paper::checks {
 
 /// A handful of operations on torques of about 1 N·m, each rounded once.
 inline constexpr double law_rounding_Nm = 1e-13;
-inline constexpr const char* law_rounding = "rounding";
+inline constexpr const char* law_rounding = wording::to_translate("rounding");
 
 /// Both directions, evenly over the logarithm of the size, without rest.
 inline std::vector<double> speeds_of_both_signs(double slowest_rad_s, double fastest_rad_s,

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
+#include <string>
+#include <utility>
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
 #include "paper/checks/papers_joint.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
@@ -21,6 +22,8 @@ namespace tribolog::paper::checks {
 // exp(-way/g). The points follow without a solver and without samples.
 
 namespace {
+
+using wording::tr;
 
 /// Torques at the motor [N·m] of A, B, C, D, E, F in the first turn, from z = 0 at q_peak.
 std::array<double, 6> plain_loop_torques_Nm(const simulate::Scenario& scenario) {
@@ -62,10 +65,10 @@ constexpr double half_last_place_Nm = 5e-6;  ///< Of torques given to five decim
 
 void add_table_2(Checks& out) {
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(printed_value(std::string("Table 2, mass from the printed T at ") + row.point,
-                                row.mass_kg, 3, drawings::mass_of_torque_kg(row.torque_Nm),
-                                drawings::rounding_kg(), "kg",
-                                "0.0005 n/(g r) + 0.0005: rounding of torque and mass"));
+    out.push_back(printed_value(
+        tr("Table 2, mass from the printed T at {point}", {{"point", std::string(1, row.point)}}),
+        row.mass_kg, 3, drawings::mass_of_torque_kg(row.torque_Nm), drawings::rounding_kg(), "kg",
+        tr("0.0005 n/(g r) + 0.0005: rounding of torque and mass")));
   }
 }
 
@@ -75,20 +78,20 @@ void add_ratios(const PapersJoint& joint, Checks& out) {
   const simulate::OscillationExperiment& e = present(s.oscillation);
   const double swing = s.gear_ratio * e.amplitude_rad;
   const double swing_speed = swing * 2 * std::numbers::pi * e.frequency_Hz;
-  const char* digits = "digits of the scenario's parameters";
-  out.push_back(reconstructed_value("G/n, gravity torque at the motor", 3.88318571, 8,
+  const std::string digits = tr("digits of the scenario's parameters");
+  out.push_back(reconstructed_value(tr("G/n, gravity torque at the motor"), 3.88318571, 8,
                                     joint.true_gravity_Nm(), 5e-9, "N·m", digits));
   out.push_back(
-      reconstructed_value("True surrogate mass at 0.5 m", 79.1679, 4,
+      reconstructed_value(tr("True surrogate mass at 0.5 m"), 79.1679, 4,
                           present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value,
-                          5e-5, "kg", "digits of the method's number"));
+                          5e-5, "kg", tr("digits of the method's number")));
   out.push_back(reconstructed_value("T_s", 0.88437633, 8, p.static_Nm, 5e-9, "N·m", digits));
   out.push_back(reconstructed_value("σ₀ n a / T_s", 5.26269819, 8,
                                     p.bristle_stiffness_Nm_rad * swing / p.static_Nm, 1e-4, "",
-                                    "σ₀ is given to five digits"));
+                                    tr("σ₀ is given to five digits")));
   out.push_back(reconstructed_value("(σ₁ + σ₂) n a 2π f", 0.04849331, 8,
                                     (p.bristle_damping_Nms_rad + p.viscous_Nms_rad) * swing_speed,
-                                    1e-6, "N·m", "σ₁ is given to five digits"));
+                                    1e-6, "N·m", tr("σ₁ is given to five digits")));
 }
 
 constexpr char names[] = {'A', 'B', 'C', 'D', 'E', 'F'};
@@ -105,13 +108,13 @@ double torque_rate(const PapersJoint& joint, char name) {
 }
 
 /// Where torque moves fast, an instant read late by `late_s` shows.
-Check given_torque(const PapersJoint& joint, char name, const char* which, double given,
-                   double ours, double late_s) {
-  const double bound = half_last_place_Nm + late_s * torque_rate(joint, name);
+Check given_torque(const PapersJoint& joint, char name, std::string what, double given, double ours,
+                   double late_s) {
+  const double rate_Nm_s = torque_rate(joint, name);
   return reconstructed_value(
-      std::string("T at ") + name + which, given, 5, ours, bound, "N·m",
-      fmt::format("half the last digit, and {:g} ms of reading where T moves {:.2g} N·m/s",
-                  late_s * 1e3, torque_rate(joint, name)));
+      std::move(what), given, 5, ours, half_last_place_Nm + late_s * rate_Nm_s, "N·m",
+      tr("half the last digit, and {late_ms:g} ms of reading where T moves {rate_Nm_s:.2g} N·m/s",
+         {{"late_ms", late_s * 1e3}, {"rate_Nm_s", rate_Nm_s}}));
 }
 
 void add_torques(const PapersJoint& joint, Checks& out) {
@@ -126,19 +129,23 @@ void add_torques(const PapersJoint& joint, Checks& out) {
     return std::nan("");
   };
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(law_value(
-        std::string("T at ") + names[i] + " without inertia and Stribeck effect, in closed form",
-        closed_form[i], plain_ours(names[i]),
-        half_last_place_Nm + between_samples_s * torque_rate(joint, names[i]), "N·m",
-        "0.005 ms of reading between samples 1 ms apart"));
+    out.push_back(law_value(tr("T at {point} without inertia and Stribeck effect, in closed form",
+                               {{"point", std::string(1, names[i])}}),
+                            closed_form[i], plain_ours(names[i]),
+                            half_last_place_Nm + between_samples_s * torque_rate(joint, names[i]),
+                            "N·m", tr("0.005 ms of reading between samples 1 ms apart")));
   }
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(given_torque(joint, names[i], ", the same as given", plain[i],
-                               plain_ours(names[i]), grid_s));
+    out.push_back(
+        given_torque(joint, names[i],
+                     tr("T at {point}, the same as given", {{"point", std::string(1, names[i])}}),
+                     plain[i], plain_ours(names[i]), grid_s));
   }
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(given_torque(joint, names[i], " with them in, as given", whole[i],
-                               joint.point(names[i]).torque_Nm, fine_s));
+    out.push_back(given_torque(
+        joint, names[i],
+        tr("T at {point} with them in, as given", {{"point", std::string(1, names[i])}}), whole[i],
+        joint.point(names[i]).torque_Nm, fine_s));
   }
 }
 
@@ -155,19 +162,19 @@ double largest_from_table_2(const Torques& torques) {
 void add_deviations(const PapersJoint& joint, Checks& out) {
   std::array<double, 6> ours{};
   for (std::size_t i = 0; i < std::size(names); ++i) ours[i] = joint.point(names[i]).torque_Nm;
-  const char* stated = "as stated, within 0.24 %, rounded";
+  const std::string stated = tr("as stated, within 0.24 %, rounded");
   constexpr double stated_percent = 0.245;
   out.push_back(
-      vanishing("Table 2 against the torques given without inertia and Stribeck effect: "
-                "largest deviation",
-                largest_from_table_2(plain), 0.20, "%", "as stated, within 0.20 %"));
-  out.push_back(vanishing("The same against their closed form",
+      vanishing(tr("Table 2 against the torques given without inertia and Stribeck effect: "
+                   "largest deviation"),
+                largest_from_table_2(plain), 0.20, "%", tr("as stated, within 0.20 %")));
+  out.push_back(vanishing(tr("The same against their closed form"),
                           largest_from_table_2(plain_loop_torques_Nm(joint.scenario)),
                           stated_percent, "%",
-                          "0.20 % holds for the torques as given, whose E is read late"));
-  out.push_back(vanishing("Table 2 against the torques given with them in",
+                          tr("0.20 % holds for the torques as given, whose E is read late")));
+  out.push_back(vanishing(tr("Table 2 against the torques given with them in"),
                           largest_from_table_2(whole), stated_percent, "%", stated));
-  out.push_back(vanishing("The same against our torques", largest_from_table_2(ours),
+  out.push_back(vanishing(tr("The same against our torques"), largest_from_table_2(ours),
                           stated_percent, "%", stated));
 }
 
@@ -178,23 +185,24 @@ void add_pairs(const PapersJoint& joint, Checks& out) {
     return found != nullptr ? found->mass_kg.value : NAN;
   };
   for (const char* name : {"AB", "CD", "EF"}) {
-    out.push_back(law_value(std::string("Pair mean (") + name[0] + " + " + name[1] +
-                                ")/2 of the steady loop is free of bias",
-                            truth, mass(name), 1e-4 * truth, "kg", "what the program promises"));
+    out.push_back(
+        law_value(tr("Pair mean ({first} + {second})/2 of the steady loop is free of bias",
+                     {{"first", std::string(1, name[0])}, {"second", std::string(1, name[1])}}),
+                  truth, mass(name), 1e-4 * truth, "kg", tr("what the program promises")));
   }
-  out.push_back(law_value("The mid-line of the whole loop is free of bias", truth, mass("midline"),
-                          1e-4 * truth, "kg", "what the program promises"));
-  out.push_back(in_words("The paper's rule selects", Origin::printed, "B",
-                         joint.calibration.selection.paper_rule));
+  out.push_back(law_value(tr("The mid-line of the whole loop is free of bias"), truth,
+                          mass("midline"), 1e-4 * truth, "kg", tr("what the program promises")));
+  out.push_back(by_name(tr("The paper's rule selects"), Origin::printed, "B",
+                        joint.calibration.selection.paper_rule));
 }
 
 void add_angles(const PapersJoint& joint, Checks& out) {
   out.push_back(printed_value("q_peak", -drawings::precise_angle_deg, 5,
                               present(joint.calibration.q_peak_rad).value * joint::degrees_per_rad,
-                              1e-5, "°", "the last printed place"));
+                              1e-5, "°", tr("the last printed place")));
   out.push_back(reconstructed_value("q_c = −q_peak", 0.388019, 6,
                                     present(joint.calibration.selection.q_c_rad).value, 1e-6, "rad",
-                                    "the last digit"));
+                                    tr("the last digit")));
 }
 
 void add_friction_curve(const PapersJoint& joint, Checks& out) {
@@ -206,15 +214,15 @@ void add_friction_curve(const PapersJoint& joint, Checks& out) {
     dip_Nm = law.magnitude_Nm(w);
     dip_rad_s = w;
   }
-  const char* two = "given to two decimals";
-  out.push_back(reconstructed_value("Friction curve at rest", 0.88, 2, law.magnitude_Nm(0), 0.005,
-                                    "N·m", two));
-  out.push_back(reconstructed_value("at its dip", 0.45, 2, dip_Nm, 0.01, "N·m",
-                                    "“0.45 near 15 to 25 rad/s”"));
-  out.push_back(reconstructed_value("speed of the dip, “near 15 to 25 rad/s”", 20, 0, dip_rad_s, 5,
-                                    "rad/s", "the range given"));
+  const std::string two = tr("given to two decimals");
+  out.push_back(reconstructed_value(tr("Friction curve at rest"), 0.88, 2, law.magnitude_Nm(0),
+                                    0.005, "N·m", two));
+  out.push_back(reconstructed_value(tr("at its dip"), 0.45, 2, dip_Nm, 0.01, "N·m",
+                                    tr("“0.45 near 15 to 25 rad/s”")));
+  out.push_back(reconstructed_value(tr("speed of the dip, “near 15 to 25 rad/s”"), 20, 0, dip_rad_s,
+                                    5, "rad/s", tr("the range given")));
   out.push_back(
-      reconstructed_value("at 300 rad/s", 1.17, 2, law.magnitude_Nm(300), 0.005, "N·m", two));
+      reconstructed_value(tr("at 300 rad/s"), 1.17, 2, law.magnitude_Nm(300), 0.005, "N·m", two));
 }
 
 }  // namespace
@@ -238,54 +246,60 @@ Checks golden_numbers(const PapersJoint& joint) {
 
 namespace {
 
+/// One that is known by its symbol.
+std::string parameter(const char* symbol) { return tr("Scenario: {symbol}", {{"symbol", symbol}}); }
+
 class Given {
  public:
   /// Half the last digit may be rounding.
-  void add(const char* what, double given, int places, double ours, const char* unit) {
-    out.push_back(reconstructed_value(what, given, places, ours, 0.5 * std::pow(10.0, -places),
-                                      unit, "half the last digit given"));
+  void add(std::string what, double given, int places, double ours, const char* unit) {
+    out.push_back(reconstructed_value(std::move(what), given, places, ours,
+                                      0.5 * std::pow(10.0, -places), unit,
+                                      tr("half the last digit given")));
   }
   Checks out;
 };
 
 void add_joint(const simulate::Scenario& s, Given& given) {
   const friction::LuGreFriction::Parameters& p = bristles_of(s).parameters();
-  given.add("Scenario: σ₀", 465.42, 2, p.bristle_stiffness_Nm_rad, "N·m/rad");
-  given.add("Scenario: σ₁", 0.77080, 5, p.bristle_damping_Nms_rad, "N·m·s/rad");
-  given.add("Scenario: σ₂", 0.001, 3, p.viscous_Nms_rad, "N·m·s/rad");
-  given.add("Scenario: T_c", 0.60, 2, p.coulomb_Nm, "N·m");
-  given.add("Scenario: ω_s of the bristles", 5, 0, p.stribeck_speed_rad_s, "rad/s");
-  given.add("Scenario: J of motor and gear", 1e-4, 4, s.motor_inertia_kgm2, "kg·m²");
-  given.add("Scenario: m", 98.96, 2, s.load.mass_kg(), "kg");
-  given.add("Scenario: r", 0.4, 1, s.load.distance_m(), "m");
+  given.add(parameter("σ₀"), 465.42, 2, p.bristle_stiffness_Nm_rad, "N·m/rad");
+  given.add(parameter("σ₁"), 0.77080, 5, p.bristle_damping_Nms_rad, "N·m·s/rad");
+  given.add(parameter("σ₂"), 0.001, 3, p.viscous_Nms_rad, "N·m·s/rad");
+  given.add(parameter("T_c"), 0.60, 2, p.coulomb_Nm, "N·m");
+  given.add(tr("Scenario: ω_s of the bristles"), 5, 0, p.stribeck_speed_rad_s, "rad/s");
+  given.add(tr("Scenario: J of motor and gear"), 1e-4, 4, s.motor_inertia_kgm2, "kg·m²");
+  given.add(parameter("m"), 98.96, 2, s.load.mass_kg(), "kg");
+  given.add(parameter("r"), 0.4, 1, s.load.distance_m(), "m");
   const simulate::OscillationExperiment& e = present(s.oscillation);
-  given.add("Scenario: swing of the motor, n a", 0.01, 2, s.gear_ratio * e.amplitude_rad, "rad");
-  given.add("Scenario: f", 1, 0, e.frequency_Hz, "Hz");
+  given.add(tr("Scenario: swing of the motor, n a"), 0.01, 2, s.gear_ratio * e.amplitude_rad,
+            "rad");
+  given.add(parameter("f"), 1, 0, e.frequency_Hz, "Hz");
 }
 
 void add_sliding(const simulate::Scenario& s, Given& given) {
   const friction::WaiboerFriction::Parameters& p = sliding_of(s).parameters();
-  given.add("Scenario: T_a of eq. (6)", 0.8844, 4, p.asperity_torque_Nm, "N·m");
-  given.add("Scenario: ω_s of eq. (6)", 5, 0, p.stribeck_speed_rad_s, "rad/s");
-  given.add("Scenario: δ_a", 0.7, 1, p.stribeck_power, "");
-  given.add("Scenario: c_v, the viscous part at 1 rad/s", 0.12, 2, p.viscous_coefficient, "N·m");
-  given.add("Scenario: δ_v", 0.6, 1, p.viscous_power, "");
-  given.add("Scenario: c of eq. (7)", drawings::smoothing_s_rad, 0, p.smoothing_s_rad, "s/rad");
+  given.add(tr("Scenario: T_a of eq. (6)"), 0.8844, 4, p.asperity_torque_Nm, "N·m");
+  given.add(tr("Scenario: ω_s of eq. (6)"), 5, 0, p.stribeck_speed_rad_s, "rad/s");
+  given.add(parameter("δ_a"), 0.7, 1, p.stribeck_power, "");
+  given.add(tr("Scenario: c_v, the viscous part at 1 rad/s"), 0.12, 2, p.viscous_coefficient,
+            "N·m");
+  given.add(parameter("δ_v"), 0.6, 1, p.viscous_power, "");
+  given.add(tr("Scenario: c of eq. (7)"), drawings::smoothing_s_rad, 0, p.smoothing_s_rad, "s/rad");
 }
 
 void add_experiments(const simulate::Scenario& s, Given& given) {
   const simulate::SweepExperiment& sweep = present(s.rough_sweep);
-  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * joint::degrees_per_rad, "°");
-  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * joint::degrees_per_rad, "°");
-  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * joint::degrees_per_rad,
-            "°/s");
+  given.add(tr("Scenario: rough sweep from"), -80, 0, sweep.from_rad * joint::degrees_per_rad, "°");
+  given.add(tr("Scenario: rough sweep to"), 60, 0, sweep.to_rad * joint::degrees_per_rad, "°");
+  given.add(tr("Scenario: speed of the rough sweep"), 2, 0,
+            sweep.speed_rad_s * joint::degrees_per_rad, "°/s");
   const simulate::ConstantSpeedExperiment& runs = present(s.constant_speed);
   const auto& speeds = runs.motor_speeds_rad_s;
   const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
-  given.add("Scenario: number of constant speeds, in both directions", 20, 0,
+  given.add(tr("Scenario: number of constant speeds, in both directions"), 20, 0,
             runs.both_directions ? static_cast<double>(speeds.size()) : NAN, "");
-  given.add("Scenario: slowest of them", 1, 0, *slowest, "rad/s");
-  given.add("Scenario: fastest of them", 300, 0, *fastest, "rad/s");
+  given.add(tr("Scenario: slowest of them"), 1, 0, *slowest, "rad/s");
+  given.add(tr("Scenario: fastest of them"), 300, 0, *fastest, "rad/s");
 }
 
 }  // namespace

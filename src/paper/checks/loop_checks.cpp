@@ -7,10 +7,15 @@
 #include "paper/checks/figure_checks.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
-namespace {}  // namespace
+namespace {
+
+using wording::tr;
+
+}  // namespace
 
 Checks check_sweep_motion(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
@@ -31,37 +36,37 @@ Checks check_sweep_motion(const PapersJoint& joint) {
     most_friction = std::max(most_friction, friction);
   }
   const double planned = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
-  return {
-      law_value("Motor speed of the samples used: n times 2°/s", planned,
-                std::abs(fastest - planned) > std::abs(slowest - planned) ? fastest : slowest,
-                1e-9 * planned, "rad/s", "the one farthest off"),
-      vanishing("“In uniform motion friction takes a constant value”: its change over the sweep",
-                most_friction - least_friction, 1e-9, "N·m", "rounding")};
+  return {law_value(tr("Motor speed of the samples used: n times 2°/s"), planned,
+                    std::abs(fastest - planned) > std::abs(slowest - planned) ? fastest : slowest,
+                    1e-9 * planned, "rad/s", tr("the one farthest off")),
+          vanishing(
+              tr("“In uniform motion friction takes a constant value”: its change over the sweep"),
+              most_friction - least_friction, 1e-9, "N·m", tr("rounding"))};
 }
 
 Checks check_rough_peak(const PapersJoint& joint) {
   const method::gravity::CogSweepResult& rough = joint.calibration.rough;
-  return {printed_value("Angle of the largest torque", -drawings::rough_angle_deg, 0,
+  return {printed_value(tr("Angle of the largest torque"), -drawings::rough_angle_deg, 0,
                         rough.argmax_rad * joint::degrees_per_rad, 1, "°",
-                        "print gives whole degrees, cut"),
-          printed_value("The same against the precise angle", -drawings::precise_angle_deg, 5,
+                        tr("print gives whole degrees, cut")),
+          printed_value(tr("The same against the precise angle"), -drawings::precise_angle_deg, 5,
                         rough.argmax_rad * joint::degrees_per_rad, 0.001, "°",
-                        "half a sample at 2°/s and 1 kHz"),
-          printed_value("By least squares over the whole sweep", -drawings::precise_angle_deg, 5,
-                        rough.q_peak_rad.value * joint::degrees_per_rad, 0.006, "°",
-                        "10⁻⁴ rad, what the program promises of a rough sweep")};
+                        tr("half a sample at 2°/s and 1 kHz")),
+          printed_value(tr("By least squares over the whole sweep"), -drawings::precise_angle_deg,
+                        5, rough.q_peak_rad.value * joint::degrees_per_rad, 0.006, "°",
+                        tr("10⁻⁴ rad, what the program promises of a rough sweep"))};
 }
 
 Checks check_precise_peak(const PapersJoint& joint) {
   const method::gravity::CogSweepResult& precise = joint.calibration.precise;
-  return {printed_value("Angle of the largest torque", -drawings::precise_angle_deg, 5,
+  return {printed_value(tr("Angle of the largest torque"), -drawings::precise_angle_deg, 5,
                         precise.argmax_rad * joint::degrees_per_rad, 1e-4, "°",
-                        "a sample at 0.1°/s and 1 kHz"),
-          printed_value("By least squares", -drawings::precise_angle_deg, 5,
+                        tr("a sample at 0.1°/s and 1 kHz")),
+          printed_value(tr("By least squares"), -drawings::precise_angle_deg, 5,
                         precise.q_peak_rad.value * joint::degrees_per_rad, 1e-5, "°",
-                        "the last printed place"),
+                        tr("the last printed place")),
           printed_value("q_c = −q_peak", drawings::precise_angle_rad, 5, -precise.q_peak_rad.value,
-                        1e-5, "rad", "print cuts after five decimals")};
+                        1e-5, "rad", tr("print cuts after five decimals"))};
 }
 
 // Figures 15 to 17: hysteresis of torque, deflection and its rate.
@@ -79,8 +84,8 @@ struct Window {
 };
 
 /// A point against the largest or smallest sample of that part of the first turn.
-Check is_extreme(const PapersJoint& joint, char name, const std::vector<double>& signal,
-                 Window window, bool is_largest, double read, const char* what, const char* unit) {
+Check is_extreme(const PapersJoint& joint, const std::vector<double>& signal, Window window,
+                 bool is_largest, double read, std::string what, const char* unit) {
   const double period_s = 1 / joint.calibration.hysteresis.oscillations.at(0).frequency_Hz;
   const std::vector<double>& t = trace_of(joint).t_s;
   double extreme = is_largest ? -INFINITY : INFINITY;
@@ -89,8 +94,8 @@ Check is_extreme(const PapersJoint& joint, char name, const std::vector<double>&
     extreme = is_largest ? std::max(extreme, signal[i]) : std::min(extreme, signal[i]);
   }
   constexpr double share = 1e-4;
-  return law_value(std::string(1, name) + ": " + what, extreme, read, share * std::abs(extreme),
-                   unit, "the extreme may lie between two samples");
+  return law_value(std::move(what), extreme, read, share * std::abs(extreme), unit,
+                   tr("the extreme may lie between two samples"));
 }
 
 }  // namespace
@@ -98,9 +103,9 @@ Check is_extreme(const PapersJoint& joint, char name, const std::vector<double>&
 Checks check_torque_loop(const PapersJoint& joint) {
   Checks out;
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(printed_value(std::string("Torque at ") + row.point, row.torque_Nm, 3,
-                                joint.point(row.point).torque_Nm,
-                                reconstruction_share * row.torque_Nm, "N·m", reconstruction));
+    out.push_back(printed_value(tr("Torque at {point}", {{"point", std::string(1, row.point)}}),
+                                row.torque_Nm, 3, joint.point(row.point).torque_Nm,
+                                reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
   }
   const auto mean_of = [&](char one, char other) {
     const auto& steady = joint.calibration.hysteresis.steady_points;
@@ -112,8 +117,9 @@ Checks check_torque_loop(const PapersJoint& joint) {
   const double truth = joint.true_gravity_Nm();
   for (const char* pair : {"AB", "CD", "EF"}) {
     out.push_back(law_value(
-        std::string("Steady loop, mean of ") + pair[0] + " and " + pair[1] + ": gravity alone",
-        truth, mean_of(pair[0], pair[1]), 1e-4 * truth, "N·m", "what the program promises"));
+        tr("Steady loop, mean of {first} and {second}: gravity alone",
+           {{"first", std::string(1, pair[0])}, {"second", std::string(1, pair[1])}}),
+        truth, mean_of(pair[0], pair[1]), 1e-4 * truth, "N·m", tr("what the program promises")));
   }
   return out;
 }
@@ -123,28 +129,30 @@ Checks check_deflection_loop(const PapersJoint& joint) {
   const double largest = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
   /// On a straight line between samples 1 ms apart.
   const double zero = 2e-5 * largest;
-  const char* between = "read on a straight line between samples";
-  return {vanishing("A: z = 0 while the arm rises", joint.point('A').z_rad, zero, "rad", between),
-          vanishing("B: z = 0 while the arm drops", joint.point('B').z_rad, zero, "rad", between),
-          is_extreme(joint, 'C', trace.z_rad, {0, 0.5}, true, joint.point('C').z_rad, "largest z",
-                     "rad"),
-          is_extreme(joint, 'D', trace.z_rad, {0.5, 1}, false, joint.point('D').z_rad, "smallest z",
-                     "rad"),
-          in_words("Sign of dz/dt at A and B", Origin::law, "+ −",
-                   std::string(joint.point('A').dz_rad_s > 0 ? "+" : "−") + " " +
-                       (joint.point('B').dz_rad_s > 0 ? "+" : "−"))};
+  const std::string between = tr("read on a straight line between samples");
+  return {
+      vanishing(tr("A: z = 0 while the arm rises"), joint.point('A').z_rad, zero, "rad", between),
+      vanishing(tr("B: z = 0 while the arm drops"), joint.point('B').z_rad, zero, "rad", between),
+      is_extreme(joint, trace.z_rad, {0, 0.5}, true, joint.point('C').z_rad,
+                 tr("{point}: largest z", {{"point", "C"}}), "rad"),
+      is_extreme(joint, trace.z_rad, {0.5, 1}, false, joint.point('D').z_rad,
+                 tr("{point}: smallest z", {{"point", "D"}}), "rad"),
+      by_name(tr("Sign of dz/dt at A and B"), Origin::law, "+ −",
+              std::string(joint.point('A').dz_rad_s > 0 ? "+" : "−") + " " +
+                  (joint.point('B').dz_rad_s > 0 ? "+" : "−"))};
 }
 
 Checks check_rate_loop(const PapersJoint& joint) {
   const method::hysteresis::LoopTrace& trace = trace_of(joint);
-  return {is_extreme(joint, 'F', trace.dz_rad_s, {0.25, 0.75}, false, joint.point('F').dz_rad_s,
-                     "smallest dz/dt", "rad/s"),
-          is_extreme(joint, 'E', trace.dz_rad_s, {0.75, 1.25}, true, joint.point('E').dz_rad_s,
-                     "largest dz/dt after the first quarter", "rad/s"),
-          in_words("E: sign of z, while dz/dt is largest", Origin::law, "−",
-                   joint.point('E').z_rad < 0 ? "−" : "+"),
-          in_words("F: sign of z, while dz/dt is smallest", Origin::law, "+",
-                   joint.point('F').z_rad < 0 ? "−" : "+")};
+  return {
+      is_extreme(joint, trace.dz_rad_s, {0.25, 0.75}, false, joint.point('F').dz_rad_s,
+                 tr("{point}: smallest dz/dt", {{"point", "F"}}), "rad/s"),
+      is_extreme(joint, trace.dz_rad_s, {0.75, 1.25}, true, joint.point('E').dz_rad_s,
+                 tr("{point}: largest dz/dt after the first quarter", {{"point", "E"}}), "rad/s"),
+      by_name(tr("E: sign of z, while dz/dt is largest"), Origin::law, "−",
+              joint.point('E').z_rad < 0 ? "−" : "+"),
+      by_name(tr("F: sign of z, while dz/dt is smallest"), Origin::law, "+",
+              joint.point('F').z_rad < 0 ? "−" : "+")};
 }
 
 // Figures 9, 10 and 12: the arm in space.
@@ -157,10 +165,10 @@ constexpr double rounding_m = 1e-12;
 
 Checks check_robot(const PapersJoint& joint) {
   const robot::JointUnderTest& arm = joint.robot.under_test;
-  return {in_words("The robot", Origin::printed, "FANUC AM100iB", arm.arm().name()),
-          in_words("The joint under test", Origin::printed, "3", arm.joint().name),
-          vanishing("Its axis is level, as eq. (9) needs: vertical part of its direction",
-                    arm.axis().z(), rounding_m, "", "rounding")};
+  return {by_name(tr("The robot"), Origin::printed, "FANUC AM100iB", arm.arm().name()),
+          by_name(tr("The joint under test"), Origin::printed, "3", arm.joint().name),
+          vanishing(tr("Its axis is level, as eq. (9) needs: vertical part of its direction"),
+                    arm.axis().z(), rounding_m, "", tr("rounding"))};
 }
 
 Checks check_mass_model(const PapersJoint& joint) {
@@ -170,17 +178,19 @@ Checks check_mass_model(const PapersJoint& joint) {
   const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
   const scenes::DrivenMass mass = present(drawn.mass);
   return {
-      printed_value("q_c, elevation of the mass centre as drawn at q = 0",
+      printed_value(tr("q_c, elevation of the mass centre as drawn at q = 0"),
                     drawings::precise_angle_rad, 5, q_c, 1e-5, "rad",
-                    "print cuts after five decimals"),
-      law_value("The mass centre's distance as drawn: r", joint.scenario.load.distance_m(),
-                mass.distance_m, rounding_m, "m", "rounding"),
-      printed_value("The surrogate's distance as drawn: r (printed as 500 m)", drawings::distance_m,
-                    1, drawn.surrogate_distance_m, rounding_m, "m", "rounding"),
-      law_value("Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
+                    tr("print cuts after five decimals")),
+      law_value(tr("The mass centre's distance as drawn: r"), joint.scenario.load.distance_m(),
+                mass.distance_m, rounding_m, "m", tr("rounding")),
+      printed_value(tr("The surrogate's distance as drawn: r (printed as 500 m)"),
+                    drawings::distance_m, 1, drawn.surrogate_distance_m, rounding_m, "m",
+                    tr("rounding")),
+      law_value(tr("Surrogate at its distance against mass at its own: its m r by that of the arm"),
+                1,
                 present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
                     (mass.mass_kg * mass.distance_m),
-                rounding_m, "", "rounding")};
+                rounding_m, "", tr("rounding"))};
 }
 
 Checks check_motion_range(const PapersJoint& joint) {
@@ -189,17 +199,17 @@ Checks check_motion_range(const PapersJoint& joint) {
   const robot::AngleRange range = present(drawn.range);
   const double at = -drawings::precise_angle_deg * joint::rad_per_degree;
   const simulate::SweepExperiment& sweep = present(joint.scenario.rough_sweep);
-  return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
+  return {law_value(tr("The mass centre is level at −22.23187°: its height over the axis"), 0,
                     present(drawn.mass).distance_m *
                         arm.towards_mass(at, present(drawn.q_peak_rad).value).z(),
-                    1e-9, "m", "the printed angle's rounding"),
-          law_value("The drawn range begins where the rough sweep does",
+                    1e-9, "m", tr("the printed angle's rounding")),
+          law_value(tr("The drawn range begins where the rough sweep does"),
                     sweep.from_rad * joint::degrees_per_rad,
-                    range.lowest_rad * joint::degrees_per_rad, 1e-9, "°", "rounding"),
-          law_value("and ends where it ends", sweep.to_rad * joint::degrees_per_rad,
-                    range.highest_rad * joint::degrees_per_rad, 1e-9, "°", "rounding"),
-          in_words("The gravity peak lies within it", Origin::printed, "within",
-                   at > range.lowest_rad && at < range.highest_rad ? "within" : "outside")};
+                    range.lowest_rad * joint::degrees_per_rad, 1e-9, "°", tr("rounding")),
+          law_value(tr("and ends where it ends"), sweep.to_rad * joint::degrees_per_rad,
+                    range.highest_rad * joint::degrees_per_rad, 1e-9, "°", tr("rounding")),
+          in_words(tr("The gravity peak lies within it"), Origin::printed,
+                   at > range.lowest_rad && at < range.highest_rad, tr("within"), tr("outside"))};
 }
 
 }  // namespace tribolog::paper::checks

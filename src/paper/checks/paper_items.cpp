@@ -9,12 +9,15 @@
 #include "paper/checks/figure_checks.h"
 #include "paper/checks/papers_joint.h"
 #include "paper/drawings/printed_paper.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
 // What the paper concludes in words, held against the simulated joint.
 
 namespace {
+
+using wording::tr;
 
 Checks check_conclusions(const PapersJoint& joint) {
   const method::hysteresis::LoopPoint& chosen = joint.point('B');
@@ -26,16 +29,16 @@ Checks check_conclusions(const PapersJoint& joint) {
     return mass != nullptr ? 100 * (mass->mass_kg.value / truth - 1) : NAN;
   };
   return {
-      in_words("The torque should be measured “while dropping the robot arms down”: the arm at B",
-               Origin::printed, "drops",
-               joint.oscillation_speed_rad_s(chosen.t_s) < 0 ? "drops" : "rises"),
-      vanishing(
-          "“The value of asperities z(t) equals to the zero” there: z as a share of its largest",
-          chosen.z_rad / largest_z, 2e-5, "", "read on a straight line between samples"),
-      law_value("What is left of friction in B: error of its mass", 0, share_off("B"), 1, "%",
-                "a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at"),
-      law_value("No a priori knowledge is needed, and no z(t): error of the mid-line's mass", 0,
-                share_off("midline"), 0.01, "%", "what the program promises")};
+      in_words(
+          tr("The torque should be measured “while dropping the robot arms down”: the arm at B"),
+          Origin::printed, joint.oscillation_speed_rad_s(chosen.t_s) < 0, tr("drops"), tr("rises")),
+      vanishing(tr("“The value of asperities z(t) equals to the zero” there: z as a share of its "
+                   "largest"),
+                chosen.z_rad / largest_z, 2e-5, "", tr("read on a straight line between samples")),
+      law_value(tr("What is left of friction in B: error of its mass"), 0, share_off("B"), 1, "%",
+                tr("a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at")),
+      law_value(tr("No a priori knowledge is needed, and no z(t): error of the mid-line's mass"), 0,
+                share_off("midline"), 0.01, "%", tr("what the program promises"))};
 }
 
 }  // namespace
@@ -57,12 +60,13 @@ Checks check_table_1() {
   std::size_t i = 0;
   for (const drawings::ContactRow& row : drawings::table_1) {
     const bool is_misprint = row.printed != row.meant;
-    Check check = is_misprint
-                      ? law_value(std::string(row.symbol) + ", as the cited source has it",
-                                  row.meant, values[i], 1e-12 * row.meant, row.unit,
-                                  "rounding; the printed value is a misprint, see the errata")
-                      : printed_value(row.symbol, row.meant, row.meant < 0.01 ? 3 : 1, values[i], 0,
-                                      row.unit, "");
+    Check check =
+        is_misprint
+            ? law_value(tr("{symbol}, as the cited source has it", {{"symbol", row.symbol}}),
+                        row.meant, values[i], 1e-12 * row.meant, row.unit,
+                        tr("rounding; the printed value is a misprint, see the errata"))
+            : printed_value(row.symbol, row.meant, row.meant < 0.01 ? 3 : 1, values[i], 0, row.unit,
+                            "");
     out.push_back(check);
     ++i;
   }
@@ -73,22 +77,24 @@ Checks check_table_2(const PapersJoint& joint) {
   Checks out;
   constexpr int places = 3;
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(printed_value(std::string("T at ") + row.point + ", simulated joint",
-                                row.torque_Nm, places, joint.point(row.point).torque_Nm,
-                                reconstruction_share * row.torque_Nm, "N·m", reconstruction));
+    out.push_back(
+        printed_value(tr("T at {point}, simulated joint", {{"point", std::string(1, row.point)}}),
+                      row.torque_Nm, places, joint.point(row.point).torque_Nm,
+                      reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
   }
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(printed_value(std::string("Mass ") + row.point + " from the printed torque",
-                                row.mass_kg, places, drawings::mass_of_torque_kg(row.torque_Nm),
-                                drawings::rounding_kg(), "kg",
-                                "rounding of printed torque and mass"));
+    out.push_back(printed_value(
+        tr("Mass {point} from the printed torque", {{"point", std::string(1, row.point)}}),
+        row.mass_kg, places, drawings::mass_of_torque_kg(row.torque_Nm), drawings::rounding_kg(),
+        "kg", tr("rounding of printed torque and mass")));
   }
   for (const drawings::TorqueRow& row : drawings::table_2) {
     const method::hysteresis::SurrogateMass* ours =
         joint.calibration.masses.find(std::string(1, row.point));
-    out.push_back(printed_value(std::string("Mass ") + row.point + ", simulated joint", row.mass_kg,
-                                places, ours != nullptr ? ours->mass_kg.value : std::nan(""),
-                                reconstruction_share * row.mass_kg, "kg", reconstruction));
+    out.push_back(
+        printed_value(tr("Mass {point}, simulated joint", {{"point", std::string(1, row.point)}}),
+                      row.mass_kg, places, ours != nullptr ? ours->mass_kg.value : std::nan(""),
+                      reconstruction_share * row.mass_kg, "kg", tr(reconstruction)));
   }
   return out;
 }
@@ -128,69 +134,84 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
   const Figures figure(figures);
   return {
       {"1",
-       "Introduction",
-       {equation(1, "Static friction with Stribeck effect", check_equation_1(joint),
-                 "In print sgn(ω) stands on a line of its own."),
+       tr("Introduction"),
+       {equation(1, tr("Static friction with Stribeck effect"), check_equation_1(joint),
+                 tr("In print sgn(ω) stands on a line of its own.")),
         figure.item(1, check_static_chart(joint, figure[1])),
-        equation(2, "Static friction with a threshold speed", check_equation_2(joint),
-                 "In print both branches are said to hold for |ω| ≥ ω_th."),
+        equation(2, tr("Static friction with a threshold speed"), check_equation_2(joint),
+                 tr("In print both branches are said to hold for |ω| ≥ ω_th.")),
         figure.item(2, check_linear_zone_chart(joint, figure[2])),
         figure.item(3, check_bristle_sketch(figure[3])),
-        equation(3, "LuGre: friction torque", check_equation_3(joint)),
-        equation(4, "LuGre: rate of the bristle deflection", check_equation_4(joint)),
-        equation(5, "LuGre: Stribeck curve", check_equation_5(joint))}},
+        equation(3, tr("LuGre: friction torque"), check_equation_3(joint)),
+        equation(4, tr("LuGre: rate of the bristle deflection"), check_equation_4(joint)),
+        equation(5, tr("LuGre: Stribeck curve"), check_equation_5(joint))}},
       {"2.1",
-       "Static friction model",
-       {equation(6, "Friction of a geared joint", check_equation_6(joint),
-                 "In print exponents and dots are lost."),
-        equation(7, "The same, smooth through rest", check_equation_7(joint))}},
+       tr("Static friction model"),
+       {equation(6, tr("Friction of a geared joint"), check_equation_6(joint),
+                 tr("In print exponents and dots are lost.")),
+        equation(7, tr("The same, smooth through rest"), check_equation_7(joint))}},
       {"2.2",
-       "Dynamical friction model",
+       tr("Dynamical friction model"),
        {figure.item(4, check_lugre_diagram(joint)),
-        table(1, "Parameters of the LuGre model", check_table_1(),
-              "In print σ₀ = 1·10⁻⁵ N/m and σ₁ = 1·10⁻¹⁰ N·s/m."),
+        table(1, tr("Parameters of the LuGre model"), check_table_1(),
+              tr("In print σ₀ = 1·10⁻⁵ N/m and σ₁ = 1·10⁻¹⁰ N·s/m.")),
         figure.item(5, check_presliding_chart(joint))}},
       {"2.3",
-       "Model of the driving system in the third robot joint",
+       tr("Model of the driving system in the third robot joint"),
        {figure.item(6, check_drive_diagram(joint)),
-        equation(8, "The drive: motor torque, inertia, friction, arm", check_equation_8(joint)),
+        equation(8, tr("The drive: motor torque, inertia, friction, arm"), check_equation_8(joint)),
         figure.item(7, check_joint_diagram(joint)), figure.item(8, check_gear_diagram(joint))}},
       {"3",
-       "Friction measurement technique",
+       tr("Friction measurement technique"),
        {figure.item(9, check_robot(joint),
-                    "In print a photograph; here drawn from the robot's description."),
-        equation(9, "Gravity's torque at the arm", check_equation_9(joint)),
-        equation(10, "The drive in uniform motion", check_equation_10(joint),
-                 "In print cos(q₃), where eq. (9) has cos(q_c + q₃)."),
-        equation(11, "Friction from the driving torque", check_equation_11(joint),
-                 "In print cos(q₃), as in eq. (10).")}},
+                    tr("In print a photograph; here drawn from the robot's description.")),
+        equation(9, tr("Gravity's torque at the arm"), check_equation_9(joint)),
+        equation(10, tr("The drive in uniform motion"), check_equation_10(joint),
+                 tr("In print cos(q₃), where eq. (9) has cos(q_c + q₃).")),
+        equation(11, tr("Friction from the driving torque"), check_equation_11(joint),
+                 tr("In print cos(q₃), as in eq. (10)."))}},
       {"3.1",
-       "Surrogate mass and its centre of gravity",
+       tr("Surrogate mass and its centre of gravity"),
        {figure.item(10, check_mass_model(joint)),
-        equation(12, "Surrogate mass", check_equation_12(joint),
-                 "In print n stands in the denominator, and the cosine is that of q_c.")}},
+        equation(12, tr("Surrogate mass"), check_equation_12(joint),
+                 tr("In print n stands in the denominator, and the cosine is that of q_c."))}},
       {"3.2",
-       "Angular position of the centre of gravity",
+       tr("Angular position of the centre of gravity"),
        {figure.item(11, check_sweep_motion(joint)), figure.item(12, check_motion_range(joint)),
-        figure.item(13, check_rough_peak(joint), "Printed result: −22° = 0.383 rad."),
-        figure.item(14, check_precise_peak(joint), "Printed result: −22.23187° = 0.38801 rad.")}},
+        figure.item(13, check_rough_peak(joint), tr("Printed result: −22° = 0.383 rad.")),
+        figure.item(14, check_precise_peak(joint),
+                    tr("Printed result: −22.23187° = 0.38801 rad."))}},
       {"3.3",
-       "Gravity's torque at the motor shaft",
-       {equation(13, "Largest torque of the sweep", check_equation_13(joint)),
+       tr("Gravity's torque at the motor shaft"),
+       {equation(13, tr("Largest torque of the sweep"), check_equation_13(joint)),
         figure.item(15, check_torque_loop(joint)), figure.item(16, check_deflection_loop(joint)),
         figure.item(17, check_rate_loop(joint)),
-        table(2, "Driving torques and surrogate masses", check_table_2(joint),
-              "In print r = 500 m; the rows hold for 0.5 m.")}},
+        table(2, tr("Driving torques and surrogate masses"), check_table_2(joint),
+              tr("In print r = 500 m; the rows hold for 0.5 m."))}},
       {"3.4",
-       "Viscous friction in the third robot joint",
+       tr("Viscous friction in the third robot joint"),
        {figure.item(18, check_candidate_curves(joint)),
         figure.item(19, check_reference_curve(joint)), figure.item(20, check_quality_errors(joint)),
         figure.item(21, check_selected_curve(joint)), figure.item(22, check_torque_choice(joint)),
-        equation(14, "Corrected angle of the centre of gravity", check_equation_14(joint))}},
+        equation(14, tr("Corrected angle of the centre of gravity"), check_equation_14(joint))}},
       {"4",
-       "Conclusion",
-       {{ItemKind::statement, 0, "What the paper concludes", "", check_conclusions(joint)}}},
+       tr("Conclusion"),
+       {{ItemKind::statement, 0, tr("What the paper concludes"), "", check_conclusions(joint)}}},
   };
+}
+
+const char* key_of(ItemKind kind) {
+  switch (kind) {
+    case ItemKind::figure:
+      return "figure";
+    case ItemKind::table:
+      return "table";
+    case ItemKind::equation:
+      return "equation";
+    case ItemKind::statement:
+      break;
+  }
+  return "statement";
 }
 
 Tally tally_checks(const Checks& checks) {

@@ -13,6 +13,7 @@
 #include "robot/joint_under_test.h"
 #include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 
@@ -23,7 +24,8 @@ const friction::WaiboerFriction& sliding_of(const simulate::Scenario& scenario);
 /// How far the reconstructed joint is from table 2, with inertia and Stribeck effect in (method,
 /// section 4).
 inline constexpr double reconstruction_share = 0.0024;
-inline constexpr const char* reconstruction = "0.24 %: the reconstruction's largest deviation";
+inline constexpr const char* reconstruction =
+    wording::to_translate("0.24 %: the reconstruction's largest deviation");
 
 struct PapersJoint {
   simulate::Scenario scenario;  ///< The paper's joint without noise.

@@ -1,12 +1,17 @@
 // Equations (1), (2), (6) and (7): friction as a function of speed.
 
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "paper/checks/equation_checks.h"
 #include "paper/drawings/printed_paper.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::checks {
 namespace {
+
+using wording::tr;
 
 constexpr double slowest_rad_s = 1e-6;
 constexpr double fastest_rad_s = 300;
@@ -18,7 +23,7 @@ std::vector<double> law_grid() { return speeds_of_both_signs(slowest_rad_s, fast
 template <class Law>
 Check is_odd(const Law& law) {
   return vanishing(
-      "Odd in ω: largest |T_f(ω) + T_f(−ω)|",
+      tr("Odd in ω: largest |T_f(ω) + T_f(−ω)|"),
       largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) + law.torque_Nm(-w); }), 0,
       "N·m", "");
 }
@@ -27,7 +32,7 @@ template <class Law>
 Check dissipates(const Law& law) {
   double least = 0;
   for (const double w : law_grid()) least = std::min(least, law.torque_Nm(w) * w);
-  return vanishing("Friction takes power: least T_f ω, if negative", least, 0, "W", "");
+  return vanishing(tr("Friction takes power: least T_f ω, if negative"), least, 0, "W", "");
 }
 
 }  // namespace
@@ -42,13 +47,13 @@ Checks check_equation_1(const PapersJoint& joint) {
     return (p.coulomb_Nm + (broken - p.coulomb_Nm) * fall + viscous * std::abs(w)) * sign(w);
   };
   return {
-      vanishing("Equation against program, at 1000 speeds: largest difference",
+      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
-                law_rounding_Nm, "N·m", law_rounding),
-      law_value("Jump at rest, from −T_brk to T_brk", 2 * broken,
+                law_rounding_Nm, "N·m", tr(law_rounding)),
+      law_value(tr("Jump at rest, from −T_brk to T_brk"), 2 * broken,
                 law.torque_Nm(slowest_rad_s) - law.torque_Nm(-slowest_rad_s), 1e-7, "N·m",
-                "read at ±10⁻⁶ rad/s"),
-      law_value("At rest, pushed with twice T_brk, friction holds", broken,
+                tr("read at ±10⁻⁶ rad/s")),
+      law_value(tr("At rest, pushed with twice T_brk, friction holds"), broken,
                 law.torque_at_rest_Nm(2 * broken), 0, "N·m", ""),
       is_odd(law), dissipates(law)};
 }
@@ -68,15 +73,16 @@ Checks check_equation_2(const PapersJoint& joint) {
   };
   const double below = std::nextafter(threshold, 0.0);
   return {
-      vanishing("Equation against program, at 1000 speeds: largest difference",
+      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
-                law_rounding_Nm, "N·m", law_rounding),
-      vanishing("The branches meet: jump at ω_th", law.torque_Nm(threshold) - law.torque_Nm(below),
-                law_rounding_Nm, "N·m", law_rounding),
-      law_value("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th",
+                law_rounding_Nm, "N·m", tr(law_rounding)),
+      vanishing(tr("The branches meet: jump at ω_th"),
+                law.torque_Nm(threshold) - law.torque_Nm(below), law_rounding_Nm, "N·m",
+                tr(law_rounding)),
+      law_value(tr("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th"),
                 0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), law_rounding_Nm, "",
-                law_rounding),
-      vanishing("It does not hold at rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
+                tr(law_rounding)),
+      vanishing(tr("It does not hold at rest: T_f(0)"), law.torque_Nm(0), 0, "N·m", ""),
       is_odd(law),
       dissipates(law)};
 }
@@ -89,30 +95,32 @@ Checks check_equation_6(const PapersJoint& joint) {
                std::exp(-std::pow(w / p.stribeck_speed_rad_s, p.stribeck_power)) +
            p.viscous_coefficient * std::pow(w, 1 - p.viscous_power);
   };
-  Checks out{vanishing("Equation against program, at 500 speeds: largest difference",
+  Checks out{vanishing(tr("Equation against program, at 500 speeds: largest difference"),
                        largest_over(law_grid(),
                                     [&](double w) {
                                       const double size = std::abs(w);
                                       return law.magnitude_Nm(size) - meant(size);
                                     }),
-                       law_rounding_Nm, "N·m", law_rounding),
-             law_value("At rest friction is T_a", p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
+                       law_rounding_Nm, "N·m", tr(law_rounding)),
+             law_value(tr("At rest friction is T_a"), p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
                        "N·m", "")};
   const auto& fit = joint.calibration.friction.waiboer;
   if (fit) {
     constexpr double share = 1e-3;
-    const char* why = "a thousandth: 40 runs of a log without noise";
-    const auto found = [&](const char* what, double truth, const statistics::Estimate& ours,
-                           const char* unit) {
-      out.push_back(law_value(std::string("Found again from the simulated runs: ") + what, truth,
-                              ours.value, share * truth, unit, why));
+    const std::string why = tr("a thousandth: 40 runs of a log without noise");
+    const auto symbol = [](const char* name) {
+      return tr("Found again from the simulated runs: {symbol}", {{"symbol", name}});
     };
-    found("T_a", p.asperity_torque_Nm, fit->asperity_torque_Nm, "N·m");
-    found("ω_s", p.stribeck_speed_rad_s, fit->stribeck_speed_rad_s, "rad/s");
-    found("δ_a", p.stribeck_power, fit->stribeck_power, "");
-    found("c_v, the viscous part at 1 rad/s", p.viscous_coefficient, fit->viscous_coefficient,
-          "N·m");
-    found("δ_v", p.viscous_power, fit->viscous_power, "");
+    const auto found = [&](std::string what, double truth, const statistics::Estimate& ours,
+                           const char* unit) {
+      out.push_back(law_value(std::move(what), truth, ours.value, share * truth, unit, why));
+    };
+    found(symbol("T_a"), p.asperity_torque_Nm, fit->asperity_torque_Nm, "N·m");
+    found(symbol("ω_s"), p.stribeck_speed_rad_s, fit->stribeck_speed_rad_s, "rad/s");
+    found(symbol("δ_a"), p.stribeck_power, fit->stribeck_power, "");
+    found(tr("Found again from the simulated runs: c_v, the viscous part at 1 rad/s"),
+          p.viscous_coefficient, fit->viscous_coefficient, "N·m");
+    found(symbol("δ_v"), p.viscous_power, fit->viscous_power, "");
   }
   return out;
 }
@@ -125,14 +133,16 @@ Checks check_equation_7(const PapersJoint& joint) {
   };
   const double turn = drawings::direction_change_rad_s;
   return {
-      vanishing("Equation against program, at 1000 speeds: largest difference",
+      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
-                law_rounding_Nm, "N·m", law_rounding),
-      printed_value("The scale c of the scenario", drawings::smoothing_s_rad, 0, c, 0, "s/rad", ""),
-      law_value("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there",
-                1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",
-                "the inverse tangent comes within 2/(π c ω) of its end"),
-      vanishing("Continuous through rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
+                law_rounding_Nm, "N·m", tr(law_rounding)),
+      printed_value(tr("The scale c of the scenario"), drawings::smoothing_s_rad, 0, c, 0, "s/rad",
+                    ""),
+      law_value(
+          tr("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there"),
+          1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",
+          tr("the inverse tangent comes within 2/(π c ω) of its end")),
+      vanishing(tr("Continuous through rest: T_f(0)"), law.torque_Nm(0), 0, "N·m", ""),
       is_odd(law),
       dissipates(law)};
 }

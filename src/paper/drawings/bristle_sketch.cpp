@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "paper/drawings/schematic.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::drawings {
 
@@ -28,6 +29,7 @@ using render::figure::Diagram;
 using render::figure::DiagramPoint;
 using render::figure::LineStyle;
 using render::figure::TextPlace;
+using wording::tr;
 
 constexpr double upper_top = 14;
 constexpr double upper_surface = 28;
@@ -79,10 +81,10 @@ void add_contact(render::figure::Diagram& diagram) {
              bristle_px);
     root += 16;
   }
-  diagram.texts.push_back({"moving body (motor shaft)",
+  diagram.texts.push_back({tr("moving body (motor shaft)"),
                            {52, (upper_top + upper_surface) / 2},
                            render::figure::TextPlace::centre});
-  diagram.texts.push_back({"body at rest (housing)",
+  diagram.texts.push_back({tr("body at rest (housing)"),
                            {52, (lower_surface + lower_bottom) / 2},
                            render::figure::TextPlace::centre});
   render::figure::Stroke motion;
@@ -90,7 +92,7 @@ void add_contact(render::figure::Diagram& diagram) {
   motion.width_px = 4.0;
   motion.arrow_at_end = true;
   diagram.strokes.push_back(motion);
-  diagram.texts.push_back({"speed ω", {52, 8}, render::figure::TextPlace::above});
+  diagram.texts.push_back({tr("speed ω"), {52, 8}, render::figure::TextPlace::above});
 }
 
 void add_mean_bristle(render::figure::Diagram& diagram) {
@@ -101,7 +103,7 @@ void add_mean_bristle(render::figure::Diagram& diagram) {
   const double tip_level = upper_surface + length;
   const double tip = root - enlargement_of_mean_bristle * mean_deflection;
   add_body(diagram, left, upper_top, right, upper_surface, upper_surface, ground::element);
-  diagram.texts.push_back({"the mean bristle",
+  diagram.texts.push_back({tr("the mean bristle"),
                            {(left + right) / 2, (upper_top + upper_surface) / 2},
                            render::figure::TextPlace::centre});
   add_line(diagram, {{root, upper_surface}, {root, tip_level + 7}}, rest, 2.0,
@@ -132,19 +134,19 @@ figures::ReportFigure bristle_sketch_figure() {
   figures::ReportFigure out;
   out.number = 3;
   out.id = "fig-03-bristles";
-  out.title = "Surfaces in contact through elastic bristles";
-  out.caption =
+  out.title = tr("Surfaces in contact through elastic bristles");
+  out.caption = tr(
       "The picture behind LuGre: asperities of the moving surface bend like bristles when those of "
       "the other hold them back. z is their mean deflection; bending gives the friction torque "
-      "σ₀ z + σ₁ dz/dt.";
-  out.how_to_read =
+      "σ₀ z + σ₁ dz/dt.");
+  out.how_to_read = tr(
       "Blue: bristles of the moving surface, elastic. Red: those of the surface at rest, drawn "
       "rigid for simplicity. At rest a blue bristle hangs along the dashed line; once it is bent "
-      "far enough it slips off, so that z does not exceed g(ω) in steady sliding.";
+      "far enough it slips off, so that z does not exceed g(ω) in steady sliding.");
   out.alt =
-      "Sketch. A body moves to the right over a body at rest. Elastic bristles under the moving "
-      "body are bent to the left by rigid ones of the other. An enlarged bristle shows the mean "
-      "deflection z between its tip and its place at rest.";
+      tr("Sketch. A body moves to the right over a body at rest. Elastic bristles under the moving "
+         "body are bent to the left by rigid ones of the other. An enlarged bristle shows the mean "
+         "deflection z between its tip and its place at rest.");
   render::figure::Diagram& diagram = out.figure.diagram.emplace();
   diagram.height = 77;
   add_contact(diagram);

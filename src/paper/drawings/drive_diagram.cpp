@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include "paper/drawings/schematic.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::drawings {
 namespace {
 
 using render::figure::BlockKind;
 using render::figure::BlockSide;
+using wording::tr;
 
 constexpr double inertia_row = 20;
 constexpr double torque_row = 40;
@@ -29,7 +31,7 @@ std::map<std::string, NodePlace> places() {
             24,
             14,
             render::figure::BlockSide::right,
-            {"friction", "T_{f}(φ\u0307)"}}},
+            {tr("friction"), "T_{f}(φ\u0307)"}}},
           {"balance", {{sum_column, torque_row}, 10, 10}},
           {"gear", {{114, torque_row}, 15, 15}},
           {"arm torque", {{147, torque_row}, 18, 10}}};
@@ -54,7 +56,7 @@ std::vector<WireRoute> routes() {
 render::figure::Block source_frame() {
   render::figure::Block frame;
   frame.kind = render::figure::BlockKind::frame;
-  frame.lines = {"ideal source", "of motion"};
+  frame.lines = in_lines(tr("ideal source\nof motion"));
   frame.centre = {18.5, 37};
   frame.width = 29;
   frame.height = 66;
@@ -89,21 +91,22 @@ figures::ReportFigure drive_diagram_figure(double gear_ratio) {
   figures::ReportFigure out;
   out.number = 6;
   out.id = "fig-06-drive-diagram";
-  out.title = "Inputs and outputs of the drive";
-  out.caption = fmt::format(
-      "Equation (8): what is left of the motor's torque T after the inertia J of rotor and gear "
-      "and the friction of the motor shaft is multiplied by the gear ratio n = {:g} and drives "
-      "the arm.",
-      gear_ratio);
-  out.how_to_read =
+  out.title = tr("Inputs and outputs of the drive");
+  out.caption =
+      tr("Equation (8): what is left of the motor's torque T after the inertia J of rotor and gear "
+         "and the friction of the motor shaft is multiplied by the gear ratio n = {gear_ratio:g} "
+         "and drives "
+         "the arm.",
+         {{"gear_ratio", gear_ratio}});
+  out.how_to_read = tr(
       "The ideal source imposes the motion, so speed and acceleration of the motor shaft are known "
       "without a controller's delay. Friction acts before the gear: what the arm feels of it is n "
-      "times as large.";
-  out.alt = fmt::format(
+      "times as large.");
+  out.alt = tr(
       "Block diagram. An ideal source of motion gives torque, speed and acceleration of the motor "
       "shaft. J times the acceleration and the friction torque are taken from the torque; the "
-      "rest times n = {:g} is the arm's torque.",
-      gear_ratio);
+      "rest times n = {gear_ratio:g} is the arm's torque.",
+      {{"gear_ratio", gear_ratio}});
   render::figure::Diagram& diagram = out.figure.diagram.emplace(draw_schematic(
       drive_graph({gear_ratio, 0.0, [](double) { return 0.0; }}), places(), routes()));
   diagram.height = 74;
@@ -114,8 +117,8 @@ figures::ReportFigure drive_diagram_figure(double gear_ratio) {
                              render::figure::LineStyle::dash_dot,
                              false,
                              false});
-  diagram.texts.push_back({"motor side", {128, 6}, render::figure::TextPlace::left});
-  diagram.texts.push_back({"arm side", {130, 6}, render::figure::TextPlace::right});
+  diagram.texts.push_back({tr("motor side"), {128, 6}, render::figure::TextPlace::left});
+  diagram.texts.push_back({tr("arm side"), {130, 6}, render::figure::TextPlace::right});
   diagram.texts.push_back(
       {fmt::format("n = {:g}", gear_ratio), {114, 49}, render::figure::TextPlace::below});
   out.figure.height_px = 820;

@@ -4,6 +4,7 @@
 
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/schematic.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::drawings {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 using render::figure::Arc;
 using render::figure::BlockSide;
 using render::figure::TextPlace;
+using wording::tr;
 
 constexpr double sketch_row = 26;
 constexpr double inertia_row = 59;
@@ -86,9 +88,10 @@ void add_sketch(render::figure::Diagram& diagram, double gear_ratio) {
                            {wheel.x, wheel.y + 8},
                            render::figure::TextPlace::centre});
   diagram.texts.push_back(
-      {"motor shaft", {44, sketch_row - 6}, render::figure::TextPlace::left, true});
+      {tr("motor shaft"), {44, sketch_row - 6}, render::figure::TextPlace::left, true});
   diagram.texts.push_back({"T − T_{f},  φ", {44, sketch_row}, render::figure::TextPlace::left});
-  diagram.texts.push_back({"arm", {112, sketch_row - 6}, render::figure::TextPlace::right, true});
+  diagram.texts.push_back(
+      {tr("arm"), {112, sketch_row - 6}, render::figure::TextPlace::right, true});
   diagram.texts.push_back({"T_{ARM},  q", {112, sketch_row}, render::figure::TextPlace::right});
 }
 
@@ -119,21 +122,22 @@ figures::ReportFigure gear_diagram_figure(double gear_ratio) {
   figures::ReportFigure out;
   out.number = 8;
   out.id = "fig-08-gear-model";
-  out.title = "Model of the gear";
-  out.caption = fmt::format(
-      "An ideal gear of ratio n = {:g} with the inertia of rotor and gear reduced to the motor "
-      "shaft as J: torque is multiplied by n, the angle divided by n, and no power is lost.",
-      gear_ratio);
+  out.title = tr("Model of the gear");
+  out.caption =
+      tr("An ideal gear of ratio n = {gear_ratio:g} with the inertia of rotor and gear reduced to "
+         "the motor "
+         "shaft as J: torque is multiplied by n, the angle divided by n, and no power is lost.",
+         {{"gear_ratio", gear_ratio}});
   out.how_to_read =
-      "The arrows in the sketch, which is not to scale, are the positive senses on both sides. "
-      "Without acceleration the arm's torque is n times what friction leaves of the motor's; a "
-      "real gear's own losses are counted in the friction.";
-  out.alt = fmt::format(
-      "Sketch of a pinion on the motor shaft and a wheel on the arm, and a block diagram: the "
-      "motor's torque less friction and less J times its acceleration, times n = {:g}, is the "
-      "arm's torque; the motor "
-      "angle divided by n is the arm's angle q.",
-      gear_ratio);
+      tr("The arrows in the sketch, which is not to scale, are the positive senses on both sides. "
+         "Without acceleration the arm's torque is n times what friction leaves of the motor's; a "
+         "real gear's own losses are counted in the friction.");
+  out.alt =
+      tr("Sketch of a pinion on the motor shaft and a wheel on the arm, and a block diagram: the "
+         "motor's torque less friction and less J times its acceleration, times n = "
+         "{gear_ratio:g}, is the "
+         "arm's torque; the motor angle divided by n is the arm's angle q.",
+         {{"gear_ratio", gear_ratio}});
   render::figure::Diagram& diagram =
       out.figure.diagram.emplace(draw_schematic(gear_graph(gear_ratio, 0.0), places(), routes()));
   diagram.height = 105;

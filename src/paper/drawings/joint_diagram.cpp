@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "paper/drawings/schematic.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::drawings {
 
@@ -12,6 +13,7 @@ using render::figure::Block;
 using render::figure::BlockKind;
 using render::figure::BlockSide;
 using render::figure::TextPlace;
+using wording::tr;
 
 constexpr double measured_speed_row = 11;
 constexpr double friction_row = 36;
@@ -40,7 +42,7 @@ std::map<std::string, NodePlace> places() {
         27,
         11,
         render::figure::BlockSide::right,
-        {"static (6), (7)"}}},
+        {tr("static (6), (7)")}}},
       {"dynamic friction",
        {{model_column, friction_row + contact},
         27,
@@ -107,10 +109,10 @@ void add_surroundings(render::figure::Diagram& diagram) {
     block.fill.alpha = 0;
     return block;
   };
-  diagram.blocks.push_back(frame({"ideal source", "of motion"}, {36.5, 65}, 22, 88));
-  diagram.blocks.push_back(frame({"friction"}, {96.5, friction_row - 1.5}, 48, 35));
+  diagram.blocks.push_back(frame(in_lines(tr("ideal source\nof motion")), {36.5, 65}, 22, 88));
+  diagram.blocks.push_back(frame({tr("friction")}, {96.5, friction_row - 1.5}, 48, 35));
   render::figure::Block reference;
-  reference.lines = {"reference", "signal"};
+  reference.lines = in_lines(tr("reference\nsignal"));
   reference.centre = {11.5, 67};
   reference.width = 19;
   reference.height = 14;
@@ -118,7 +120,7 @@ void add_surroundings(render::figure::Diagram& diagram) {
   render::figure::Wire wire;
   wire.points = {{21, 67}, {25.5, 67}};
   diagram.wires.push_back(wire);
-  diagram.texts.push_back({"measured", {159, 3}, render::figure::TextPlace::left, true});
+  diagram.texts.push_back({tr("measured"), {159, 3}, render::figure::TextPlace::left, true});
 }
 
 }  // namespace
@@ -131,21 +133,21 @@ figures::ReportFigure joint_diagram_figure() {
   figures::ReportFigure out;
   out.number = 7;
   out.id = "fig-07-joint-model";
-  out.title = "Model of the joint";
+  out.title = tr("Model of the joint");
   out.caption =
-      "Inverse dynamics of the joint: an ideal source moves the arm along the reference signal, "
-      "and the motor torque T is what friction, the inertia J of motor and gear, and the arm "
-      "with inertia I and gravity ask of it. Sweeps and runs at constant speed use the static "
-      "friction model, micro-oscillations the dynamic one.";
-  out.how_to_read =
+      tr("Inverse dynamics of the joint: an ideal source moves the arm along the reference signal, "
+         "and the motor torque T is what friction, the inertia J of motor and gear, and the arm "
+         "with inertia I and gravity ask of it. Sweeps and runs at constant speed use the static "
+         "friction model, micro-oscillations the dynamic one.");
+  out.how_to_read = tr(
       "Angles and torques of the arm pass the gear: n on the way to the motor, 1/n on the way of "
       "the arm's torque. The outputs on the right are all that a robot's log holds: the arm's "
-      "angle, the motor's speed and its torque.";
-  out.alt =
+      "angle, the motor's speed and its torque.");
+  out.alt = tr(
       "Block diagram. From the reference signal an ideal source of motion makes angle, speed and "
       "acceleration of the arm. Through the gear they drive the friction models and the inertia "
       "of the motor; gravity and inertia of the arm, divided by n, are added to the motor torque. "
-      "Measured are q, the motor speed and T.";
+      "Measured are q, the motor speed and T.");
   out.figure.diagram = draw_schematic(joint_graph(any), places(), routes());
   out.figure.diagram->height = 123;
   add_surroundings(*out.figure.diagram);

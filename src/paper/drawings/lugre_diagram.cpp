@@ -3,12 +3,14 @@
 #include <cmath>
 
 #include "paper/drawings/schematic.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::drawings {
 namespace {
 
 using render::figure::BlockSide;
 using render::figure::TextPlace;
+using wording::tr;
 
 constexpr double torque_row = 9;
 constexpr double main_row = 28;
@@ -107,18 +109,18 @@ figures::ReportFigure lugre_diagram_figure() {
   figures::ReportFigure out;
   out.number = 4;
   out.id = "fig-04-lugre-diagram";
-  out.title = "LuGre friction model as a block diagram";
+  out.title = tr("LuGre friction model as a block diagram");
   out.caption =
-      "Equations (3) to (5): the speed ω stretches the bristles, sliding pulls them back at the "
-      "rate |ω|/g(ω), and friction is the sum of stiffness σ₀, damping σ₁ and viscosity σ₂. The "
-      "diagram is drawn from the graph that the program's tests evaluate.";
+      tr("Equations (3) to (5): the speed ω stretches the bristles, sliding pulls them back at the "
+         "rate |ω|/g(ω), and friction is the sum of stiffness σ₀, damping σ₁ and viscosity σ₂. The "
+         "diagram is drawn from the graph that the program's tests evaluate.");
   out.how_to_read =
-      "Signals run along the arrows; a dot is a branch, a crossing without a dot is none. The "
-      "integrator holds the only state, the mean bristle deflection z. At constant speed dz/dt "
-      "is zero and z is g(ω) with the sign of the speed.";
+      tr("Signals run along the arrows; a dot is a branch, a crossing without a dot is none. The "
+         "integrator holds the only state, the mean bristle deflection z. At constant speed dz/dt "
+         "is zero and z is g(ω) with the sign of the speed.");
   out.alt =
-      "Block diagram. The speed ω, minus the product of z and |ω|/g(ω), gives dz/dt, which is "
-      "integrated to z. σ₀ z, σ₁ dz/dt and σ₂ ω are added to the friction torque.";
+      tr("Block diagram. The speed ω, minus the product of z and |ω|/g(ω), gives dz/dt, which is "
+         "integrated to z. σ₀ z, σ₁ dz/dt and σ₂ ω are added to the friction torque.");
   out.figure.diagram = draw_schematic(lugre_graph(any), places(), routes());
   out.figure.diagram->height = 89;
   out.figure.height_px = 970;

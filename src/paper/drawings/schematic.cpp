@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace tribolog::paper::drawings {
@@ -138,6 +139,13 @@ render::figure::Diagram draw_schematic(const SignalGraph& graph,
                                        const std::map<std::string, NodePlace>& places,
                                        const std::vector<WireRoute>& routes) {
   return Draughtsman(graph, places).draw(routes);
+}
+
+std::vector<std::string> in_lines(const std::string& text) {
+  std::istringstream words(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(words, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace tribolog::paper::drawings

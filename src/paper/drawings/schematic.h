@@ -50,6 +50,9 @@ render::figure::Diagram draw_schematic(const SignalGraph& graph,
                                        const std::map<std::string, NodePlace>& places,
                                        const std::vector<WireRoute>& routes);
 
+/// What a line feed divides: a block's lines, of one message.
+std::vector<std::string> in_lines(const std::string& text);
+
 // What the block of a node looks like: its kind, text and colours.
 
 /// Light grounds that tell the parts of a model apart, also in grey.

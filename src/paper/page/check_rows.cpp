@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "wording/rounding.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::page {
 namespace {
+
+using wording::tr;
 
 constexpr int most_digits = 8;
 
@@ -31,11 +34,11 @@ std::string seen_against(double bound, double value, int least_places) {
 std::string origin_word(checks::Origin origin) {
   switch (origin) {
     case checks::Origin::printed:
-      return "print";
+      return tr("print");
     case checks::Origin::reconstructed:
-      return "method";
+      return tr("method");
     case checks::Origin::law:
-      return "law";
+      return tr("law");
   }
   return "–";
 }
@@ -48,8 +51,8 @@ CheckTexts check_texts(const checks::Check& check) {
   if (check.is_words()) {
     out.expected = check.expected_words;
     out.ours = check.ours_words.empty() ? "–" : check.ours_words;
-    out.difference = check.holds() ? "none" : "another";
-    out.allowed = "none";
+    out.difference = check.holds() ? tr("none") : tr("another");
+    out.allowed = tr("none");
     return out;
   }
   const bool is_zero = check.expected == 0;

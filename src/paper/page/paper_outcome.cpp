@@ -8,6 +8,7 @@
 #include "paper/page/check_rows.h"
 #include "report/element_values.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::page {
 namespace {
@@ -15,29 +16,20 @@ using checks::ItemKind;
 using checks::PaperItem;
 using checks::PaperSection;
 
-struct KindWords {
+using wording::tr;
+
+/// What the paper has a number of.
+struct Kind {
   checks::ItemKind kind;
-  const char* one;   ///< "Figure", and in anchors.
-  const char* many;  ///< "Figures"
+  const char* many;
   int printed;
 };
 
-constexpr KindWords kinds[] = {
-    {checks::ItemKind::figure, "Figure", "Figures", drawings::figures},
-    {checks::ItemKind::table, "Table", "Tables", drawings::tables},
-    {checks::ItemKind::equation, "Equation", "Equations", drawings::equations},
-    {checks::ItemKind::statement, "Statement", "Statements", 0},
+constexpr Kind kinds[] = {
+    {checks::ItemKind::figure, wording::to_translate("Figures"), drawings::figures},
+    {checks::ItemKind::table, wording::to_translate("Tables"), drawings::tables},
+    {checks::ItemKind::equation, wording::to_translate("Equations"), drawings::equations},
 };
-
-const KindWords& words_of(checks::ItemKind kind) {
-  return *std::find_if(std::begin(kinds), std::end(kinds),
-                       [kind](const KindWords& words) { return words.kind == kind; });
-}
-
-std::string lower_case(std::string word) {
-  word.front() = static_cast<char>(word.front() - 'A' + 'a');
-  return word;
-}
 
 bool is_drawn(const checks::PaperItem& item, const RegeneratedPaper& paper,
               const std::vector<render::workers::DrawnFigure>& drawn) {
@@ -65,31 +57,45 @@ void for_each_item(const RegeneratedPaper& paper, Use use) {
   }
 }
 
-std::string of(int well, int all, const std::string& what) {
-  return fmt::format("{} of {} {}", well, all, what);
+std::string sentence_of(const std::vector<PaperTally>& tallies, const checks::Tally& checks,
+                        const checks::Tally& golden) {
+  const PaperTally& figures = tallies.at(0);
+  const PaperTally& tables = tallies.at(1);
+  const PaperTally& equations = tallies.at(2);
+  return tr(
+      "{good_figures} of {figures} figures, {good_tables} of {tables} tables, {good_equations} of "
+      "{equations} equations, each regenerated and with every check held; {holding_checks} of "
+      "{checks} checks hold, and {holding_golden} of {golden_numbers} golden numbers.",
+      {{"good_figures", figures.well},
+       {"figures", figures.printed},
+       {"good_tables", tables.well},
+       {"tables", tables.printed},
+       {"good_equations", equations.well},
+       {"equations", equations.printed},
+       {"holding_checks", checks.hold},
+       {"checks", checks.there},
+       {"holding_golden", golden.hold},
+       {"golden_numbers", golden.there}});
 }
 
 void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies,
                   report::TemplateValues& values) {
   const checks::Tally checks = checks::tally_checks(paper.sections);
   const checks::Tally golden = checks::tally_checks(paper.golden_numbers);
-  bool all_well = checks.hold == checks.there && golden.hold == golden.there;
-  std::string sentence;
-  for (const PaperTally& tally : tallies) {
-    all_well = all_well && tally.well == tally.printed;
-    sentence += of(tally.well, tally.printed, tally.kind) + ", ";
-  }
-  sentence += fmt::format("each regenerated and with every check held; {}, and {}.",
-                          of(checks.hold, checks.there, "checks hold"),
-                          of(golden.hold, golden.there, "golden numbers"));
+  const bool all_well = checks.hold == checks.there && golden.hold == golden.there &&
+                        std::all_of(tallies.begin(), tallies.end(), [](const PaperTally& tally) {
+                          return tally.well == tally.printed;
+                        });
   report::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  verdict.set("WORD", all_well ? "THE PAPER IS REPRODUCED" : "NOT ALL OF IT IS REPRODUCED");
-  verdict.set("SENTENCE", sentence);
+  verdict.set("WORD", all_well ? tr("THE PAPER IS REPRODUCED") : tr("NOT ALL OF IT IS REPRODUCED"));
+  verdict.set("SENTENCE", sentence_of(tallies, checks, golden));
   report::fill_outcome(all_well ? report::Outcome::good : report::Outcome::bad, verdict);
   const PaperTally& figures = tallies.front();
   const int missing = figures.printed - figures.here;
   verdict.set_optional("FIGURES_MISSING",
-                       missing > 0 ? of(missing, figures.printed, "figures missing") : "");
+                       missing > 0 ? tr("{missing} of {figures} figures missing",
+                                        {{"missing", missing}, {"figures", figures.printed}})
+                                   : "");
   report::TemplateValues* list = nullptr;
   const auto tell = [&](const std::string& where, const checks::Checks& failed) {
     for (const checks::Check& check : failed) {
@@ -101,22 +107,22 @@ void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& 
   for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
     tell(item_name(item), item.checks);
   });
-  tell("Golden number", paper.golden_numbers);
+  tell(tr("Golden number"), paper.golden_numbers);
 }
 
 void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& values) {
   report::Table table;
   table.id = "table-tally";
-  table.caption = "What the paper has, and what is regenerated here";
-  table.columns = {{"Kind", "", false},
-                   {"In the paper", "", true},
-                   {"Regenerated", "", true},
-                   {"Every check holds", "", true}};
-  for (const PaperTally& tally : tallies) {
-    table.rows.push_back(
-        {{report::as_sentence(tally.kind).substr(0, tally.kind.size()),
-          std::to_string(tally.printed), std::to_string(tally.here), std::to_string(tally.well)},
-         false});
+  table.caption = tr("What the paper has, and what is regenerated here");
+  table.columns = {{tr("Kind"), "", false},
+                   {tr("In the paper"), "", true},
+                   {tr("Regenerated"), "", true},
+                   {tr("Every check holds"), "", true}};
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    const PaperTally& tally = tallies[i];
+    table.rows.push_back({{tr(kinds[i].many), std::to_string(tally.printed),
+                           std::to_string(tally.here), std::to_string(tally.well)},
+                          false});
   }
   report::fill_table(table, "TALLY", values);
 }
@@ -124,18 +130,17 @@ void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& 
 void fill_ticks(const RegeneratedPaper& paper,
                 const std::vector<render::workers::DrawnFigure>& drawn,
                 report::TemplateValues& values) {
-  for (const KindWords& words : kinds) {
-    if (words.printed == 0) continue;
+  for (const Kind& one : kinds) {
     std::vector<const checks::PaperItem*> items;
     for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
-      if (item.kind == words.kind) items.push_back(&item);
+      if (item.kind == one.kind) items.push_back(&item);
     });
     std::sort(items.begin(), items.end(),
               [](const checks::PaperItem* a, const checks::PaperItem* b) {
                 return a->number < b->number;
               });
     report::TemplateValues& list = values.add_section("KIND");
-    list.set("KIND_NAME", words.many);
+    list.set("KIND_NAME", tr(one.many));
     for (const checks::PaperItem* item : items) {
       const bool well = is_well(*item, paper, drawn);
       report::TemplateValues& entry = list.add_section("ENTRY");
@@ -144,7 +149,7 @@ void fill_ticks(const RegeneratedPaper& paper,
       entry.set("TITLE", item->title);
       entry.set("NUMBER", std::to_string(item->number));
       entry.set("TICK", tick(well));
-      entry.set("SPOKEN", well ? "holds" : "does not hold");
+      entry.set("SPOKEN", well ? tr("holds") : tr("does not hold"));
     }
   }
 }
@@ -154,26 +159,34 @@ void fill_ticks(const RegeneratedPaper& paper,
 std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
                                  const std::vector<render::workers::DrawnFigure>& drawn) {
   std::vector<PaperTally> out;
-  for (const KindWords& words : kinds) {
-    if (words.printed == 0) continue;
-    PaperTally tally{lower_case(words.many), words.printed, 0, 0};
+  for (const Kind& one : kinds) {
+    PaperTally tally{one.kind, one.printed, 0, 0};
     for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
-      if (item.kind != words.kind) return;
+      if (item.kind != one.kind) return;
       if (is_drawn(item, paper, drawn)) ++tally.here;
       if (is_well(item, paper, drawn)) ++tally.well;
     });
-    out.push_back(std::move(tally));
+    out.push_back(tally);
   }
   return out;
 }
 
 std::string item_name(const checks::PaperItem& item) {
-  if (item.kind == checks::ItemKind::statement) return "The conclusions";
-  return fmt::format("{} {}", words_of(item.kind).one, item.number);
+  switch (item.kind) {
+    case checks::ItemKind::figure:
+      return tr("Figure {number}", {{"number", item.number}});
+    case checks::ItemKind::table:
+      return tr("Table {number}", {{"number", item.number}});
+    case checks::ItemKind::equation:
+      return tr("Equation {number}", {{"number", item.number}});
+    case checks::ItemKind::statement:
+      break;
+  }
+  return tr("The conclusions");
 }
 
 std::string item_anchor(const checks::PaperItem& item) {
-  return fmt::format("{}-{}", lower_case(words_of(item.kind).one), item.number);
+  return fmt::format("{}-{}", checks::key_of(item.kind), item.number);
 }
 
 void fill_outcome_of(const RegeneratedPaper& paper,

@@ -9,11 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "paper/page/check_rows.h"
+#include "paper/page/errata.h"
 #include "paper/page/paper_outcome.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/report_values.h"
 #include "report/view_parts.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::page {
 
@@ -33,20 +35,6 @@ const char* name_of(checks::Origin origin) {
       return "reconstructed";
     case checks::Origin::law:
       return "law";
-  }
-  return "";
-}
-
-const char* name_of(checks::ItemKind kind) {
-  switch (kind) {
-    case checks::ItemKind::figure:
-      return "figure";
-    case checks::ItemKind::table:
-      return "table";
-    case checks::ItemKind::equation:
-      return "equation";
-    case checks::ItemKind::statement:
-      return "statement";
   }
   return "";
 }
@@ -71,14 +59,13 @@ Json list_of(const checks::Checks& checks) {
   return list;
 }
 
-/// {"schema": "tribolog-paper-1", "tool", "items": [{kind, number, section, title, checks: [{what,
-/// origin, expected, ours, difference, allowed, unit, holds}]}], "golden_numbers": [...]}.
-/// A number that is not finite is null; words stand where words are compared.
+}  // namespace
+
 std::string paper_json(const RegeneratedPaper& paper) {
   Json items = Json::array();
   for (const checks::PaperSection& section : paper.sections) {
     for (const checks::PaperItem& item : section.items) {
-      items.push_back({{"kind", name_of(item.kind)},
+      items.push_back({{"kind", checks::key_of(item.kind)},
                        {"number", item.number},
                        {"section", section.number},
                        {"title", item.title},
@@ -92,9 +79,12 @@ std::string paper_json(const RegeneratedPaper& paper) {
   return whole.dump();
 }
 
+namespace {
+
 using checks::ItemKind;
 using checks::PaperItem;
 using checks::PaperSection;
+using wording::tr;
 
 std::string section_anchor(const checks::PaperSection& section) {
   std::string id = "section-" + section.number;
@@ -109,11 +99,11 @@ std::string heading_of(const checks::PaperItem& item) {
     case checks::ItemKind::statement:
       return item.title;
     case checks::ItemKind::equation:
-      return fmt::format("Equation ({}): {}", item.number, item.title);
+      return tr("Equation ({number}): {title}", {{"number", item.number}, {"title", item.title}});
     case checks::ItemKind::table:
       break;
   }
-  return fmt::format("Table {}: {}", item.number, item.title);
+  return tr("Table {number}: {title}", {{"number", item.number}, {"title", item.title}});
 }
 
 void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportFigure>& figures,
@@ -132,9 +122,11 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
   }
   out.set_optional("REMARK", item.remark);
   const checks::Tally tally = checks::tally_checks(item.checks);
-  fill_checks(item.checks, item_anchor(item),
-              fmt::format("{}: {} of {} checks hold", item_name(item), tally.hold, tally.there),
-              "CHECKS", out);
+  fill_checks(
+      item.checks, item_anchor(item),
+      tr("{item}: {holding_checks} of {checks} checks hold",
+         {{"item", item_name(item)}, {"holding_checks", tally.hold}, {"checks", tally.there}}),
+      "CHECKS", out);
 }
 
 /// Section 3.4 in full: curves, masses, errors, choice.
@@ -148,6 +140,7 @@ void fill_selection(const calibration::Calibration& calibration, report::Templat
   };
   add("curves", report::describe_viscous_curves);
   add("masses", report::describe_surrogate_masses);
+  report::fill_table(table_2(calibration), "TABLE", section);
   add("errors", report::describe_quality_errors);
   add("choice", report::describe_selection);
 }
@@ -156,7 +149,7 @@ void fill_selection(const calibration::Calibration& calibration, report::Templat
 
 std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
                        const std::vector<render::workers::DrawnFigure>& drawn,
-                       wording::Language language) {
+                       const std::string& json, wording::Language language) {
   report::TemplateValues values;
   report::fill_head(paper.provenance, values);
   fill_outcome_of(paper, drawn, values);
@@ -176,9 +169,9 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
         });
     if (is_selection) fill_selection(calibration, out);
   }
-  fill_checks(paper.golden_numbers, "golden", "Given, computed, and the difference", "GOLDEN",
+  fill_checks(paper.golden_numbers, "golden", tr("Given, computed, and the difference"), "GOLDEN",
               values);
-  report::fill_errata(report::errata_numbers(), "section 3.4", values);
+  fill_errata(values);
   for (const PaperSource& source : paper.sources) {
     report::TemplateValues& file = values.add_section("SOURCE_FILE");
     file.set("FILE_NAME", source.name);
@@ -187,7 +180,7 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
   report::fill_provenance(paper.provenance.command_line,
                           report::or_dash(paper.provenance.created_utc), {},
                           report::provenance_tables(calibration, paper.provenance), values);
-  values.set_checked_by_modifier("RESULT_JSON", paper_json(paper));
+  values.set_checked_by_modifier("RESULT_JSON", json);
   return report::expand_template("paper.tpl", values, language);
 }
 

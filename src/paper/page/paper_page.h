@@ -31,20 +31,27 @@ struct RegeneratedPaper {
 /// How many items of a kind the paper has, how many are here, and of how many all is well: every
 /// check holds, and a figure has its picture.
 struct PaperTally {
-  std::string kind;  ///< "figures"
+  checks::ItemKind kind{};
   int printed{};
   int here{};
   int well{};
 };
 
-/// Figures, tables, equations.
+/// Of figures, tables and equations, in this order.
 std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
                                  const std::vector<render::workers::DrawnFigure>& drawn);
 
+/// The checks for machines:
+/// {"schema": "tribolog-paper-1", "tool", "items": [{kind, number, section, title, checks: [{what,
+/// origin, expected, ours, difference, allowed, unit, holds}]}], "golden_numbers": [...]}.
+/// A number that is not finite is null; words stand where words are compared.
+std::string paper_json(const RegeneratedPaper& paper);
+
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 /// @param calibration of the paper's joint: the tables of section 3.4.
+/// @param json paper_json() of the same in English.
 std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
                        const std::vector<render::workers::DrawnFigure>& drawn,
-                       wording::Language language = wording::Language::english);
+                       const std::string& json, wording::Language language = wording::Language{});
 
 }  // namespace tribolog::paper::page

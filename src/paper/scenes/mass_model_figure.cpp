@@ -8,9 +8,12 @@
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::scenes {
 namespace {
+
+using wording::tr;
 
 constexpr render::figure::Colour surrogate_colour{180, 50, 0};
 constexpr double shown_above_level_rad = 20 * joint::rad_per_degree;
@@ -80,7 +83,7 @@ void add_angles(render::figure::Scene& scene, const Model& model) {
   };
   const double zero = line - model.q_rad;
   const bool from_level = std::abs(zero) < same_line_rad;
-  ray(0, 1.75 * far, render::figure::LineStyle::dash, paint::level, from_level ? "" : "level");
+  ray(0, 1.75 * far, render::figure::LineStyle::dash, paint::level, from_level ? "" : tr("level"));
   if (!from_level) {
     ray(zero, 1.75 * far, render::figure::LineStyle::dot, paint::angle, "q_{" + model.n + "} = 0");
   }
@@ -186,7 +189,8 @@ render::figure::Scene draw(const Model& model) {
              first ? 0.0 : 0.04 * size, "q_{" + index_text(arm.joints()[i].name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
   }
-  scene.arrows.back().label = "axis of joint " + drawn_text(test.joint().name, 24);
+  scene.arrows.back().label =
+      tr("axis of joint {joint}", {{"joint", drawn_text(test.joint().name, 24)}});
   add_angles(scene, model);
   add_distances(scene, model);
   add_link_lengths(scene, model, pose);
@@ -199,18 +203,77 @@ render::figure::Scene draw(const Model& model) {
 /// The masses in words: with what is known, and nothing of what is not.
 std::string numbers_in_words(const Model& model) {
   const TestNumbers& numbers = model.numbers;
-  const std::string surrogate =
-      fmt::format("surrogate mass {} at {}", mass_text(numbers, present(numbers.surrogate_mass_kg)),
-                  millimetres_text(model.far_m()));
-  const std::string side = side_text(numbers, model.q_c_rad);
+  const std::string surrogate = mass_text(numbers, present(numbers.surrogate_mass_kg));
+  const std::string far = millimetres_text(model.far_m());
+  const std::string angle = size_text(numbers, model.q_c_rad);
+  const bool is_below = model.q_c_rad.value < 0;
   const std::string& joint = model.test.joint().name;
   if (!numbers.mass) {
-    return fmt::format("{} from the axis of joint {}, {} the link's own line", surrogate, joint,
-                       side);
+    return is_below ? tr("surrogate mass {surrogate_mass} at {surrogate_distance} from the axis of "
+                         "joint {joint}, {angle} below the link's own line",
+                         {{"surrogate_mass", surrogate},
+                          {"surrogate_distance", far},
+                          {"joint", joint},
+                          {"angle", angle}})
+                    : tr("surrogate mass {surrogate_mass} at {surrogate_distance} from the axis of "
+                         "joint {joint}, {angle} above the link's own line",
+                         {{"surrogate_mass", surrogate},
+                          {"surrogate_distance", far},
+                          {"joint", joint},
+                          {"angle", angle}});
   }
-  return fmt::format("mass {} at {} from the axis of joint {}, {}, both {} the link's own line",
-                     kilogram_text(numbers.mass->mass_kg),
-                     millimetres_text(numbers.mass->distance_m), joint, surrogate, side);
+  const std::string mass = kilogram_text(numbers.mass->mass_kg);
+  const std::string near = millimetres_text(numbers.mass->distance_m);
+  return is_below ? tr("mass {mass} at {distance} from the axis of joint {joint}, surrogate mass "
+                       "{surrogate_mass} at {surrogate_distance}, both {angle} below the link's "
+                       "own line",
+                       {{"mass", mass},
+                        {"distance", near},
+                        {"joint", joint},
+                        {"surrogate_mass", surrogate},
+                        {"surrogate_distance", far},
+                        {"angle", angle}})
+                  : tr("mass {mass} at {distance} from the axis of joint {joint}, surrogate mass "
+                       "{surrogate_mass} at {surrogate_distance}, both {angle} above the link's "
+                       "own line",
+                       {{"mass", mass},
+                        {"distance", near},
+                        {"joint", joint},
+                        {"surrogate_mass", surrogate},
+                        {"surrogate_distance", far},
+                        {"angle", angle}});
+}
+
+std::string caption_of(const Model& model, const std::string& words) {
+  const std::string& joint = model.test.joint().name;
+  if (!model.numbers.mass) {
+    return tr("What joint {joint} drives, as one mass at a chosen distance: {masses}.",
+              {{"joint", joint}, {"masses", words}});
+  }
+  return tr(
+      "What joint {joint} drives, as one mass at one distance: {masses}. m r is the same, so that "
+      "both ask the same torque at every angle.",
+      {{"joint", joint}, {"masses", words}});
+}
+
+std::string how_to_read(const Model& model) {
+  const std::string zero =
+      std::abs(model.test.line_above_level_rad()) < same_line_rad
+          ? tr("q counts from the level (dashed) line to the link's own line (dash-dotted), the "
+               "mass centre's angle q_c from there on.")
+          : tr("q counts from the dotted line to the link's own line (dash-dotted), the mass "
+               "centre's angle q_c from there on.");
+  const std::string torque =
+      tr("Gravity torque is m g r times the cosine of the mass centre's angle above the level, and "
+         "largest where it is level.");
+  const auto& mass = model.numbers.mass;
+  const std::string known =
+      mass
+          ? tr("Only m r shows in a log: r of the mass ({distance}) is not measured.",
+               {{"distance", millimetres_text(mass->distance_m)}})
+          : tr("Only m r shows in a log: the mass of the links and its distance are not known, the "
+               "surrogate mass asks the same torque at every angle.");
+  return sentences({zero, torque, known});
 }
 
 }  // namespace
@@ -231,33 +294,21 @@ std::optional<figures::ReportFigure> mass_model_figure(const robot::RobotDescrip
   figures::ReportFigure out;
   out.number = 10;
   out.id = "fig-10-phenomenological-model";
-  out.title = numbers.mass ? "Phenomenological model: driven mass and surrogate mass"
-                           : "Phenomenological model: the surrogate mass";
+  out.title = numbers.mass ? tr("Phenomenological model: driven mass and surrogate mass")
+                           : tr("Phenomenological model: the surrogate mass");
   const std::string words = numbers_in_words(model);
-  const std::string& joint = test.joint().name;
-  out.caption =
-      numbers.mass
-          ? fmt::format(
-                "What joint {} drives, as one mass at one distance: {}. m r is the same, so that "
-                "both ask the same torque at every angle.",
-                joint, words)
-          : fmt::format("What joint {} drives, as one mass at a chosen distance: {}.", joint,
-                        words);
-  out.caption += origin_note(numbers, "Angle and mass are") + dimensions_note(robot);
-  out.how_to_read = fmt::format(
-      "q counts from the {} line to the link's own line (dash-dotted), the mass centre's angle q_c "
-      "from there on. Gravity torque is m g r times the cosine of the mass centre's angle above "
-      "the "
-      "level, and largest where it is level. Only m r shows in a log: {}",
-      std::abs(test.line_above_level_rad()) < same_line_rad ? "level (dashed)" : "dotted",
-      numbers.mass
-          ? fmt::format("r of the mass ({}) is not measured.",
-                        millimetres_text(numbers.mass->distance_m))
-          : "the mass of the links and its distance are not known, the surrogate mass asks "
-            "the same torque at every angle.");
+  const std::string origin =
+      numbers.identified ? tr("Angle and mass are identified; an interval is one of 95 %.") : "";
+  out.caption = sentences({caption_of(model, words), origin, dimensions_note(robot)});
+  out.how_to_read = how_to_read(model);
   out.alt =
-      fmt::format("Model of {} with joint {} at {}: {}; gravity {:.2f} m/s² downwards.",
-                  test.arm().name(), joint, degrees_text(q_rad, 0), words, numbers.gravity_m_s2);
+      tr("Model of {robot} with joint {joint} at {joint_angle}: {masses}; gravity "
+         "{gravity_m_s2:.2f} m/s² downwards.",
+         {{"robot", test.arm().name()},
+          {"joint", test.joint().name},
+          {"joint_angle", degrees_text(q_rad, 0)},
+          {"masses", words},
+          {"gravity_m_s2", numbers.gravity_m_s2}});
   out.stage = "cog_rough";
   out.figure.height_px = 1300;
   out.figure.scene = draw(model);

@@ -2,14 +2,15 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::scenes {
 namespace {
+
+using wording::tr;
 
 constexpr render::figure::Colour peak_colour{180, 50, 0};
 
@@ -108,7 +109,7 @@ void add_rays(render::figure::Scene& scene, const TestMotion& motion) {
   const double zero = motion.line_rad(0);
   const bool from_level = std::abs(zero) < same_line_rad;
   ray(0, render::figure::LineStyle::dash, paint::level,
-      from_level ? "level, " + q + "} = 0" : "level");
+      from_level ? tr("level, {joint_angle} = 0", {{"joint_angle", q + "}"}}) : tr("level"));
   if (!from_level) ray(zero, render::figure::LineStyle::dot, paint::angle, q + "} = 0");
 }
 
@@ -124,7 +125,7 @@ void add_mass(render::figure::Scene& scene, const TestMotion& motion) {
   mass.radius_m = 0.0154 * motion.size_m;
   mass.colour = paint::mass;
   mass.inside = true;
-  mass.label = known ? "mass centre" : "surrogate mass";
+  mass.label = known ? tr("mass centre") : tr("surrogate mass");
   scene.balls.push_back(mass);
   render::figure::SceneArrow weight;
   weight.from = mass.centre;
@@ -153,15 +154,66 @@ render::figure::Scene draw(const TestMotion& motion) {
   return scene;
 }
 
-std::string numbers_in_words(const TestMotion& motion) {
-  const double span = motion.range.highest_rad - motion.range.lowest_rad;
-  const std::string peak = angle_text(motion.numbers, motion.q_peak_rad);
-  return fmt::format("joint {} moves from {}, {} in all; {} {}", motion.test.joint().name,
-                     range_text(motion.range), degrees_text(span, places_for(motion.range)),
-                     motion.reaches_peak()
-                         ? "its mass centre is level at"
-                         : "that does not bring its mass centre level, which would be at",
-                     peak);
+/// The range and the peak, as texts.
+struct MotionTexts {
+  std::string lowest;
+  std::string highest;
+  std::string span;
+  std::string peak;
+};
+
+MotionTexts texts_of(const TestMotion& motion) {
+  const robot::AngleRange& range = motion.range;
+  const int places = places_for(range);
+  return {degrees_text(range.lowest_rad, places), degrees_text(range.highest_rad, places),
+          degrees_text(range.highest_rad - range.lowest_rad, places),
+          angle_text(motion.numbers, motion.q_peak_rad)};
+}
+
+std::string motion_sentence(const TestMotion& motion) {
+  const auto [lowest, highest, span, peak] = texts_of(motion);
+  const std::string& joint = motion.test.joint().name;
+  return motion.reaches_peak()
+             ? tr("In the test joint {joint} moves from {lowest_angle} to {highest_angle}, {span} "
+                  "in all; its mass centre is level at {peak_angle}: there gravity torque is "
+                  "largest.",
+                  {{"joint", joint},
+                   {"lowest_angle", lowest},
+                   {"highest_angle", highest},
+                   {"span", span},
+                   {"peak_angle", peak}})
+             : tr("In the test joint {joint} moves from {lowest_angle} to {highest_angle}, {span} "
+                  "in all; that does not bring its mass centre level, which would be at "
+                  "{peak_angle}: there gravity torque is largest.",
+                  {{"joint", joint},
+                   {"lowest_angle", lowest},
+                   {"highest_angle", highest},
+                   {"span", span},
+                   {"peak_angle", peak}});
+}
+
+std::string side_view_in_words(const TestMotion& motion) {
+  const auto [lowest, highest, span, peak] = texts_of(motion);
+  const std::string& robot = motion.test.arm().name();
+  const std::string& joint = motion.test.joint().name;
+  return motion.reaches_peak()
+             ? tr("Side view of {robot}: joint {joint} moves from {lowest_angle} to "
+                  "{highest_angle}, {span} in all; its mass centre is level at {peak_angle}.",
+                  {{"robot", robot},
+                   {"joint", joint},
+                   {"lowest_angle", lowest},
+                   {"highest_angle", highest},
+                   {"span", span},
+                   {"peak_angle", peak}})
+             : tr("Side view of {robot}: joint {joint} moves from {lowest_angle} to "
+                  "{highest_angle}, {span} in all; that does not bring its mass centre level, "
+                  "which would be at {peak_angle}.",
+                  {{"robot", robot},
+                   {"joint", joint},
+                   {"lowest_angle", lowest},
+                   {"highest_angle", highest},
+                   {"span", span},
+                   {"peak_angle", peak}});
 }
 
 }  // namespace
@@ -186,15 +238,15 @@ std::optional<figures::ReportFigure> motion_range_figure(const robot::RobotDescr
   figures::ReportFigure out;
   out.number = 12;
   out.id = "fig-12-range-of-motion";
-  out.title = "Range of motion and angular position of the mass centre";
-  const std::string words = numbers_in_words(motion);
-  out.caption = fmt::format("In the test {}: there gravity torque is largest.{}{}", words,
-                            origin_note(numbers, "The angle is"), dimensions_note(robot));
+  out.title = tr("Range of motion and angular position of the mass centre");
+  const std::string origin =
+      numbers.identified ? tr("The angle is identified; an interval is one of 95 %.") : "";
+  out.caption = sentences({motion_sentence(motion), origin, dimensions_note(robot)});
   out.how_to_read =
-      "The sector is what the joint swept, its ends drawn pale. The mass centre keeps its angle "
-      "q_c to the link's own line, so that the joint must stand at q_peak to bring it level. A "
-      "sweep that does not pass through that angle cannot find it.";
-  out.alt = fmt::format("Side view of {}: {}.", test.arm().name(), words);
+      tr("The sector is what the joint swept, its ends drawn pale. The mass centre keeps its angle "
+         "q_c to the link's own line, so that the joint must stand at q_peak to bring it level. A "
+         "sweep that does not pass through that angle cannot find it.");
+  out.alt = side_view_in_words(motion);
   out.stage = "cog_rough";
   out.figure.height_px = 1300;
   out.figure.scene = draw(motion);

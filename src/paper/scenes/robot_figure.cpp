@@ -2,15 +2,17 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
 #include "wording/number_text.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::scenes {
 namespace {
+
+using wording::tr;
+using wording::tr_count;
 
 constexpr double parallel = 0.999;  // cosine between axes: 2.6 degrees
 
@@ -49,18 +51,42 @@ double wrist_reach_m(const robot::RobotDescription& robot) {
   return reach;
 }
 
-/// " The wrist reaches 1.4 m from the axis of joint 1.", or nothing for an arm of another kind.
-std::string reach_words(const robot::RobotDescription& robot) {
+/// "The wrist reaches 1.4 m from the axis of joint 1.", or nothing for an arm of another kind.
+std::string reach_sentence(const robot::RobotDescription& robot) {
   const double reach = wrist_reach_m(robot);
   if (!(reach > 0)) return {};
-  return fmt::format(" The wrist reaches {:.1f} m from the axis of joint {}.", reach,
-                     robot.under_test.arm().joints().front().name);
+  return tr("The wrist reaches {reach_m:.1f} m from the axis of joint {joint}.",
+            {{"reach_m", reach}, {"joint", robot.under_test.arm().joints().front().name}});
 }
 
-std::string turns_about(const Eigen::Vector3d& axis) {
-  if (std::abs(axis.z()) > parallel) return "upright";
-  if (std::abs(axis.x()) > parallel) return "along x";
-  return std::abs(axis.y()) > parallel ? "along y" : "oblique";
+/// Where its axis points and how far it turns.
+std::string axis_words(const robot::ArmJoint& joint) {
+  const std::string lowest = degrees_text(joint.lowest_rad, 0);
+  const std::string highest = degrees_text(joint.highest_rad, 0);
+  if (std::abs(joint.axis.z()) > parallel) {
+    return tr("joint {joint} upright, {lowest_angle} to {highest_angle}",
+              {{"joint", joint.name}, {"lowest_angle", lowest}, {"highest_angle", highest}});
+  }
+  if (std::abs(joint.axis.x()) > parallel) {
+    return tr("joint {joint} along x, {lowest_angle} to {highest_angle}",
+              {{"joint", joint.name}, {"lowest_angle", lowest}, {"highest_angle", highest}});
+  }
+  if (std::abs(joint.axis.y()) > parallel) {
+    return tr("joint {joint} along y, {lowest_angle} to {highest_angle}",
+              {{"joint", joint.name}, {"lowest_angle", lowest}, {"highest_angle", highest}});
+  }
+  return tr("joint {joint} oblique, {lowest_angle} to {highest_angle}",
+            {{"joint", joint.name}, {"lowest_angle", lowest}, {"highest_angle", highest}});
+}
+
+std::string tested_sentence(const robot::SerialArm& arm, std::size_t tested) {
+  return tr_count(
+      static_cast<std::int64_t>(arm.size()),
+      "{robot} with its joint; joint {joint} is tested and moves the links in the "
+      "warm colour.",
+      "{robot} with its {joints} joints; joint {joint} is tested and moves the links "
+      "in the warm colour.",
+      {{"robot", arm.name()}, {"joints", arm.size()}, {"joint", arm.joints()[tested].name}});
 }
 
 }  // namespace
@@ -92,26 +118,22 @@ figures::ReportFigure robot_figure(const robot::RobotDescription& robot) {
     add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, ahead),
              i == 0 && upright ? 0.0 : 0.03 * size, "q_{" + index_text(joint.name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
-    axes.push_back(fmt::format("joint {} {}, {} to {}", joint.name, turns_about(joint.axis),
-                               degrees_text(joint.lowest_rad, 0),
-                               degrees_text(joint.highest_rad, 0)));
+    axes.push_back(axis_words(joint));
   }
   add_base_frame(scene, {-0.15 * size, -0.2 * size, 0}, 0.09 * size);
 
   figures::ReportFigure out;
   out.number = 9;
   out.id = "fig-09-robot";
-  out.title = "The robot, " + arm.name();
-  out.caption = fmt::format(
-      "{} with {}; joint {} is tested and moves the links in the warm colour.{}{}", arm.name(),
-      arm.size() == 1 ? "its joint" : fmt::format("its {} joints", arm.size()),
-      arm.joints()[tested].name, reach_words(robot), dimensions_note(robot));
-  out.how_to_read =
+  out.title = tr("The robot, {robot}", {{"robot", arm.name()}});
+  out.caption =
+      sentences({tested_sentence(arm, tested), reach_sentence(robot), dimensions_note(robot)});
+  out.how_to_read = tr(
       "Each arrow is the axis of a joint: seen against its direction, a positive angle turns the "
-      "links behind it counter-clockwise. Links that the tested joint does not move stand grey.";
+      "links behind it counter-clockwise. Links that the tested joint does not move stand grey.");
   out.alt =
-      fmt::format("Three-dimensional drawing of {}, its axes while every joint stands at 0: {}.",
-                  arm.name(), wording::listed(axes));
+      tr("Three-dimensional drawing of {robot}, its axes while every joint stands at 0: {axes}.",
+         {{"robot", arm.name()}, {"axes", wording::listed(axes)}});
   out.stage = "cog_rough";
   out.figure.height_px = 1200;
   out.figure.scene = std::move(scene);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "joint/degrees.h"
+#include "wording/tr.h"
 
 namespace tribolog::paper::scenes {
 
@@ -20,11 +21,6 @@ std::string degrees_text(double rad, int places) {
 int places_for(const robot::AngleRange& range) {
   const double span_deg = (range.highest_rad - range.lowest_rad) * joint::degrees_per_rad;
   return span_deg >= 10 ? 0 : span_deg >= 1 ? 1 : 3;
-}
-
-std::string range_text(const robot::AngleRange& range) {
-  const int places = places_for(range);
-  return degrees_text(range.lowest_rad, places) + " to " + degrees_text(range.highest_rad, places);
 }
 
 std::string millimetres_text(double metres) { return fmt::format("{:.0f} mm", 1000 * metres); }
@@ -50,7 +46,16 @@ std::string index_text(const std::string& joint_name) {
 }
 
 std::string dimensions_note(const robot::RobotDescription& robot) {
-  return robot.approximate ? " Dimensions are approximate." : "";
+  return robot.approximate ? wording::tr("Dimensions are approximate.") : "";
+}
+
+std::string sentences(std::initializer_list<std::string> all) {
+  std::string text;
+  for (const std::string& one : all) {
+    if (!text.empty() && !one.empty()) text += ' ';
+    text += one;
+  }
+  return text;
 }
 
 }  // namespace tribolog::paper::scenes

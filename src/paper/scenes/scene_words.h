@@ -2,6 +2,7 @@
 // Points, angles and sentences that the drawings share.
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 #include <Eigen/Core>
@@ -15,8 +16,6 @@ inline render::figure::Point3 point(const Eigen::Vector3d& v) { return {v.x(), v
 
 /// "−22.23°", to so many places.
 std::string degrees_text(double rad, int places);
-/// "−80° to 60°"; with places where the range is a few degrees or less.
-std::string range_text(const robot::AngleRange& range);
 /// Places with which the ends of a range are told apart.
 int places_for(const robot::AngleRange& range);
 /// "400 mm"
@@ -29,7 +28,9 @@ std::string drawn_text(const std::string& text, std::size_t limit);
 /// The name of a joint as an index: up to three letters or digits as they are, "3" or "J3"; others
 /// in brackets.
 std::string index_text(const std::string& joint_name);
-/// " Dimensions are approximate." or nothing.
+/// "Dimensions are approximate." or nothing.
 std::string dimensions_note(const robot::RobotDescription& robot);
+/// One after the other; those that say nothing are left out.
+std::string sentences(std::initializer_list<std::string> all);
 
 }  // namespace tribolog::paper::scenes

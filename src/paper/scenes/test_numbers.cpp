@@ -77,14 +77,8 @@ std::string angle_text(const TestNumbers& numbers, const statistics::Estimate& a
                             : degrees_text(angle_rad.value, 5);
 }
 
-std::string side_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad) {
-  const bool below = angle_rad.value < 0;
-  return angle_text(numbers, statistics::scaled(angle_rad, below ? -1 : 1)) +
-         (below ? " below" : " above");
-}
-
-std::string origin_note(const TestNumbers& numbers, const std::string& which) {
-  return numbers.identified ? " " + which + " identified; an interval is one of 95 %." : "";
+std::string size_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad) {
+  return angle_text(numbers, statistics::scaled(angle_rad, angle_rad.value < 0 ? -1 : 1));
 }
 
 std::string mass_text(const TestNumbers& numbers, const statistics::Estimate& mass_kg) {

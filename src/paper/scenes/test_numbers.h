@@ -42,12 +42,9 @@ statistics::Estimate mass_angle_rad(const robot::JointUnderTest& test,
 
 /// "−22.23187°" as stated; "−22.232° ± 0.011°" as identified.
 std::string angle_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad);
-/// "22.232° ± 0.011° above" or "... below": on which side of a line.
-std::string side_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad);
+/// Without its sign: "22.232° ± 0.011°".
+std::string size_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad);
 /// "79.17 kg" as stated; "79.168 ± 0.044 kg" as identified.
 std::string mass_text(const TestNumbers& numbers, const statistics::Estimate& mass_kg);
-
-/// What numbers in a caption are, where they are identified: " Angle and mass are identified ..."
-std::string origin_note(const TestNumbers& numbers, const std::string& which);
 
 }  // namespace tribolog::paper::scenes

@@ -25,14 +25,15 @@ struct Sample {
   std::vector<std::string> names;
 };
 
-Sample sample_of(const std::vector<figures::ReportFigure>& figures) {
+Sample sample_of(std::string_view example) {
   const render::text::Font font;
   const std::vector<Reading> readings = all_readings();
   Sample out;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
+  for (std::size_t i = 0; i < figures_of(example).size(); ++i) {
     const Reading& reading = readings[i % readings.size()];
-    out.figures.push_back(read_as(reading, {figures[i]}, font).front().figure);
-    out.names.push_back(figures[i].id + " (" + reading.name() + ")");
+    const figures::ReportFigure& figure = figures_of(example, reading.language)[i];
+    out.figures.push_back(read_as(reading, figure, font).figure);
+    out.names.push_back(figure.id + " (" + reading.name() + ")");
   }
   return out;
 }
@@ -53,7 +54,7 @@ void save(const render::workers::DrawnFigure& drawn, const std::string& name) {
 
 // The renderer holds each picture against its draw list (render/check/picture_check.h).
 TEST_P(DrawnSample, IsWholeAndInsideItsMargin) {
-  const Sample sample = sample_of(figures_of(GetParam()));
+  const Sample sample = sample_of(GetParam());
   const auto drawn =
       render::workers::FigureRenderer(2, render::workers::Prepared::charts_and_scenes)
           .draw(sample.figures);

@@ -50,11 +50,11 @@ void expect_legible(const figures::ReportFigure& figure, const Reading& reading,
 
 TEST_P(EveryFigure, IsLegible) {
   const render::text::Font font;
-  const auto& figures = figures_of(GetParam());
-  ASSERT_FALSE(figures.empty());
   for (const Reading& reading : all_readings()) {
-    for (const figures::ReportFigure& one : read_as(reading, figures, font)) {
-      expect_legible(one, reading, font);
+    const auto& figures = figures_of(GetParam(), reading.language);
+    ASSERT_FALSE(figures.empty());
+    for (const figures::ReportFigure& one : figures) {
+      expect_legible(read_as(reading, one, font), reading, font);
     }
   }
 }

@@ -13,16 +13,15 @@ namespace tribolog::test {
 /// A look in a language: "report, en".
 struct Reading {
   render::figure::Look look{render::figure::Look::report};
-  wording::Language language{wording::Language::english};
+  wording::Language language;
   [[nodiscard]] std::string name() const;
 };
 
 /// Both looks in every language.
 std::vector<Reading> all_readings();
 
-/// The figures as they are drawn in that look and language.
-std::vector<figures::ReportFigure> read_as(const Reading& reading,
-                                           const std::vector<figures::ReportFigure>& figures,
-                                           const render::text::Font& font);
+/// The figure as it is drawn in that look.
+figures::ReportFigure read_as(const Reading& reading, figures::ReportFigure figure,
+                              const render::text::Font& font);
 
 }  // namespace tribolog::test

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "base/input_file.h"
 #include "figures/figure_set.h"
@@ -94,14 +95,18 @@ std::vector<std::string> swept_examples() {
   return names;
 }
 
-const std::vector<figures::ReportFigure>& figures_of(std::string_view example) {
-  static std::map<std::string, std::vector<figures::ReportFigure>, std::less<>> made;
-  const auto there = made.find(example);
+const std::vector<figures::ReportFigure>& figures_of(std::string_view example,
+                                                     const wording::Language& language) {
+  static std::map<std::pair<std::string, wording::Language>, std::vector<figures::ReportFigure>>
+      made;
+  const std::pair key(std::string(example), language);
+  const auto there = made.find(key);
   if (there != made.end()) return there->second;
   const auto maker = makers().find(example);
   if (maker == makers().end())
     throw std::invalid_argument("no example is called " + std::string(example));
-  return made.emplace(example, maker->second()).first->second;
+  const wording::WordsIn words(language);
+  return made.emplace(key, maker->second()).first->second;
 }
 
 }  // namespace tribolog::test

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "figures/report_figure.h"
+#include "wording/language.h"
 
 namespace tribolog::test {
 
@@ -13,8 +14,9 @@ namespace tribolog::test {
 /// "history".
 std::vector<std::string> swept_examples();
 
-/// The figures of one of them; computed once in a process.
+/// The figures of one of them, described in a language; computed once in a process.
 /// @throw std::invalid_argument for another name
-const std::vector<figures::ReportFigure>& figures_of(std::string_view example);
+const std::vector<figures::ReportFigure>& figures_of(std::string_view example,
+                                                     const wording::Language& language = {});
 
 }  // namespace tribolog::test

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
+#include "wording/words.h"
 
 namespace tribolog::array_tables_test {
 namespace {
@@ -93,13 +94,14 @@ TEST(TablesOf, SquareMatricesAreANotedGuess) {
   const auto result = tables({counted("q", 2, 2)});
   EXPECT_EQ(result[0].columns[0].values, (Values{0, 2}));
   ASSERT_EQ(result[0].notes.size(), 1U);
-  EXPECT_EQ(result[0].notes[0], "'q' is 2 x 2: its first dimension is taken for the samples");
+  EXPECT_EQ(wording::words(result[0].notes[0]),
+            "'q' is 2 x 2: its first dimension is taken for the samples");
 }
 
 TEST(TablesOf, EqualNamesGetNumbers) {
   const auto result = tables({counted("q", 5, 2), counted("q_0", 5), counted("q_0", 5)});
   EXPECT_EQ(result[0].header, (Names{"q_0", "q_0_2", "q_0_3", "q_1"}));
-  EXPECT_EQ(result[0].notes,
+  EXPECT_EQ(wording::words(result[0].notes),
             (Names{"column name 'q_0' stands twice; that of array 'q_0' is now 'q_0_2'",
                    "column name 'q_0' stands twice; that of array 'q' is now 'q_0_3'"}));
 }
@@ -120,10 +122,10 @@ TEST(TablesOf, NotesSayWhatIsNoColumn) {
   found.arrays[1].values = {0.49};
   found.texts = {{"motor", "mx106"}};
   found.leave_out("z", "it holds complex numbers");
-  EXPECT_EQ(ingest::arrays::tables_of(found, "log")[0].notes,
+  EXPECT_EQ(wording::words(ingest::arrays::tables_of(found, "log")[0].notes),
             (Names{"mass = 0.49", "motor = 'mx106'", "'z' is not read: it holds complex numbers"}));
   for (int i = 0; i < 30; ++i) found.leave_out("x", "why");
-  const auto notes = ingest::arrays::tables_of(found, "log")[0].notes;
+  const auto notes = wording::words(ingest::arrays::tables_of(found, "log")[0].notes);
   ASSERT_EQ(notes.size(), 15U);
   EXPECT_EQ(notes.back(), "and 19 more that are not read");
 }

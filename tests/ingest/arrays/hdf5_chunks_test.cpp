@@ -10,6 +10,7 @@
 
 #include "base/temporary_directory.h"
 #include "ingest/arrays/hdf5_reader.h"
+#include "wording/words.h"
 
 namespace tribolog::hdf5_chunks_test {
 namespace {
@@ -64,7 +65,7 @@ class Hdf5ChunksTest : public testing::Test {
   [[nodiscard]] std::string first_note() const {
     const auto tables = ingest::arrays::read_hdf5(path_);
     EXPECT_EQ(tables[0].header, Names{"t"});
-    return tables[0].notes.empty() ? "" : tables[0].notes[0];
+    return tables[0].notes.empty() ? "" : wording::words(tables[0].notes[0]);
   }
 };
 
@@ -146,7 +147,7 @@ TEST_F(Hdf5ChunksTest, MoreBytesThanTheFileHasAreRefused) {
   }
   ASSERT_EQ(changed, 1U);
   path_ = directory_.file("log.h5", bytes);
-  const std::string note = ingest::arrays::read_hdf5(path_)[0].notes[0];
+  const std::string note = wording::words(ingest::arrays::read_hdf5(path_)[0].notes[0]);
   const std::string claimed = fmt::format(
       "'t' is not read: damaged: {} of the file's {} bytes are claimed", 0x0100'0050, bytes.size());
   // libhdf5 2 writes a checksum beside the layout.

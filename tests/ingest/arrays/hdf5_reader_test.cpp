@@ -13,6 +13,7 @@
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
+#include "wording/words.h"
 
 namespace tribolog::hdf5_reader_test {
 namespace {
@@ -112,7 +113,7 @@ TEST_F(Hdf5, RobotLogsAreReadToTheBit) {
     const ingest::log::LogTable& table = tables[0];
     ASSERT_EQ(table.header, (Names{"t", "arm/q_0", "arm/q_1", "arm/q_2"}));
     EXPECT_EQ(table.columns[1].header.unit, "rad");
-    EXPECT_EQ(table.notes, (Names{"arm/mass = 0.49", "robot = 'UR10e'"}));
+    EXPECT_EQ(wording::words(table.notes), (Names{"arm/mass = 0.49", "robot = 'UR10e'"}));
     const Values t = random_values(200);
     const Values q = random_values(600);
     for (std::size_t row = 0; row < 200; ++row) {
@@ -142,7 +143,8 @@ TEST_F(Hdf5, IntegersAndBooleans) {
   ASSERT_EQ(tables[0].header, (Names{"enabled", "stamp", "ticks"}));
   EXPECT_EQ(tables[0].columns[0].values, (Values{1, 0}));
   EXPECT_EQ(tables[0].columns[2].values, (Values{-7, 9}));
-  EXPECT_EQ(tables[0].notes, (Names{"'stamp' holds integers of 2^53 and more: they are rounded"}));
+  EXPECT_EQ(wording::words(tables[0].notes),
+            (Names{"'stamp' holds integers of 2^53 and more: they are rounded"}));
 }
 
 TEST_F(Hdf5, OtherLengthsAndTypesAreNamed) {
@@ -164,7 +166,7 @@ TEST_F(Hdf5, OtherLengthsAndTypesAreNamed) {
   EXPECT_EQ(tables[0].group, "fast");
   EXPECT_EQ(tables[0].columns[0].gaps, 1U);
   EXPECT_EQ(tables[1].group, "limits");
-  EXPECT_EQ(tables[0].notes,
+  EXPECT_EQ(wording::words(tables[0].notes),
             (Names{"'nothing' is not read: it is empty",
                    "'picture' is not read: it has more than two dimensions: 2 x 2 x 2",
                    "'records' is not read: it holds records of several fields (compound)"}));
@@ -194,7 +196,7 @@ TEST_F(Hdf5, NothingOutsideOfTheFileIsRead) {
   const auto tables = ingest::arrays::read_hdf5(path_);
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"t"}));
-  EXPECT_EQ(tables[0].notes,
+  EXPECT_EQ(wording::words(tables[0].notes),
             (Names{"'external' is not read: it is a link to another file",
                    "'soft' is not read: it is a link to another name",
                    "'soft_out' is not read: it is a link to another name",
@@ -227,7 +229,7 @@ TEST_F(Hdf5, ClaimedLengthsAreNotBelieved) {
     H5Dclose(H5Dcreate2(file.id(), "empty_8_GiB", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
                         creation.get(), H5P_DEFAULT));
   }
-  EXPECT_EQ(ingest::arrays::read_hdf5(path_)[0].notes,
+  EXPECT_EQ(wording::words(ingest::arrays::read_hdf5(path_)[0].notes),
             (Names{"'empty_8_GiB' is not read: 1073741824 numbers are claimed, 0 bytes are "
                    "stored"}));
 }

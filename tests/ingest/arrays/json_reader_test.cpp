@@ -11,6 +11,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/arrays/json_text.h"
 #include "support/damaged_files.h"
+#include "wording/words.h"
 
 namespace tribolog::json_reader_test {
 namespace {
@@ -64,8 +65,9 @@ TEST(Json, BamLogsAreReadToTheBit) {
               std::bit_cast<std::uint64_t>(position));
     ASSERT_EQ(table.columns[6].values[row], row % 2 == 0 ? 1 : 0);
   }
-  EXPECT_EQ(table.notes, (Names{"arm_mass = 0", "kp = 32", "length = 0.1", "mass = 0.49",
-                                "vin = 15", "motor = 'mx106'", "trajectory = 'lift_and_drop'"}));
+  EXPECT_EQ(wording::words(table.notes),
+            (Names{"arm_mass = 0", "kp = 32", "length = 0.1", "mass = 0.49", "vin = 15",
+                   "motor = 'mx106'", "trajectory = 'lift_and_drop'"}));
 }
 
 TEST(Json, ObjectOfArrays) {
@@ -73,7 +75,7 @@ TEST(Json, ObjectOfArrays) {
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"t", "arm.q_0", "arm.q_1"}));
   EXPECT_EQ(tables[0].columns[2].values, (Values{2, 4, 6}));
-  EXPECT_EQ(tables[0].notes, (Names{"n = 3"}));
+  EXPECT_EQ(wording::words(tables[0].notes), (Names{"n = 3"}));
 }
 
 TEST(Json, ArrayOfObjectsWithKeysThatComeAndGo) {
@@ -84,7 +86,7 @@ TEST(Json, ArrayOfObjectsWithKeysThatComeAndGo) {
   EXPECT_EQ(tables[0].columns[1].gaps, 2U);
   EXPECT_EQ(tables[0].columns[2].gaps, 2U);
   EXPECT_EQ(tables[0].columns[2].values[1], 20);
-  EXPECT_EQ(tables[0].notes, (Names{"'s' is not read: it holds texts"}));
+  EXPECT_EQ(wording::words(tables[0].notes), (Names{"'s' is not read: it holds texts"}));
 }
 
 TEST(Json, SeveralArraysOfObjectsKeepTheirNames) {
@@ -99,11 +101,11 @@ TEST(Json, NumbersThatOnlyPythonWritesAreGaps) {
   const auto tables =
       read(R"({"q": [1, NaN, Infinity, -Infinity, null], "a NaN": "Infinity \" NaN"})");
   EXPECT_EQ(tables[0].columns[0].gaps, 4U);
-  EXPECT_EQ(tables[0].notes, (Names{R"(a NaN = 'Infinity " NaN')"}));
+  EXPECT_EQ(wording::words(tables[0].notes), (Names{R"(a NaN = 'Infinity " NaN')"}));
 }
 
 TEST(Json, RoundedIntegersAreNoted) {
-  EXPECT_EQ(read("[1700000000000000001, 2]")[0].notes,
+  EXPECT_EQ(wording::words(read("[1700000000000000001, 2]")[0].notes),
             (Names{"'value' holds integers of 2^53 and more: they are rounded"}));
 }
 
@@ -115,7 +117,7 @@ TEST(Json, KeysOfFewRowsDoNotBlowTheTableUp) {
   }
   const auto tables = read(text + "]");
   EXPECT_EQ(tables[0].header, (Names{"t"}));
-  EXPECT_EQ(tables[0].notes.back(), "and 49988 more that are not read");
+  EXPECT_EQ(wording::words(tables[0].notes.back()), "and 49988 more that are not read");
 }
 
 TEST(Json, RefusalsSayWhere) {

@@ -16,6 +16,7 @@
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
+#include "wording/words.h"
 
 namespace tribolog::mat_reader_test {
 namespace {
@@ -117,9 +118,9 @@ TEST_P(Mat, RobotLogsAreReadToTheBit) {
     expect("q_" + std::to_string(i), [i](std::size_t row) { return 200 * i + row; });
     expect("tau_" + std::to_string(i), [i](std::size_t row) { return 3 * row + i; });
   }
-  EXPECT_EQ(table.notes[0], "mass = 0.49");
+  EXPECT_EQ(wording::words(table.notes[0]), "mass = 0.49");
   if (GetParam().version == MAT_FT_MAT4) return;
-  EXPECT_EQ(table.notes, (Names{"mass = 0.49", "robot = 'UR10e'"}));
+  EXPECT_EQ(wording::words(table.notes), (Names{"mass = 0.49", "robot = 'UR10e'"}));
 }
 
 TEST_P(Mat, FormatIsRecognised) {
@@ -153,7 +154,8 @@ TEST_P(Mat, ACutFileGivesItsCompleteVariablesWhereItCan) {
   }
   const auto tables = ingest::arrays::read_mat(path_);
   EXPECT_EQ(tables[0].header, (Names{"t"}));
-  EXPECT_EQ(tables[0].notes, (Names{"'variable 2' is not read: the file ends inside it"}));
+  EXPECT_EQ(wording::words(tables[0].notes),
+            (Names{"'variable 2' is not read: the file ends inside it"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, Mat, testing::ValuesIn(forms), form_name);
@@ -229,7 +231,7 @@ TEST_P(NewerMat, OthersAreNamed) {
   }
   const auto tables = ingest::arrays::read_mat(path_);
   EXPECT_EQ(tables[0].columns[0].gaps, 1U);
-  Names notes = tables[0].notes;
+  Names notes = wording::words(tables[0].notes);
   std::sort(notes.begin(), notes.end());
   EXPECT_EQ(notes, (Names{"'cell' is not read: it is a cell array",
                           "'cube' is not read: it has more than two dimensions: 2 x 2 x 2",
@@ -281,7 +283,7 @@ TEST_F(MatFiles, Version4ByHandInBothByteOrders) {
   const ingest::log::LogTable little = read(mat_4({30, 2, 1, 0, 2}, "q", "\1\0\xff\xff"s) + text);
   EXPECT_EQ(little.header, (Names{"q"}));
   EXPECT_EQ(little.columns[0].values, (Values{1, -1}));
-  EXPECT_EQ(little.notes, (Names{"robot = 'arm'"}));
+  EXPECT_EQ(wording::words(little.notes), (Names{"robot = 'arm'"}));
   const ingest::log::LogTable big = read(mat_4({1030, 2, 1, 0, 2}, "q", "\0\1\xff\xff"s, true));
   EXPECT_EQ(big.columns[0].values, (Values{1, -1}));
 }

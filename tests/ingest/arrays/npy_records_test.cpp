@@ -8,6 +8,7 @@
 #include "ingest/arrays/npz_reader.h"
 #include "ingest/arrays/numpy_files.h"
 #include "support/damaged_files.h"
+#include "wording/words.h"
 
 namespace tribolog::npy_records_test {
 namespace {
@@ -141,11 +142,12 @@ np.save('log.npy', a))");
   EXPECT_EQ(table.columns[0].values[0], 1577836800000.0);
   EXPECT_EQ(table.columns[1].values, (Values{1, 2, 3}));
   EXPECT_EQ(table.columns[2].values, (Values{5, 6, 7}));
-  EXPECT_EQ(table.notes, (Names{"'phase' is not read: it holds texts",
-                                "'z' is not read: it holds complex numbers",
-                                "'raw' is not read: its type '|V3' is not known",
-                                "'day' is not read: its type '<M8[D]' is not known",
-                                "'m' is not read: it has more than two dimensions: 3 x 2 x 2"}));
+  EXPECT_EQ(
+      wording::words(table.notes),
+      (Names{"'phase' is not read: it holds texts", "'z' is not read: it holds complex numbers",
+             "'raw' is not read: its type '|V3' is not known",
+             "'day' is not read: its type '<M8[D]' is not known",
+             "'m' is not read: it has more than two dimensions: 3 x 2 x 2"}));
 }
 
 TEST_F(NpyRecords, InAnArchiveTheyAreNamedByTheirArray) {
@@ -159,7 +161,7 @@ np.savez_compressed('deflated.npz', log=np.rec.array(log), tau=np.arange(5.), se
     const ingest::log::LogTable table = only_table(ingest::arrays::read_npz(directory_.path(name)));
     EXPECT_EQ(table.header, (Names{"log.t", "log.q", "tau"}));
     EXPECT_EQ(table.columns[1].values, (Values{0, -1, -2, -3, -4}));
-    EXPECT_EQ(table.notes, (Names{"setup.rate = 200", "setup.robot = 'arm'"}));
+    EXPECT_EQ(wording::words(table.notes), (Names{"setup.rate = 200", "setup.robot = 'arm'"}));
   }
 }
 

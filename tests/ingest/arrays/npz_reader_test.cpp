@@ -12,6 +12,7 @@
 #include "ingest/arrays/numpy_files.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
+#include "wording/words.h"
 
 namespace tribolog::npz_reader_test {
 namespace {
@@ -83,7 +84,8 @@ TEST(Npy, TimesHaveTheirUnitAndGaps) {
 TEST(Npy, RoundedIntegersAreNoted) {
   const ingest::log::LogTable table =
       only_table(test::npy("'<i8'", "(2,)", "\1\0\0\0\0\0\x20\0"s + "\1\0\0\0\0\0\0\0"s));
-  EXPECT_EQ(table.notes, (Names{"'q' holds integers of 2^53 and more: they are rounded"}));
+  EXPECT_EQ(wording::words(table.notes),
+            (Names{"'q' holds integers of 2^53 and more: they are rounded"}));
 }
 
 TEST(Npy, ObjectsAreRefusedByName) {
@@ -138,7 +140,7 @@ TEST_F(Npz, RobotLogsAreReadToTheBit) {
     ASSERT_EQ(table.columns.size(), 31U);
     EXPECT_EQ(table.header[1], "positions_0");
     EXPECT_EQ(table.header[30], "target_positions_5");
-    EXPECT_EQ(table.notes, (Names{"frequency = 200", "robot = 'arm'"}));
+    EXPECT_EQ(wording::words(table.notes), (Names{"frequency = 200", "robot = 'arm'"}));
     for (std::size_t row = 0; row < 200; ++row) {
       for (std::size_t i = 0; i < 31; ++i) {
         double value{};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ingest/bags/numbered_log.h"
+#include "wording/words.h"
 
 namespace tribolog::mcap_damage_test {
 namespace {
@@ -50,7 +51,7 @@ TEST(McapDamage, SaysWhereTheFileIsCut) {
   const std::string byte = std::to_string(end);
   const std::string length = std::to_string(log.readable_from().at(10) - end - 9);
   const auto notes = [&](std::size_t bytes_kept) {
-    return test::read(bytes.substr(0, bytes_kept)).at(0).notes;
+    return wording::words(test::read(bytes.substr(0, bytes_kept)).at(0).notes);
   };
   EXPECT_EQ(notes(end),
             Names{"ends at byte " + byte + " without a footer: the recording was not closed"});
@@ -59,7 +60,7 @@ TEST(McapDamage, SaysWhereTheFileIsCut) {
   EXPECT_EQ(notes(end + 19), Names{"truncated in message (0x05) at byte " + byte + ": expected " +
                                    length + " bytes, ended after 10"});
   EXPECT_EQ(notes(bytes.size() - 3).at(0).substr(0, 16), "damaged at byte ");
-  EXPECT_EQ(test::read(bytes + "more").at(0).notes,
+  EXPECT_EQ(wording::words(test::read(bytes + "more").at(0).notes),
             Names{"4 bytes after the log's end at byte " + std::to_string(bytes.size()) +
                   " are not read"});
 }
@@ -103,7 +104,8 @@ TEST(McapDamage, LeavesOutAChunkWhoseCrcDisagrees) {
   EXPECT_EQ(table.rows, test::message_count - 10);
   EXPECT_EQ(test::column(table, "a.position").values.at(20), 30);
   ASSERT_EQ(table.notes.size(), 1U);
-  EXPECT_NE(table.notes[0].find("is left out: its CRC is "), std::string::npos) << table.notes[0];
+  EXPECT_NE(wording::words(table.notes[0]).find("is left out: its CRC is "), std::string::npos)
+      << wording::words(table.notes[0]);
 }
 
 TEST(McapDamage, TrustsNoLength) {

@@ -10,6 +10,7 @@
 
 #include "ingest/bags/mcap_reader.h"
 #include "support/run_program.h"
+#include "wording/words.h"
 
 namespace tribolog::mcap_peer_test {
 namespace {
@@ -48,8 +49,9 @@ TEST_P(McapPeer, WritesLogsThatAreReadInFull) {
   ASSERT_EQ(tables.size(), 1U);
   const ingest::log::LogTable& table = tables[0];
   EXPECT_EQ(table.group, "/joints");
-  EXPECT_EQ(table.notes, std::vector<std::string>{
-                             "/json is not read: messages are encoded as 'json', not as cdr"});
+  EXPECT_EQ(
+      wording::words(table.notes),
+      std::vector<std::string>{"/json is not read: messages are encoded as 'json', not as cdr"});
   EXPECT_EQ(table.columns.size(), 8U);  // two times, position and velocity of three joints
   ASSERT_EQ(table.rows, 200U);
   for (std::size_t i = 0; i < table.rows; ++i) {

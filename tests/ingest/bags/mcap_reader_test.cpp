@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ingest/bags/numbered_log.h"
+#include "wording/words.h"
 
 namespace tribolog::mcap_reader_test {
 namespace {
@@ -21,7 +22,7 @@ TEST(McapReader, ReadsChunkedAndFlatWithEveryCompressionIndexedOrNot) {
     const std::vector<ingest::log::LogTable> tables = test::read(test::numbered_log(form).finish());
     ASSERT_EQ(tables.size(), 1U);
     EXPECT_EQ(tables[0].group, "/joint_states");
-    EXPECT_EQ(tables[0].notes, Names{});
+    EXPECT_EQ(wording::words(tables[0].notes), Names{});
     test::expect_numbered(tables[0], test::message_count);
   }
 }
@@ -117,7 +118,7 @@ TEST(McapReader, NamesTopicsThatItDoesNotRead) {
   writer.add_message(3, 0, test::numbered_message(0).cdr());
   const std::vector<ingest::log::LogTable> tables = test::read(writer.finish());
   ASSERT_EQ(tables.size(), 1U);
-  EXPECT_EQ(tables[0].notes,
+  EXPECT_EQ(wording::words(tables[0].notes),
             (Names{"/json is not read: messages are encoded as 'json', not as cdr",
                    "/idl is not read: pkg/msg/Idl is defined in 'ros2idl', not in ros2msg",
                    "/broken is not read: type 'pkg/Missing' is not defined",

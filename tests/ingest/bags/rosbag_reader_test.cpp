@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
+#include "wording/words.h"
 
 namespace tribolog::rosbag_reader_test {
 namespace {
@@ -100,7 +101,7 @@ TEST_F(RosbagReader, ReadsJointStatesByTheTypesName) {
   EXPECT_EQ(tables[0].group, "/joint_states");
   EXPECT_EQ(tables[0].header, (Names{"time [s]", "log_time [s]", "a.position", "b.position",
                                      "a.effort", "b.effort"}));
-  EXPECT_EQ(tables[0].notes, Names{});
+  EXPECT_EQ(wording::words(tables[0].notes), Names{});
   ASSERT_EQ(tables[0].rows, 50U);
   for (std::size_t i = 0; i < 50; ++i) {
     const auto value = static_cast<double>(i);
@@ -139,7 +140,7 @@ TEST_F(RosbagReader, TakesDefinitionsThatTheLogHolds) {
   EXPECT_EQ(column(tables[0], "current").values, (Values{-3, 4}));
   EXPECT_EQ(column(tables[0], "tau[1]").values, (Values{2, 4}));
   EXPECT_EQ(column(tables[0], "log_time").values, (Values{0, -1e-9}));
-  EXPECT_EQ(tables[0].notes,
+  EXPECT_EQ(wording::words(tables[0].notes),
             (Names{"/arm: rows stand in the file's order; log_time goes back at 1 of 2",
                    "/unknown is not read: the log does not say what arm_msgs/msg/Hand consists of",
                    "/proto is not read: messages are encoded as 'protobuf', not as cdr",
@@ -161,7 +162,7 @@ TEST_F(RosbagReader, StatesMessageAndRowOfADisagreement) {
 TEST_F(RosbagReader, NotesAWriteAheadLogBesideIt) {
   write_joints(3);
   std::ofstream(path_ + "-wal") << "not joined";
-  EXPECT_EQ(ingest::bags::read_rosbag_db3(path_).at(0).notes,
+  EXPECT_EQ(wording::words(ingest::bags::read_rosbag_db3(path_).at(0).notes),
             Names{"the recording was not closed: what stands in " + path_ +
                   "-wal (10 bytes) is not read; sqlite3 can join it to the log"});
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
+#include "wording/words.h"
 
 namespace tribolog::csv_reader_test {
 namespace {
@@ -41,7 +42,8 @@ TEST(CsvReader, TakesEveryLineEndAndTheByteOrderMark) {
   expect_two_rows("t,tau\r\n0,1.25\r\n0.5,-3\r\n");
   expect_two_rows("t,tau\r0,1.25\r0.5,-3\r");
   expect_two_rows("\xef\xbb\xbft,tau\n0,1.25\n0.5,-3");
-  EXPECT_EQ(read("t,tau\r\n0,1\n1,2\r\n").notes, (Notes{"line ends are mixed (LF, CR LF, CR)"}));
+  EXPECT_EQ(wording::words(read("t,tau\r\n0,1\n1,2\r\n").notes),
+            (Notes{"line ends are mixed (LF, CR LF, CR)"}));
   EXPECT_TRUE(read("t,tau\r\n0,1\r\n").notes.empty());
 }
 
@@ -50,7 +52,8 @@ TEST(CsvReader, TakesEveryDelimiterAndStatesIt) {
   expect_two_rows("t\ttau\n0\t1.25\n0.5\t-3\n");
   expect_two_rows("t  tau\n0   1.25 \n 0.5 -3\n");
   expect_two_rows("t, tau\n0, 1.25\n 0.5 ,-3 \n");
-  EXPECT_EQ(read("t;tau\n0;1\n").notes, (Notes{"columns are separated by semicolons"}));
+  EXPECT_EQ(wording::words(read("t;tau\n0;1\n").notes),
+            (Notes{"columns are separated by semicolons"}));
 }
 
 TEST(CsvReader, SkipsCommentsAndBlankLinesAndKeepsCountOfLines) {
@@ -91,7 +94,7 @@ TEST(CsvReader, IgnoresADelimiterAfterTheLastColumn) {
   expect_two_rows("t,tau,\n0,1.25,\n0.5,-3,\n");
   expect_two_rows("t,tau,\n0,1.25\n0.5,-3\n");
   expect_two_rows("t,tau\n0,1.25,\n0.5,-3,\n");
-  EXPECT_EQ(read("t,tau\n0,1.25,\n0.5,-3,\n").notes,
+  EXPECT_EQ(wording::words(read("t,tau\n0,1.25,\n0.5,-3,\n").notes),
             (Notes{"rows end with a delimiter; the empty column is ignored"}));
 }
 
@@ -103,7 +106,7 @@ TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
     EXPECT_EQ(table.cut_rows, 1U) << rest;
     ASSERT_EQ(table.notes.size(), 1U) << rest;
   }
-  EXPECT_EQ(read("t,tau\n0,1\n2").notes,
+  EXPECT_EQ(wording::words(read("t,tau\n0,1\n2").notes),
             (Notes{"file ends inside a row at byte 11 (log truncated?); the row is left out"}));
   EXPECT_EQ(read("t,tau\n0,1\n2,3").cut_rows, 0U) << "only the line end is missing";
 }
@@ -142,7 +145,8 @@ TEST(CsvReader, TakesColumnsByTheirPosition) {
   EXPECT_EQ(headless.columns.at(1).values, (Values{0, 0.5}));
   EXPECT_EQ(headless.rows, 2U);
   EXPECT_EQ(headless.line_of(0), 1);
-  EXPECT_EQ(headless.notes, (Notes{"no column names; columns are taken by their position"}));
+  EXPECT_EQ(wording::words(headless.notes),
+            (Notes{"no column names; columns are taken by their position"}));
   EXPECT_EQ(read("t,q,tau\n0,7,1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
   EXPECT_EQ(read("# t q tau\n\n0 7 1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
 }
@@ -153,7 +157,7 @@ TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
   EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
   EXPECT_EQ(table.rows, 1U);
   EXPECT_EQ(table.line_of(0), 3);
-  EXPECT_EQ(table.notes, (Notes{"units are taken from the row under the header"}));
+  EXPECT_EQ(wording::words(table.notes), (Notes{"units are taken from the row under the header"}));
 }
 
 TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
@@ -165,7 +169,8 @@ TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
   EXPECT_EQ(table.columns[0].values, (Values{0, 1}));
   EXPECT_EQ(table.columns[1].header.name, "q");
   EXPECT_EQ(table.columns[2].values[1], 3);
-  EXPECT_EQ(table.notes, (Notes{"columns that hold no numbers are not read: 'state', 'empty'"}));
+  EXPECT_EQ(wording::words(table.notes),
+            (Notes{"columns that hold no numbers are not read: 'state', 'empty'"}));
   EXPECT_EQ(read("0 1 2\n3 4 5\n", {}).columns.size(), 3U);
 }
 
@@ -219,9 +224,10 @@ TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
     EXPECT_EQ(table.line_of(499), 501) << bad;
     EXPECT_EQ(table.line_of(500), 503) << bad;
     ASSERT_EQ(table.notes.size(), 1U) << bad;
-    EXPECT_EQ(
-        table.notes[0].find("1 of 1001 rows cannot be used and are left out; the first: f:502"), 0U)
-        << table.notes[0];
+    EXPECT_EQ(wording::words(table.notes[0])
+                  .find("1 of 1001 rows cannot be used and are left out; the first: f:502"),
+              0U)
+        << wording::words(table.notes[0]);
   }
   std::string many;
   for (int i = 0; i < 11; ++i) many += "499.5,0\n";
@@ -247,7 +253,7 @@ TEST(CsvReader, NamesThatStandTwiceMatterOnlyWhereTheyAreAskedFor) {
   const std::string log = "t,x,tau,x\n0,1,2,3\n";
   const ingest::text::CsvTable table = read(log);
   EXPECT_EQ(table.columns.at(1).values, Values{2});
-  EXPECT_EQ(table.notes, (Notes{"column names that stand more than once: 'x'"}));
+  EXPECT_EQ(wording::words(table.notes), (Notes{"column names that stand more than once: 'x'"}));
   EXPECT_EQ(read(log, {{"#4"}}).columns.at(0).values, Values{3});
   EXPECT_EQ(read(log, {}).columns.size(), 4U);
 }

@@ -12,6 +12,7 @@
 
 #include "ingest/text/csv_reader.h"
 #include "ingest/text/plain_number.h"
+#include "wording/words.h"
 
 namespace tribolog::plain_rows_test {
 namespace {
@@ -135,7 +136,7 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
       ASSERT_TRUE(value == log.tau[i] || (std::isnan(value) && std::isnan(log.tau[i]))) << i;
       ASSERT_EQ(table.line_of(i), log.lines[i]) << i;
     }
-    EXPECT_TRUE(table.notes.empty()) << table.notes.front();
+    EXPECT_TRUE(table.notes.empty()) << wording::words(table.notes.front());
   }
 }
 

@@ -1,4 +1,4 @@
-// Evidence for the paper's misprints, computed from its own numbers and laws.
+#include "paper/page/errata.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,15 @@
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 #include "paper/drawings/printed_paper.h"
-#include "report/view_parts.h"
+#include "wording/rounding.h"
+#include "wording/tr.h"
 #include "wording/units.h"
 
-namespace tribolog::report {
+namespace tribolog::paper::page {
 namespace {
 
-namespace printed = paper::drawings;
+namespace printed = drawings;
+using wording::tr;
 
 std::string cut(double value, int decimals) {
   const double unit = std::pow(10.0, decimals);
@@ -63,8 +65,9 @@ void add_table_2(ErrataNumbers& e) {
   const double ab = pair_mass_kg('A', 'B');
   const double cd = pair_mass_kg('C', 'D');
   const double ef = pair_mass_kg('E', 'F');
-  e.pair_masses =
-      wording::fixed(ab, 2) + ", " + wording::fixed(cd, 2) + " and " + wording::fixed(ef, 2);
+  e.pair_masses = tr("{mass_ab}, {mass_cd} and {mass_ef}", {{"mass_ab", wording::fixed(ab, 2)},
+                                                            {"mass_cd", wording::fixed(cd, 2)},
+                                                            {"mass_ef", wording::fixed(ef, 2)}});
   e.pair_spread = wording::fixed(std::max({ab, cd, ef}) - std::min({ab, cd, ef}), 2);
   e.single_spread = wording::fixed(heaviest - lightest, 2);
 }
@@ -74,7 +77,7 @@ void add_angles(ErrataNumbers& e) {
   const double precise = printed::precise_angle_deg * joint::rad_per_degree;
   e.rad_of_22 = wording::fixed(rough, 5);
   e.rad_of_precise = wording::fixed(precise, 6);
-  const auto how = [](bool is_cut) { return is_cut ? "cut" : "misprinted"; };
+  const auto how = [](bool is_cut) { return is_cut ? tr("cut") : tr("misprinted"); };
   e.cut_of_22 = how(cut(rough, 3) == wording::fixed(printed::rough_angle_rad, 3));
   e.cut_of_precise = how(cut(precise, 5) == wording::fixed(printed::precise_angle_rad, 5));
 }
@@ -118,7 +121,7 @@ void add_angles_in_laws(ErrataNumbers& e) {
   constexpr double stribeck_power = 0.7;
   const double printed_term = std::pow(lowest_deg * joint::rad_per_degree, stribeck_power);
   e.equation_6_printed =
-      std::isnan(printed_term) ? "no real number" : wording::significant(printed_term, 3);
+      std::isnan(printed_term) ? tr("no real number") : wording::significant(printed_term, 3);
   constexpr double gravity_Nm = 3.88318571;  // at the motor, of the joint that gives table 2
   const double lost =
       gravity_Nm * (1 - std::cos(printed::precise_angle_deg * joint::rad_per_degree));
@@ -139,4 +142,71 @@ ErrataNumbers errata_numbers() {
   return e;
 }
 
-}  // namespace tribolog::report
+void fill_errata(report::TemplateValues& values) {
+  const ErrataNumbers e = errata_numbers();
+  report::TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
+  out.set("TORQUE_A", e.torque_A);
+  out.set("MASS_A_PRINTED", e.mass_A_printed);
+  out.set("MASS_A_500_MM", e.mass_A_with_500_mm);
+  out.set("MASS_A_500_M", e.mass_A_with_500_m);
+  out.set("MASS_A_N_BELOW", e.mass_A_with_n_below);
+  out.set("MASS_A_ARM_N_BELOW", e.mass_A_arm_torque_with_n_below);
+  out.set("LARGEST_DEVIATION", e.largest_deviation);
+  out.set("ALLOWED_DEVIATION", e.allowed_deviation);
+  out.set("COS_Q_C", e.cos_q_c);
+  out.set("MASS_A_COS_Q_C", e.mass_A_with_cos_q_c);
+  out.set("RAD_OF_22", e.rad_of_22);
+  out.set("RAD_OF_PRECISE", e.rad_of_precise);
+  out.set("CUT_OF_22", e.cut_of_22);
+  out.set("CUT_OF_PRECISE", e.cut_of_precise);
+  out.set("DEFLECTION_PRINTED", e.table_1_deflection_printed);
+  out.set("DEFLECTION_MEANT", e.table_1_deflection_meant);
+  out.set("DAMPING_MEANT", e.table_1_damping);
+  out.set("BACKWARDS_SPEED", e.backwards_speed);
+  out.set("EQUATION_1_MEANT", e.equation_1_meant);
+  out.set("EQUATION_1_PRINTED", e.equation_1_printed);
+  out.set("EQUATION_2_JUMP", e.equation_2_jump);
+  out.set("EQUATION_2_HALF", e.equation_2_half);
+  out.set("EQUATION_6_PRINTED", e.equation_6_printed);
+  out.set("EQUATION_10_GRAVITY", e.equation_10_gravity);
+  out.set("EQUATION_10_ERROR", e.equation_10_error);
+  out.set("PAIR_MASSES", e.pair_masses);
+  out.set("PAIR_SPREAD", e.pair_spread);
+  out.set("SINGLE_SPREAD", e.single_spread);
+}
+
+report::Table table_2(const calibration::Calibration& c) {
+  report::Table table;
+  table.id = "table-paper-2";
+  table.caption = tr("Table 2 of the paper, recomputed");
+  table.columns = {{tr("Point"), "", false},
+                   {tr("Torque, printed"), "N·m", true},
+                   {tr("Mass, printed"), "kg", true},
+                   {tr("Mass from the printed torque by eq. (12)"), "kg", true},
+                   {tr("Recomputed less printed"), "kg", true},
+                   {tr("This dataset"), "kg", true},
+                   {tr("This dataset against printed"), "%", true}};
+  constexpr int decimals = 3;
+  for (const printed::TorqueRow& row : printed::table_2) {
+    const double mass = printed::mass_of_torque_kg(row.torque_Nm);
+    const std::string name(1, row.point);
+    report::Row cells{
+        {name, wording::fixed(row.torque_Nm, decimals), wording::fixed(row.mass_kg, decimals),
+         wording::fixed(mass, decimals), wording::fixed(mass - row.mass_kg, decimals), "–", "–"},
+        false};
+    if (const method::hysteresis::SurrogateMass* ours = c.masses.find(name)) {
+      cells.cells[5] =
+          wording::round_by_interval(ours->mass_kg, wording::plain_scale("kg")).plus_minus();
+      const double more = ours->mass_kg.value / row.mass_kg - 1.0;
+      cells.cells[6] = wording::with_plus_sign(wording::fixed(100.0 * more, 2));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  table.note =
+      tr("Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
+         "printed figures alone allows {mass_kg} kg of difference.",
+         {{"mass_kg", wording::fixed(printed::rounding_kg(), 4)}});
+  return table;
+}
+
+}  // namespace tribolog::paper::page

@@ -1,0 +1,124 @@
+// What reading the logs states: peculiarities of a file, and why rows of it are no samples.
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+
+const Messages& reading_messages() {
+  static const Messages all{
+      {"reading.of_file", values_alone("{file}: {note}")},
+
+      // Text.
+      {"reading.columns_by_position", text("no column names; columns are taken by their position")},
+      {"reading.repeated_names", text("column names that stand more than once: {columns}")},
+      {"reading.units_in_second_row", text("units are taken from the row under the header")},
+      {"reading.columns_without_numbers",
+       text("columns that hold no numbers are not read: {columns}")},
+      {"reading.lines_before_header",
+       by_count("lines", "{lines} line in front of the header is not read",
+                "{lines} lines in front of the header are not read")},
+      {"reading.separated_by_semicolons", text("columns are separated by semicolons")},
+      {"reading.separated_by_tabs", text("columns are separated by tabs")},
+      {"reading.separated_by_spaces", text("columns are separated by spaces")},
+      {"reading.decimal_comma", text("numbers have a decimal comma, as stated")},
+      {"reading.mixed_line_ends", text("line ends are mixed (LF, CR LF, CR)")},
+      {"reading.trailing_delimiter",
+       text("rows end with a delimiter; the empty column is ignored")},
+      {"reading.bad_rows",
+       by_count("rows", "{bad} of {rows} row cannot be used and are left out; the first: {first}",
+                "{bad} of {rows} rows cannot be used and are left out; the first: {first}")},
+      {"reading.ends_inside_row",
+       text("file ends inside a row at byte {byte} (log truncated?); the row is left out")},
+      {"reading.no_last_line_end",
+       text("the last row has no line end; where the log was cut off, its last number may be too")},
+      {"reading.still_written",
+       text("the log is still being written; what came after the start of reading is not in")},
+
+      // Arrays and bags.
+      {"reading.value", values_alone("{name} = {value}")},
+      {"reading.more_values",
+       by_count("values", "and {values} more single value", "and {values} more single values")},
+      {"reading.more_not_read", by_count("arrays", "and {arrays} more that is not read",
+                                         "and {arrays} more that are not read")},
+      {"reading.not_read", text("{name} is not read: {why}")},
+      {"reading.no_number_in_topic", text("{topic} is not read: no message holds a number")},
+      {"reading.square_matrix",
+       text("{array} is {rows} x {columns}: its first dimension is taken for the samples")},
+      {"reading.column_renamed",
+       text("column name {column} stands twice; that of array {array} is now {name}")},
+      {"reading.integers_rounded",
+       text("{array} holds integers of 2^53 and more: they are rounded")},
+      {"reading.long_array", text("{topic}: {path} has more than 64 elements and was not read")},
+      {"reading.too_many_columns",
+       text("{topic}: there are more numbers in a message than columns are kept")},
+      {"reading.long_messages",
+       by_count("messages", "{topic}: {longer} of {messages} message is longer than its type says",
+                "{topic}: {longer} of {messages} messages are longer than their type says")},
+      {"reading.log_time_goes_back",
+       text("{topic}: rows stand in the file's order; log_time goes back at {back} of {rows}")},
+      {"reading.chunk_damaged",
+       text("chunk (0x06) at byte {byte} is damaged: no record stands at its byte {at}; the rest "
+            "of the chunk is left out")},
+      {"reading.chunk_left_out", text("chunk (0x06) at byte {byte} is left out: {why}")},
+      {"reading.messages_without_channel",
+       text("messages left out because no channel record stands before them: {messages}")},
+      {"reading.messages_without_topic",
+       text("messages left out because they belong to no topic: {messages}")},
+      {"reading.no_footer",
+       text("ends at byte {byte} without a footer: the recording was not closed")},
+      {"reading.damaged_record",
+       text("damaged at byte {byte}: no record has opcode 0x00; what follows is not read")},
+      {"reading.damaged_end",
+       text("damaged at byte {byte}: the closing 8 bytes are not those of MCAP")},
+      {"reading.bytes_after_end",
+       text("{bytes} bytes after the log's end at byte {end} are not read")},
+      {"reading.truncated",
+       text("truncated in {record} at byte {byte}: expected {expected} bytes, ended after {got}")},
+      {"reading.not_closed",
+       text("the recording was not closed: what stands in {file} ({bytes} bytes) is not read; "
+            "sqlite3 can join it to the log")},
+
+      // Recordings.
+      {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
+      {"reading.gaps", text("column {column}: {percent:.0f} % of the rows are gaps (nan)")},
+      {"reading.clock_from_1970",
+       text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
+            "reading, in whole units")},
+      {"reading.time_runs_back",
+       by_count("rows", "time runs back in {rows} row (first in line {line}); put in order of time",
+                "time runs back in {rows} rows (first in line {line}); put in order of time")},
+      {"reading.angle_wraps",
+       by_count("jumps",
+                "the angle jumps by a turn {jumps} time, first at {first_s:.6g} s: an encoder that "
+                "wraps round? unwrap the angle in the log",
+                "the angle jumps by a turn {jumps} times, first at {first_s:.6g} s: an encoder "
+                "that wraps round? unwrap the angle in the log")},
+      {"reading.large_angle",
+       text("the joint's angle reaches {angle_rad:.4g} rad, read as {unit}: degrees?")},
+      {"reading.large_torque",
+       text("the joint's torque reaches {torque_Nm:.3g} N·m, read as {unit}: another unit, or the "
+            "other side of the gear?")},
+      {"reading.unlikely_rate",
+       text("{rate_Hz:.3g} samples a second, read in {unit}: another unit of time?")},
+      {"reading.slow_for_loops",
+       text("{rate_Hz:.3g} samples a second are few for what happens at a reversal; log at 100 or "
+            "more")},
+      {"reading.robot_of_other_joint",
+       text("{file} describes the test of joint {described}, the manifest is of joint {stated}: "
+            "the drawings of the robot show the former")},
+      {"reading.outside_range_of_motion",
+       text("the logs reach {angle_deg:.4g}°, outside the range of motion of joint {joint} in "
+            "{file}, {lowest_deg:.4g}° to {highest_deg:.4g}°: do both count the angle from the "
+            "same zero and with the same sign?")},
+
+      // Why a row is not among the samples.
+      {"skipped.outside_window", text("outside the window {window}")},
+      {"skipped.gap", text("gap (nan) in column {column}")},
+      {"skipped.repeated_stamp", text("repeated time stamp")},
+      {"skipped.cut_off", text("cut off at the end of the file")},
+      {"skipped.not_usable", text("cannot be used (skip_bad_rows)")},
+      {"skipped.at_rest", text("at rest before or after the motion")}};
+  return all;
+}
+
+}  // namespace tribolog::wording
