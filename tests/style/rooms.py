@@ -8,11 +8,15 @@
   rooms.py walls BUILD      the compiler finds no header of a room that is not named: one unit of each
                             room is asked for every header there is
   rooms.py graph            the rooms and what each needs, for `dot`
+  rooms.py drawing          the house on one page, for `dot`: a box for each folder of src/, and arrows
+                            to what it needs that nothing else it needs would bring along
+  rooms.py drawn            docs/rooms.dot is that drawing, and docs/rooms.svg was made from it
 
 Prints what is wrong; exit status 1 if anything is. Environment: TRIBOLOG_ROOMS, another tree than
 this one."""
 
 import collections
+import html
 import os
 import pathlib
 import re
@@ -20,6 +24,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 from single_units import units_of
 
@@ -214,12 +219,113 @@ def graph(rooms):
     return True
 
 
+def house(rooms):
+    """Folder of src/, or render -> the folders that it needs."""
+    after = {(room or "main").split("/")[0]: set() for room in rooms}
+    for room, other in needs(rooms):
+        mine, theirs = (room or "main").split("/")[0], other.split("/")[0]
+        if mine != theirs:
+            after[mine].add(theirs)
+    return after
+
+
+def reduced(after):
+    """The same order with the fewest arrows: none to what another arrow leads to."""
+    below = {}
+
+    def all_below(folder):
+        if folder not in below:
+            below[folder] = set()
+            for other in after[folder]:
+                below[folder] |= {other} | all_below(other)
+        return below[folder]
+
+    return {folder: sorted(other for other in others
+                           if not any(other in all_below(via) for via in others - {other}))
+            for folder, others in sorted(after.items())}
+
+
+def purpose(room):
+    """The comment that a room's list begins with."""
+    lines = []
+    for line in (folder_of(room) / "CMakeLists.txt").read_text().splitlines():
+        if not line.startswith("# "):
+            break
+        lines.append(line[2:])
+    return " ".join(lines).split(". ")[0].rstrip(".")
+
+
+def order_of_building(rooms):
+    """A key that puts rooms where src/CMakeLists.txt and render/CMakeLists.txt do."""
+    words = []
+    for top in ("src", "render"):
+        file = ROOT / top / "CMakeLists.txt"
+        words += re.findall(r"[\w/]+", file.read_text()) if file.exists() else []
+    place = {word: n for n, word in reversed(list(enumerate(words)))}
+    return lambda room: (place.get(room, place.get(room.removeprefix("render/"), len(words))), room)
+
+
+def drawing_of(rooms):
+    def text(words, size):
+        rows = textwrap.wrap(html.escape(words, quote=False), 38)
+        return "".join(f'<FONT POINT-SIZE="{size}">{row}</FONT><BR ALIGN="LEFT"/>' for row in rows)
+
+    lines = ["// Made by tests/style/rooms.py drawing: the folders of the source, what each is for and what",
+             "// it needs. An arrow that another way already implies is left out.",
+             "digraph house {",
+             '  graph [rankdir=BT, nodesep=0.25, ranksep=0.35, fontname="DejaVu Sans"];',
+             '  node [shape=box, style="filled,rounded", fillcolor="#f5f2ea", color="#6b6658",'
+             ' fontname="DejaVu Sans", fontsize=11, margin="0.12,0.07"];',
+             '  edge [color="#6b6658", arrowsize=0.6];']
+    after = house(rooms)
+    in_order = sorted(rooms, key=order_of_building(rooms))
+    for folder in sorted(after):
+        inside = [room for room in in_order if room.startswith(f"{folder}/")]
+        if folder == "main":
+            what = "the executable"
+        elif folder not in rooms:
+            what = ", ".join(room.partition("/")[2] for room in inside)
+        else:
+            what = purpose(folder)
+        colour = ', fillcolor="#e3ecf5"' if folder == "method" else ""
+        lines.append(f'  {folder} [label=<<B>{folder}</B><BR ALIGN="LEFT"/>{text(what, 9)}>{colour}];')
+    lines += [f"  {folder} -> {other};" for folder, others in reduced(after).items()
+              for other in others]
+    return "\n".join(lines + ["}"]) + "\n"
+
+
+def drawing(rooms):
+    print(drawing_of(rooms), end="")
+    return True
+
+
+def drawn(rooms):
+    wanted = drawing_of(rooms)
+    dot, svg = ROOT / "docs" / "rooms.dot", ROOT / "docs" / "rooms.svg"
+    faults = []
+    if not dot.exists() or dot.read_text() != wanted:
+        faults.append("docs/rooms.dot is not the house as it stands: "
+                      "tests/style/rooms.py drawing >docs/rooms.dot")
+    # Versions of `dot` place boxes differently; which boxes and arrows there are is theirs to keep.
+    titles = set(re.findall(r"<title>(.*?)</title>", svg.read_text())) if svg.exists() else set()
+    titles = {html.unescape(title) for title in titles} - {"house"}
+    after = reduced(house(rooms))
+    boxes = set(after) | {f"{mine}->{other}" for mine, others in after.items() for other in others}
+    if titles != boxes:
+        faults.append("docs/rooms.svg does not show docs/rooms.dot: "
+                      "dot -Tsvg docs/rooms.dot -o docs/rooms.svg")
+    for fault in faults:
+        print(fault)
+    return not faults
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else ""
     rooms = read_rooms()
     if what == "walls" and len(sys.argv) == 3:
         return walls(rooms, sys.argv[2])
-    checks = {"circles": circles, "lists": lists, "graph": graph}
+    checks = {"circles": circles, "lists": lists, "graph": graph, "drawing": drawing,
+              "drawn": drawn}
     if what not in checks:
         sys.exit(__doc__)
     return checks[what](rooms)

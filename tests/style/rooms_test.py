@@ -57,6 +57,25 @@ CASES = [
                "namespace tribolog::robot {\nstruct Arm;\n}\nnamespace tribolog::joint {\n"}, 0, ""),
     ("lists", {"src/joint/CMakeLists.txt": "add_library(joint drive.cpp)\n"}, 1, "makes no room"),
 ]
+# The drawing of the small tree, as it should be, and where a box or an arrow is missing.
+SVG = "".join(f"<title>{title}</title>" for title in (
+    "house", "base", "joint", "method", "render", "joint&#45;&gt;base", "method&#45;&gt;joint"))
+
+
+def drawing():
+    return run("drawing", {})[1]
+
+
+CASES += [
+    ("drawn", {"docs/rooms.dot": drawing(), "docs/rooms.svg": SVG}, 0, ""),
+    ("drawn", {"docs/rooms.dot": drawing(), "docs/rooms.svg": SVG.replace("method", "")}, 1,
+     "rooms.svg does not show"),
+    ("drawn", {"docs/rooms.dot": drawing().replace("joint ->", "method ->"),
+               "docs/rooms.svg": SVG}, 1, "rooms.dot is not the house"),
+    ("drawn", {}, 1, "rooms.dot is not the house"),
+    # What needs base through joint already has no arrow of its own to it.
+    ("drawing", {}, 0, "method -> joint;\n}"),
+]
 
 failed = 0
 for check, changes, status, words in CASES:
