@@ -160,8 +160,9 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
     count_rows(recording, beside);
     dataset.inputs.push_back(std::move(beside));
   }
-  if (!entry.note.empty()) {
-    RecordingNotes(entry.file, dataset.notes).add(Statement::verbatim(entry.note));
+  if (!entry.note.empty()) {  // each, also where two recordings have the same one
+    const Statement note = Statement::verbatim(entry.note);
+    dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.file)}, {"note", note}}});
   }
   dataset.recordings.push_back(std::move(recording));
 }
