@@ -23,7 +23,7 @@ constexpr std::size_t longest_message = 10'000;
 
 /// An archive that says of itself that nothing was changed knows nothing of the other outputs.
 std::string with_what_was_kept(const Error& error) {
-  std::string message = error.what();
+  std::string message = wording::words(error);
   const bool is_of_outputs =
       error.status() == ExitStatus::output_failed || error.status() == ExitStatus::archive_failed;
   if (!is_of_outputs || !is_something_kept()) return message;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
+#include <string>
 #include <utility>
 
 #include "render/check/scene_check.h"
 #include "render/check/visibility_map.h"
+#include "render/figure/part_names.h"
 #include "render/scene/annotations.h"
 
 namespace tribolog::render::check {
@@ -66,31 +67,34 @@ std::string label_of(const figure::Figure& figure, const figure::Owner& owner) {
   return {};
 }
 
-/// By its text if it has one: "block 'g(ω)'", "wire 3".
-std::string name_in_diagram(const figure::Diagram& diagram, const figure::Owner& owner) {
-  const auto index = static_cast<std::size_t>(owner.index);
-  if (owner.role == figure::Role::wire) return "wire " + std::to_string(owner.index + 1);
-  const figure::Block& block = diagram.blocks[index];
-  return block.lines.empty() ? "block " + std::to_string(owner.index + 1)
-                             : "block '" + block.lines.front() + "'";
+Statement name_of_line(const figure::Scene& scene, std::size_t index) {
+  const std::string text = scene::annotation_labels(scene)[index];
+  if (text.empty()) return {"drawing.line_numbered", {{"number", index + 1}}};
+  return {"drawing.line_labelled", {{"label", text}}};
 }
 
-std::string name_of(const figure::Figure& figure, const figure::Owner& owner) {
-  const bool is_in_diagram = owner.role == figure::Role::block || owner.role == figure::Role::wire;
-  if (is_in_diagram && figure.diagram) {
-    return name_in_diagram(*figure.diagram, owner);
+Statement name_of(const figure::Figure& figure, const figure::Owner& owner) {
+  const auto index = static_cast<std::size_t>(owner.index);
+  if (figure.diagram && owner.role == figure::Role::wire) return figure::name_of_wire(index);
+  if (figure.diagram && owner.role == figure::Role::block) {
+    return figure::name_of_block(*figure.diagram, index);
   }
-  if (owner.role == figure::Role::scene_line && figure.scene) {
-    const auto index = static_cast<std::size_t>(owner.index);
-    const std::string text = scene::annotation_labels(*figure.scene)[index];
-    return text.empty() ? "line " + std::to_string(index + 1) : "line '" + text + "'";
+  if (figure.scene && owner.role == figure::Role::scene_line) {
+    return name_of_line(*figure.scene, index);
   }
+  const bool is_band = owner.role == figure::Role::band;
   const std::string label = label_of(figure, owner);
-  const std::string kind = owner.role == figure::Role::band ? "band " : "series ";
-  if (!label.empty()) return kind + "'" + label + "'";
-  const std::string number = kind + std::to_string(owner.index + 1);
-  if (figure.panels.size() == 1) return number;
-  return number + " of panel " + std::to_string(owner.panel + 1);
+  if (!label.empty()) {
+    if (is_band) return {"drawing.band_labelled", {{"label", label}}};
+    return figure::name_of_series(label, index);
+  }
+  const bool is_only_panel = figure.panels.size() == 1;
+  const StatedValue number{"number", index + 1};
+  const StatedValue panel{"panel", owner.panel + 1};
+  if (is_band && is_only_panel) return {"drawing.band_numbered", {number}};
+  if (is_band) return {"drawing.band_of_panel", {number, panel}};
+  if (is_only_panel) return figure::name_of_series({}, index);
+  return {"drawing.series_of_panel", {number, panel}};
 }
 
 bool is_blank(const figure::Picture& picture) {
@@ -129,28 +133,26 @@ void check_series(const figure::DrawList& list, const figure::Figure& figure,
     if (shows(pixel, subjects[number - 1U].colour)) ++found[number - 1U];
   }
   // What is hidden in one panel may be seen in another, such as a close-up.
-  std::set<std::pair<std::string, std::uint32_t>> seen;
+  std::vector<std::pair<Statement, figure::Colour>> seen;
   const auto curve = [&](const VisibilityMap::Subject& one) {
     const figure::Colour& c = one.colour;
-    return std::pair(name_of(figure, one.owner), std::uint32_t{c.red} |
-                                                     std::uint32_t{c.green} << 8U |
-                                                     std::uint32_t{c.blue} << 16U);
+    return std::pair(name_of(figure, one.owner), figure::Colour{c.red, c.green, c.blue});
   };
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (expected[i] > 0) seen.insert(curve(subjects[i]));
+    if (expected[i] > 0) seen.push_back(curve(subjects[i]));
   }
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    const std::string name = name_of(figure, subjects[i].owner);
+    const Statement name = name_of(figure, subjects[i].owner);
     if (!contrasts(subjects[i].colour)) {
-      findings.error = name + " cannot be told from the background";
+      findings.error = {"drawing.no_contrast", {{"what", name}}};
     } else if (expected[i] == 0 && subjects[i].painted > 0) {
-      if (seen.insert(curve(subjects[i])).second) {
-        findings.warnings.push_back(name + " is hidden under what is drawn after it");
-      }
+      if (std::find(seen.begin(), seen.end(), curve(subjects[i])) != seen.end()) continue;
+      seen.push_back(curve(subjects[i]));
+      findings.warnings.push_back({"drawing.hidden", {{"what", name}}});
     } else if (static_cast<double>(found[i]) <
                least_series_share * static_cast<double>(expected[i])) {
-      findings.error = name + " is not visible in the picture: " + std::to_string(found[i]) +
-                       " of " + std::to_string(expected[i]) + " pixels show it";
+      findings.error = {"drawing.not_visible",
+                        {{"what", name}, {"found", found[i]}, {"expected", expected[i]}}};
     }
     if (!findings.error.empty()) return;
   }
@@ -179,7 +181,7 @@ void report_outside(const figure::DrawList& list, const figure::Figure& figure,
       const bool has_samples =
           std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
       if (asked && has_samples && !is_drawn(owner)) {
-        findings.warnings.push_back(name_of(figure, owner) + " lies outside its axes");
+        findings.warnings.push_back({"drawing.outside_axes", {{"what", name_of(figure, owner)}}});
       }
     }
   }
@@ -191,7 +193,7 @@ PictureFindings check_picture(const figure::DrawList& list, const figure::Figure
                               const figure::Picture& picture) {
   PictureFindings findings;
   if (!list.primitives.empty() && is_blank(picture)) {
-    findings.error = "the picture came out blank";
+    findings.error = {"drawing.blank"};
     return findings;
   }
   report_outside(list, figure, findings);
@@ -201,7 +203,7 @@ PictureFindings check_picture(const figure::DrawList& list, const figure::Figure
   for (const figure::Primitive& primitive : list.primitives) {
     const auto* run = std::get_if<figure::TextRun>(&primitive);
     if (run != nullptr && contrasts(run->colour) && !has_ink(*run, picture)) {
-      findings.error = "the text '" + run->text + "' is missing in the picture";
+      findings.error = {"drawing.text_missing", {{"text", figure::name_of_text(run->text)}}};
       return findings;
     }
   }

@@ -2,17 +2,17 @@
 // Whether a finished picture shows what its draw list says. The graphics stack can fail silently:
 // a wrong OpenGL library gives a white picture and reports success.
 
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "render/figure/draw_list.h"
 #include "render/figure/picture.h"
 
 namespace tribolog::render::check {
 
 struct PictureFindings {
-  std::string error;  ///< One sentence; empty if the picture is whole.
-  std::vector<std::string> warnings;
+  Statement error;  ///< Empty if the picture is whole.
+  std::vector<Statement> warnings;
 };
 
 /// An error: a blank picture, a series or band (in a diagram a block or wire, in a scene a part

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
+#include "render/figure/part_names.h"
 #include "render/layout/occupancy.h"
 #include "render/scene/part_map.h"
 
@@ -66,13 +66,14 @@ void check_parts(const figure::DrawList& list, const figure::Picture& picture,
   }
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (meshes[i].label.empty()) continue;
-    const std::string name = "the part '" + meshes[i].label + "'";
+    const Statement name = figure::name_of_part(meshes[i].label);
     if (counts[i].visible < least_visible_px) {
-      findings.warnings.push_back(name + " is hidden by others, or outside of the picture");
+      findings.warnings.push_back({"drawing.part_hidden", {{"part", name}}});
     } else if (static_cast<double>(counts[i].found) <
                least_part_share * static_cast<double>(counts[i].expected)) {
-      findings.error = name + " is not visible in the picture: " + std::to_string(counts[i].found) +
-                       " of " + std::to_string(counts[i].expected) + " pixels show it";
+      findings.error = {
+          "drawing.not_visible",
+          {{"what", name}, {"found", counts[i].found}, {"expected", counts[i].expected}}};
       return;
     }
   }

@@ -22,29 +22,29 @@ constexpr int largest_side = 16384;
 void check_size(const figure::Figure& figure) {
   for (const int side : {figure.width_px, figure.height_px}) {
     if (side < smallest_side || side > largest_side) {
-      throw FigureError("figure size " + std::to_string(figure.width_px) + " x " +
-                        std::to_string(figure.height_px) +
-                        " pixels is not possible; each side must be 64 to 16384");
+      throw FigureError({"drawing.impossible_size",
+                         {{"width", figure.width_px},
+                          {"height", figure.height_px},
+                          {"smallest", smallest_side},
+                          {"largest", largest_side}}});
     }
   }
 }
 
 void report_faults(figure::DrawList& list, const text::TextFaults& faults) {
   if (faults.malformed > 0) {
-    list.warnings.push_back(
-        "text that is not valid UTF-8 or holds control characters is shown "
-        "as '?'");
+    list.warnings.push_back({"drawing.text_not_valid"});
   }
   if (!faults.without_glyph.empty()) {
-    list.warnings.push_back("the font has no glyph for '" +
-                            text::encode_utf8(faults.without_glyph.substr(0, 10)) +
-                            "'; shown as '?'");
+    list.warnings.push_back(
+        {"drawing.no_glyph",
+         {{"characters", text::encode_utf8(faults.without_glyph.substr(0, 10))}}});
   }
 }
 
 figure::DrawList scene_list(const figure::Figure& figure, const text::Font& font) {
   if (!figure.panels.empty()) {
-    throw FigureError("a figure has panels or a scene, not both");
+    throw FigureError({"drawing.panels_and_scene"});
   }
   text::TextFaults faults;
   figure::DrawList list = scene::lay_out_scene(figure, font, faults);
@@ -175,7 +175,7 @@ figure::DrawList lay_out(const figure::Figure& figure, const text::Font& font) {
     figure::Figure drawing = figure;
     drawing.panels.clear();
     figure::DrawList list = lay_out(drawing, font);
-    list.warnings.push_back("a figure is panels or a diagram; its panels are not drawn");
+    list.warnings.push_back({"drawing.panels_and_diagram"});
     return list;
   }
   const layout::FigureStyle style(figure);

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/statement.h"
 #include "render/figure/figure.h"
 #include "render/figure/scene.h"
 
@@ -203,7 +204,7 @@ struct DrawList {
   std::vector<PixelBox> plots;         ///< The axes box of each panel.
   std::optional<SceneGeometry> scene;  ///< Solid parts, painted before everything else.
   std::vector<Primitive> primitives;
-  std::vector<std::string> warnings;
+  std::vector<Statement> warnings;  ///< What a reader would stumble over.
 };
 
 inline const Owner& owner_of(const Primitive& primitive) {

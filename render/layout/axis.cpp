@@ -122,12 +122,12 @@ DataExtent y_extent(const figure::Panel& panel) {
 }
 
 AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
-                       std::vector<std::string>& warnings) {
+                       std::vector<Statement>& warnings) {
   const AxisRange free = with_margin(extent, axis.logarithmic, margin_share);
   const auto usable = [&](const std::optional<double>& end) {
     if (!end) return false;
     if (drawable(*end, axis.logarithmic)) return true;
-    warnings.push_back("a fixed end of axis '" + axis.title + "' cannot be drawn; it was ignored");
+    warnings.push_back({"drawing.axis_end_ignored", {{"axis", axis.title}}});
     return false;
   };
   const bool fixed_low = usable(axis.minimum);
@@ -138,7 +138,7 @@ AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, doubl
   const double least = std::max(resolved_steps * spacing_at(magnitude), negligible);
   if (range.high - range.low >= least) return range;
   if (fixed_low && fixed_high) {
-    warnings.push_back("the fixed ends of axis '" + axis.title + "' leave no range; ignored");
+    warnings.push_back({"drawing.axis_ends_ignored", {{"axis", axis.title}}});
     return free;
   }
   return fixed_low ? AxisRange{range.low, around_constant(range.low, axis.logarithmic).high}

@@ -1,9 +1,9 @@
 #pragma once
 // One axis of a panel: what it shows, and where.
 
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "render/figure/figure.h"
 
 namespace tribolog::render::layout {
@@ -63,6 +63,6 @@ DataExtent y_extent(const figure::Panel& panel);
 /// The range with a margin around the data, or the fixed ends of the axis. A constant or a missing
 /// extent gives a range that is fit to draw; impossible fixed ends are ignored with a warning.
 AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
-                       std::vector<std::string>& warnings);
+                       std::vector<Statement>& warnings);
 
 }  // namespace tribolog::render::layout

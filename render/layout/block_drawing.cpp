@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/figure/part_names.h"
+
 namespace tribolog::render::layout {
 
 namespace {
@@ -208,7 +210,7 @@ void check_fit(DiagramCanvas& canvas, const figure::Block& block, std::size_t fi
                                              figure::PixelPoint{one.box.left, one.box.bottom},
                                              figure::PixelPoint{one.box.right, one.box.bottom}}) {
       if (lies_inside(outline, corner, canvas.length(clearance_mm))) continue;
-      canvas.warn("the text '" + one.text + "' does not fit into its block");
+      canvas.warn({"drawing.does_not_fit", {{"text", figure::name_of_text(one.text)}}});
       break;
     }
   }

@@ -8,6 +8,7 @@
 
 #include "render/figure/draw_list.h"
 #include "render/figure/marks.h"
+#include "render/figure/part_names.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/panel_frame.h"
 #include "render/layout/polyline.h"
@@ -83,23 +84,23 @@ std::optional<figure::PixelPoint> place(const PanelFrame& frame, double x, doubl
   return figure::PixelPoint{frame.x.pixel(x), frame.y.pixel(y)};
 }
 
-std::string named(const figure::Series& series, int index) {
-  return series.label.empty() ? "series " + std::to_string(index + 1)
-                              : "series '" + series.label + "'";
-}
-
 void report_dropped(figure::DrawList& list, const PanelFrame& frame, const figure::Series& series,
                     int index, std::size_t drawn) {
   const std::size_t all = std::max(series.x.size(), series.y.size());
   if (drawn == all && all > 0) return;
+  const Statement name = figure::name_of_series(series.label, static_cast<std::size_t>(index));
   if (drawn == 0) {
-    list.warnings.push_back(named(series, index) + " has no sample that can be drawn");
+    list.warnings.push_back({"drawing.no_sample", {{"series", name}}});
     return;
   }
   const bool logarithmic = frame.x.logarithmic() || frame.y.logarithmic();
-  list.warnings.push_back(named(series, index) + ": dropped " + std::to_string(all - drawn) +
-                          " of " + std::to_string(all) + " samples that are not finite" +
-                          (logarithmic ? " or not positive on a logarithmic axis" : ""));
+  const StatedValue dropped{"dropped", all - drawn};
+  const StatedValue of{"all", all};
+  if (logarithmic) {
+    list.warnings.push_back({"drawing.samples_not_positive", {{"series", name}, dropped, of}});
+  } else {
+    list.warnings.push_back({"drawing.samples_not_finite", {{"series", name}, dropped, of}});
+  }
 }
 
 /// Markers that would hide each other almost wholly are drawn once.
@@ -199,8 +200,8 @@ void draw_band(figure::DrawList& list, const PanelFrame& frame, const figure::Ba
   }
   finish();
   if (dropped > 0) {
-    list.warnings.push_back("band '" + band.label + "': dropped " + std::to_string(dropped) +
-                            " samples that are not finite");
+    list.warnings.push_back(
+        {"drawing.band_not_finite", {{"label", band.label}, {"dropped", dropped}}});
   }
 }
 
@@ -209,7 +210,7 @@ void draw_error_bar(figure::DrawList& list, const PanelFrame& frame, const figur
   const auto low = place(frame, bar.x, bar.low);
   const auto high = place(frame, bar.x, bar.high);
   if (!low || !high) {
-    list.warnings.push_back("an error bar is not finite; it was left out");
+    list.warnings.push_back({"drawing.error_bar_not_finite"});
     return;
   }
   const double half_cap = 8 * style.unit;
@@ -231,7 +232,7 @@ void draw_reference_line(figure::DrawList& list, const PanelFrame& frame,
   const bool vertical = line.direction == figure::ReferenceLine::Direction::vertical;
   const AxisMap& axis = vertical ? frame.x : frame.y;
   if (!drawable(line.at, axis.logarithmic())) {
-    list.warnings.push_back("reference line '" + line.text + "' is not finite; it was left out");
+    list.warnings.push_back({"drawing.reference_line_not_finite", {{"label", line.text}}});
     return;
   }
   const double at = axis.pixel(line.at);

@@ -2,6 +2,7 @@
 // The sheet on which a diagram is laid out: millimetres to pixels, and a record of its texts.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/figure/diagram.h"
@@ -52,7 +53,7 @@ class DiagramCanvas {
 
   [[nodiscard]] const std::vector<PlacedText>& texts() const { return texts_; }
   text::TextFaults& faults() { return faults_; }
-  void warn(const std::string& what) { list_.warnings.push_back(what); }
+  void warn(Statement what) { list_.warnings.push_back(std::move(what)); }
 
  private:
   figure::DrawList& list_;

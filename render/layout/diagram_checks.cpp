@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/figure/part_names.h"
 #include "render/layout/block_drawing.h"
 #include "render/layout/polyline.h"
 #include "render/layout/shape_drawing.h"
@@ -43,52 +44,55 @@ class Inspection {
     return diagram_.blocks[i].kind == figure::BlockKind::frame;
   }
 
-  [[nodiscard]] std::string name_of_block(std::size_t i) const {
-    const figure::Block& block = diagram_.blocks[i];
-    return block.lines.empty() ? "block " + std::to_string(i + 1)
-                               : "block '" + block.lines.front() + "'";
+  [[nodiscard]] Statement name_of_block(std::size_t i) const {
+    return figure::name_of_block(diagram_, i);
   }
 
   void check_texts() {
     const auto& texts = canvas_.texts();
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      const std::string name = "the text '" + texts[i].text + "' ";
-      if (!canvas_.area().contains(texts[i].box)) canvas_.warn(name + "lies outside the canvas");
+      const Statement name = figure::name_of_text(texts[i].text);
+      if (!canvas_.area().contains(texts[i].box)) {
+        canvas_.warn({"drawing.outside_canvas", {{"what", name}}});
+      }
       for (std::size_t k = i + 1; k < texts.size(); ++k) {
         if (figure::overlap_area(texts[i].box, texts[k].box) > 1.0) {
-          canvas_.warn(name + "overlaps '" + texts[k].text + "'");
+          canvas_.warn({"drawing.texts_overlap", {{"text", name}, {"other", texts[k].text}}});
         }
       }
       check_text_on_parts(texts[i], name);
     }
   }
 
-  void check_text_on_parts(const PlacedText& text, const std::string& name) {
+  void check_text_on_parts(const PlacedText& text, const Statement& name) {
     const figure::PixelBox core = text.box.grown(-side_px);
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       if (text.block == static_cast<int>(b)) continue;
       const bool touches = is_frame(b) ? enters(block_outline(canvas_, diagram_.blocks[b]), core)
                                        : figure::overlap_area(core, boxes_[b]) > 0;
-      if (touches) canvas_.warn(name + "collides with " + name_of_block(b));
+      if (touches) {
+        canvas_.warn({"drawing.text_on_block", {{"text", name}, {"block", name_of_block(b)}}});
+      }
     }
     const bool on_wire = std::any_of(wires_.begin(), wires_.end(),
                                      [&](const auto& wire) { return enters(wire, core); });
-    if (on_wire) canvas_.warn(name + "lies on a wire");
+    if (on_wire) canvas_.warn({"drawing.text_on_wire", {{"text", name}}});
     const bool on_line = std::any_of(sketch_.begin(), sketch_.end(),
                                      [&](const auto& line) { return enters(line, core); });
-    if (on_line) canvas_.warn(name + "lies on a line");
+    if (on_line) canvas_.warn({"drawing.text_on_line", {{"text", name}}});
   }
 
   void check_blocks() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (!canvas_.area().contains(boxes_[i])) {
-        canvas_.warn(name_of_block(i) + " lies outside the canvas");
+        canvas_.warn({"drawing.outside_canvas", {{"what", name_of_block(i)}}});
       }
       for (std::size_t k = i + 1; k < boxes_.size(); ++k) {
         const bool inside = (is_frame(i) && boxes_[i].contains(boxes_[k])) ||
                             (is_frame(k) && boxes_[k].contains(boxes_[i]));
         if (!inside && figure::overlap_area(boxes_[i], boxes_[k]) > 0) {
-          canvas_.warn(name_of_block(i) + " overlaps " + name_of_block(k));
+          canvas_.warn({"drawing.blocks_overlap",
+                        {{"block", name_of_block(i)}, {"other", name_of_block(k)}}});
         }
       }
     }
@@ -109,21 +113,23 @@ class Inspection {
   }
 
   void check_wire(std::size_t i) {
-    const std::string name = "wire " + std::to_string(i + 1);
+    const Statement name = figure::name_of_wire(i);
     const std::vector<figure::PixelPoint>& wire = wires_[i];
     if (wire.size() < 2) {
-      canvas_.warn(name + " has no length");
+      canvas_.warn({"drawing.wire_without_length", {{"wire", name}}});
       return;
     }
     for (const figure::PixelPoint& p : wire) {
-      if (!canvas_.area().contains(p)) canvas_.warn(name + " lies outside the canvas");
+      if (!canvas_.area().contains(p)) canvas_.warn({"drawing.outside_canvas", {{"what", name}}});
     }
     for (const figure::PixelPoint& end : {wire.front(), wire.back()}) {
-      if (!meets_something(end, i)) canvas_.warn(name + " ends at nothing");
+      if (!meets_something(end, i)) {
+        canvas_.warn({"drawing.wire_ends_at_nothing", {{"wire", name}}});
+      }
     }
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       if (!is_frame(b) && enters(wire, boxes_[b].grown(-side_px))) {
-        canvas_.warn(name + " runs through " + name_of_block(b));
+        canvas_.warn({"drawing.wire_through_block", {{"wire", name}, {"block", name_of_block(b)}}});
       }
     }
   }
@@ -132,7 +138,7 @@ class Inspection {
     const double px_at_display =
         canvas_.length(letter::sign_mm) * display_px / std::max(1.0, canvas_.picture_width());
     if (px_at_display < least_letter_px) {
-      canvas_.warn("the letters are too small to read at a width of 800 px");
+      canvas_.warn({"drawing.letters_too_small", {{"width_px", display_px}}});
     }
   }
 

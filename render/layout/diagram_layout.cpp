@@ -14,11 +14,11 @@ void lay_out_diagram(figure::DrawList& list, const figure::Figure& figure, const
   const figure::PixelBox room{0, title_bottom, static_cast<double>(figure.width_px),
                               figure.height_px - style.margin / 2};
   if (room.height() < style.margin) {
-    list.warnings.push_back("the picture is too low for its diagram");
+    list.warnings.push_back({"drawing.too_low_for_diagram"});
     return;
   }
   if (!has_drawable_numbers(diagram)) {
-    list.warnings.push_back("the diagram has a length that cannot be drawn; it is left out");
+    list.warnings.push_back({"drawing.impossible_length"});
     return;
   }
   const double designed_px_per_mm = 10 * style.unit;

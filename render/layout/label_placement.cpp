@@ -149,12 +149,12 @@ void draw_point_labels(figure::DrawList& list, const PanelFrame& frame, const fi
   for (std::size_t i = 0; i < panel.point_labels.size(); ++i) {
     const figure::PointLabel& point = panel.point_labels[i];
     if (!drawable(point.x, frame.x.logarithmic()) || !drawable(point.y, frame.y.logarithmic())) {
-      list.warnings.push_back("point '" + point.text + "' is not finite; it was left out");
+      list.warnings.push_back({"drawing.point_not_finite", {{"label", point.text}}});
       continue;
     }
     Label label{static_cast<int>(i), {frame.x.pixel(point.x), frame.y.pixel(point.y)}, {}, {}, {}};
     if (!frame.plot.grown(1).contains(label.point)) {
-      list.warnings.push_back("point '" + point.text + "' lies outside its axes; it was left out");
+      list.warnings.push_back({"drawing.point_outside_axes", {{"label", point.text}}});
       continue;
     }
     bool cut = false;

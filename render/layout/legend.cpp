@@ -14,7 +14,7 @@ constexpr double search_step_px = 8.0;
 }  // namespace
 
 Legend::Legend(const figure::Panel& panel, int panel_index, const text::Font& font,
-               const FigureStyle& style, double most_width, std::vector<std::string>& warnings,
+               const FigureStyle& style, double most_width, std::vector<Statement>& warnings,
                text::TextFaults& faults)
     : style_(style),
       panel_(panel_index),
@@ -28,7 +28,7 @@ Legend::Legend(const figure::Panel& panel, int panel_index, const text::Font& fo
     if (text.empty()) return;
     bool cut = false;
     auto lines = text::wrap_lines(font, text, style.legend, text_width, 1, faults, cut);
-    if (cut) warnings.push_back("a legend text was too long and was cut: " + text.substr(0, 60));
+    if (cut) warnings.push_back({"drawing.legend_cut", {{"text", text.substr(0, 60)}}});
     entries_.push_back({series,
                         band,
                         {figure::Role::legend_sample, panel_index, index},

@@ -15,7 +15,7 @@ class Legend {
  public:
   /// Texts wider than `most_width` are cut with an ellipsis and reported.
   Legend(const figure::Panel& panel, int panel_index, const text::Font& font,
-         const FigureStyle& style, double most_width, std::vector<std::string>& warnings,
+         const FigureStyle& style, double most_width, std::vector<Statement>& warnings,
          text::TextFaults& faults);
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }

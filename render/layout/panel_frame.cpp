@@ -32,7 +32,7 @@ TickSet ticks_of(const figure::Axis& axis, const AxisRange& range, int most) {
 class Framer {
  public:
   Framer(const figure::Figure& figure, const text::Font& font, const FigureStyle& style,
-         const std::vector<double>& strips, std::vector<std::string>& warnings,
+         const std::vector<double>& strips, std::vector<Statement>& warnings,
          text::TextFaults& faults)
       : figure_(figure),
         font_(font),
@@ -67,7 +67,7 @@ class Framer {
     }
     faults_.malformed += found.malformed;
     faults_.without_glyph += found.without_glyph;
-    if (cut) warnings_.push_back("a title was too long and was cut: " + text.substr(0, 60));
+    if (cut) warnings_.push_back({"drawing.title_cut", {{"title", text.substr(0, 60)}}});
     return lines;
   }
 
@@ -98,7 +98,7 @@ class Framer {
       const figure::Panel& panel = figure_.panels[i];
       const bool share = figure_.panels_share_x;
       const figure::Axis& x = share ? figure_.panels.back().x : panel.x;
-      std::vector<std::string> repeated;
+      std::vector<Statement> repeated;
       ranges_x_.push_back(choose_range(share ? shared : x_extent(panel), x, x_margin_share,
                                        share && i > 0 ? repeated : warnings_));
       ranges_y_.push_back(choose_range(y_extent(panel), panel.y, y_margin_share, warnings_));
@@ -128,7 +128,7 @@ class Framer {
     const double count = std::max<double>(1.0, static_cast<double>(out_.panels.size()));
     double plot_height = std::floor((figure_.height_px - taken) / count);
     if (plot_height < least_plot_height) {
-      if (!out_.panels.empty()) warnings_.push_back("the picture is too low for its panels");
+      if (!out_.panels.empty()) warnings_.push_back({"drawing.too_low_for_panels"});
       plot_height = least_plot_height;
     }
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
@@ -220,7 +220,7 @@ class Framer {
   const text::Font& font_;
   const FigureStyle& style_;
   const std::vector<double>& strips_;
-  std::vector<std::string>& warnings_;
+  std::vector<Statement>& warnings_;
   text::TextFaults& faults_;
   FigureFrame out_;
   std::vector<AxisRange> ranges_x_;
@@ -232,7 +232,7 @@ class Framer {
 
 FigureFrame frame_figure(const figure::Figure& figure, const text::Font& font,
                          const FigureStyle& style, const std::vector<double>& strip_heights,
-                         std::vector<std::string>& warnings, text::TextFaults& faults) {
+                         std::vector<Statement>& warnings, text::TextFaults& faults) {
   return Framer(figure, font, style, strip_heights, warnings, faults).run();
 }
 

@@ -35,7 +35,7 @@ struct FigureFrame {
 /// Complaints (texts cut, no room) go to `warnings`, unprintable text to `faults`.
 FigureFrame frame_figure(const figure::Figure& figure, const text::Font& font,
                          const FigureStyle& style, const std::vector<double>& strip_heights,
-                         std::vector<std::string>& warnings, text::TextFaults& faults);
+                         std::vector<Statement>& warnings, text::TextFaults& faults);
 
 /// Draws grid, and (after the data) box, ticks and titles.
 void draw_grid(figure::DrawList& list, const PanelFrame& frame, const FigureStyle& style,

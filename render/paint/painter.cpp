@@ -14,7 +14,7 @@ std::unique_ptr<Painter> make_painter(const text::Font& font, PainterThreads thr
     return std::unique_ptr<Painter>(
         reinterpret_cast<decltype(&tribolog_vtk_painter)>(make)(font, threads));
   } catch (const MissingModule& missing) {
-    throw FigureError(missing.what());
+    throw FigureError(stated_by(missing));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/figure/drawing_style.h"
+#include "render/figure/part_names.h"
 #include "render/layout/label_placement.h"
 
 namespace tribolog::render::scene {
@@ -175,13 +176,15 @@ void draw_captions(figure::DrawList& list, const std::vector<Caption>& captions,
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const Caption& caption = captions[i];
     if (!room.contains(caption.anchor)) {
-      list.warnings.push_back("what '" + caption.text + "' names lies outside the picture");
+      list.warnings.push_back({"drawing.named_outside", {{"text", caption.text}}});
     }
     bool cut = false;
     const auto lines = text::wrap_lines(font, caption.text, style.label,
                                         widest_share * room.width(), 1, faults, cut);
     if (lines.empty() || lines.front().empty()) continue;
-    if (cut) list.warnings.push_back("the text '" + caption.text + "' was too long and was cut");
+    if (cut) {
+      list.warnings.push_back({"drawing.text_cut", {{"text", figure::name_of_text(caption.text)}}});
+    }
     Placed one;
     one.index = i;
     one.anchor = caption.anchor;
@@ -194,8 +197,9 @@ void draw_captions(figure::DrawList& list, const std::vector<Caption>& captions,
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!placer.collide(all[i], all[j])) continue;
-      list.warnings.push_back("there is no room to keep the texts '" + captions[all[j].index].text +
-                              "' and '" + captions[all[i].index].text + "' apart");
+      list.warnings.push_back(
+          {"drawing.no_room_between",
+           {{"first", captions[all[j].index].text}, {"second", captions[all[i].index].text}}});
     }
   }
   for (const Placed& one : all) {

@@ -15,21 +15,21 @@
 namespace tribolog::render::scene {
 namespace {
 
-void require_direction(figure::Point3 direction, const std::string& label, const char* what) {
+void require_direction(figure::Point3 direction, const std::string& label, Code missing) {
   const double size = figure::length(direction);
   if (std::isfinite(size) && size > 0) return;
-  throw FigureError("the part '" + label + "' of the scene has no direction: its " + what +
-                    " is zero or not finite");
+  throw FigureError(Statement(missing, {{"label", label}}));
 }
 
 void check_parts(const figure::Scene& scene) {
-  for (const figure::SceneDrum& one : scene.drums) require_direction(one.axis, one.label, "axis");
+  for (const figure::SceneDrum& one : scene.drums)
+    require_direction(one.axis, one.label, "drawing.part_without_axis");
   for (const figure::SceneArrow& one : scene.arrows) {
-    require_direction(one.to - one.from, one.label, "length");
+    require_direction(one.to - one.from, one.label, "drawing.part_without_length");
   }
   for (const figure::SceneSector& one : scene.sectors) {
-    require_direction(one.normal, one.label, "normal");
-    require_direction(one.zero, one.label, "zero line");
+    require_direction(one.normal, one.label, "drawing.part_without_normal");
+    require_direction(one.zero, one.label, "drawing.part_without_zero_line");
   }
 }
 
@@ -76,7 +76,7 @@ Obstacles obstacles_of(const figure::DrawList& list, const figure::PixelBox& roo
 
 figure::DrawList lay_out_scene(const figure::Figure& figure, const text::Font& font,
                                text::TextFaults& faults) {
-  if (!figure.scene) throw std::logic_error("a figure without a scene is laid out as one");
+  if (!figure.scene) throw std::logic_error("no scene");
   const figure::Scene& scene = *figure.scene;
   const layout::FigureStyle style(figure);
   figure::DrawList list;
@@ -89,7 +89,7 @@ figure::DrawList lay_out_scene(const figure::Figure& figure, const text::Font& f
   bool cut = false;
   const double width = figure.width_px - 2 * style.margin;
   frame.title = text::wrap_lines(font, figure.title, style.figure_title, width, 3, faults, cut);
-  if (cut) list.warnings.push_back("a title was too long and was cut: " + figure.title);
+  if (cut) list.warnings.push_back({"drawing.title_cut", {{"title", figure.title}}});
   const double title_height =
       1.28 * style.figure_title.size_px * static_cast<double>(frame.title.size());
   const figure::PixelBox room{style.margin, style.margin + title_height + style.gap,
@@ -99,7 +99,7 @@ figure::DrawList lay_out_scene(const figure::Figure& figure, const text::Font& f
   std::vector<Sphere> shown;
   for (const figure::Point3& p : scene.camera.fit) shown.push_back({p, 0.0});
   if (shown.empty()) shown = reach_of(scene);
-  if (shown.empty()) throw FigureError("the scene is empty");
+  if (shown.empty()) throw FigureError({"drawing.empty_scene"});
 
   figure::SceneGeometry geometry;
   geometry.view =

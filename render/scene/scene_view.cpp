@@ -27,15 +27,13 @@ void check(const figure::SceneCamera& camera) {
   if (!is_finite(side) ||
       figure::length(side) < 1e-6 * figure::length(camera.towards) * figure::length(camera.up) ||
       figure::length(side) == 0) {
-    throw FigureError("the scene's camera has no direction, or its 'up' lies along it");
+    throw FigureError({"drawing.camera_without_direction"});
   }
   if (!(camera.opening_deg >= 0 && camera.opening_deg < 90)) {
-    throw FigureError("the scene's camera opens by " + std::to_string(camera.opening_deg) +
-                      " degrees; it must be 0 (parallel) to below 90");
+    throw FigureError({"drawing.camera_opening", {{"opening_deg", camera.opening_deg}}});
   }
   if (!(camera.margin >= 0 && camera.margin < 0.45)) {
-    throw FigureError("the margin of a scene is " + std::to_string(camera.margin) +
-                      "; it must be 0 to below 0.45");
+    throw FigureError({"drawing.scene_margin", {{"margin", camera.margin}}});
   }
 }
 
@@ -106,7 +104,7 @@ figure::SceneView fit_view(const figure::SceneCamera& camera, const std::vector<
     reach = std::max(reach, figure::length(one.centre - centre) + one.radius_m);
   }
   if (!std::isfinite(reach) || !(reach > 0)) {
-    throw FigureError("the scene has no size, or is not finite");
+    throw FigureError({"drawing.scene_without_size"});
   }
   view.parallel = camera.opening_deg == 0;
   const double opening = camera.opening_deg * std::numbers::pi / 180;

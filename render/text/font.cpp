@@ -36,8 +36,7 @@ std::string directory_with_font() {
     if (complete) return directory;
     searched += (searched.empty() ? "" : ", ") + directory;
   }
-  throw FigureError("the font DejaVu Sans is not in " + searched +
-                    "; install the package fonts-dejavu-core or set TRIBOLOG_FONT_DIR");
+  throw FigureError({"drawing.no_font", {{"folders", searched}}});
 }
 
 double pixels(FT_Pos value_26_6) { return static_cast<double>(value_26_6) / 64.0; }
@@ -73,13 +72,12 @@ struct Font::Faces {
 
 Font::Font() : faces_(std::make_unique<Faces>()) {
   const std::string directory = directory_with_font();
-  if (FT_Init_FreeType(&faces_->library) != 0) throw FigureError("FreeType does not start");
+  if (FT_Init_FreeType(&faces_->library) != 0) throw FigureError({"drawing.no_freetype"});
   for (const Weight weight : {Weight::regular, Weight::bold}) {
     Faces::One& one = faces_->at(weight);
     one.file = directory + "/" + file_names[weight == Weight::bold ? 1 : 0];
     if (FT_New_Face(faces_->library, one.file.c_str(), 0, &one.face) != 0) {
-      throw FigureError("the font file " + one.file +
-                        " cannot be read; reinstall the package fonts-dejavu-core");
+      throw FigureError({"drawing.font_not_readable", {{"file", one.file}}});
     }
   }
 }

@@ -97,7 +97,7 @@ const DocumentFace& face_of(const std::vector<DocumentFace>& faces, const figure
   const auto found = std::find_if(faces.begin(), faces.end(), [&](const DocumentFace& face) {
     return face.weight() == weight_of(run);
   });
-  if (found == faces.end()) throw FigureError("a text has no font");
+  if (found == faces.end()) throw FigureError({"drawing.text_without_font"});
   return *found;
 }
 

@@ -150,7 +150,7 @@ std::string resources_of(PdfFile& file, const std::vector<DocumentFace>& faces,
 std::string pdf_document(const figure::DrawList& list, const DocumentTexts& texts,
                          const text::Font& font, const std::vector<std::byte>& solid_parts) {
   if (list.scene && solid_parts.empty()) {
-    throw FigureError("the solid parts of a scene have to be drawn before they are put into PDF");
+    throw FigureError({"drawing.solid_parts_not_drawn", {{"format", "PDF"}}});
   }
   const double scale = points_per_mm * list.width_mm / list.width;
   const std::string width = short_number(scale * list.width, 3);

@@ -184,7 +184,7 @@ PngParts parts_of(std::string_view png) {
     at += size + 12;
   }
   if (parts.width == 0 || parts.pixels.empty()) {
-    throw FigureError("the picture of a scene's solid parts is damaged");
+    throw FigureError({"drawing.solid_parts_damaged"});
   }
   return parts;
 }

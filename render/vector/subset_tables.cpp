@@ -10,7 +10,7 @@ namespace tribolog::render::vector {
 namespace {
 
 void set_u16(std::string& table, std::size_t at, std::uint16_t value) {
-  if (at + 2 > table.size()) throw FigureError("a font file is damaged: a table is too short");
+  if (at + 2 > table.size()) throw FigureError({"drawing.font_table_too_short"});
   table[at] = static_cast<char>(value >> 8U);
   table[at + 1] = static_cast<char>(value & 0xFFU);
 }
@@ -30,7 +30,7 @@ void put_search(std::string& out, unsigned count, unsigned size) {
 
 std::string copy_of(const TrueTypeFile& font, const char* tag, std::size_t least) {
   std::string table(font.table(tag));
-  if (table.size() < least) throw FigureError("a font file is damaged: a table is too short");
+  if (table.size() < least) throw FigureError({"drawing.font_table_too_short"});
   return table;
 }
 

@@ -178,7 +178,7 @@ std::string font_style(const std::vector<DocumentFace>& faces) {
 std::string svg_document(const figure::DrawList& list, const DocumentTexts& texts,
                          const text::Font& font, const std::vector<std::byte>& solid_parts) {
   if (list.scene && solid_parts.empty()) {
-    throw FigureError("the solid parts of a scene have to be drawn before they are put into SVG");
+    throw FigureError({"drawing.solid_parts_not_drawn", {{"format", "SVG"}}});
   }
   const std::vector<DocumentFace> faces = document_faces(list, font);
   const double height_mm = list.width_mm * list.height / list.width;

@@ -4,8 +4,6 @@
 #include <fstream>
 #include <iterator>
 
-#include <fmt/format.h>
-
 #include "base/error.h"
 
 namespace tribolog::render::vector {
@@ -16,13 +14,13 @@ constexpr std::uint16_t restricted_licence = 0x0002;  // of OS/2's fsType
 constexpr std::uint16_t bitmaps_only = 0x0200;
 
 void require(bool inside) {
-  if (!inside) throw FigureError("a font file is damaged: a number lies beyond its table");
+  if (!inside) throw FigureError({"drawing.font_number_beyond_table"});
 }
 
 std::string bytes_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (bytes.empty()) throw FigureError(fmt::format("the font file {} cannot be read", path));
+  if (bytes.empty()) throw FigureError({"drawing.font_file_not_readable", {{"file", path}}});
   return bytes;
 }
 
@@ -50,11 +48,11 @@ TrueTypeFile::TrueTypeFile(const std::string& path) : path_(path), bytes_(bytes_
   glyph_count_ = u16_at(table("maxp"), 4);
   metric_count_ = u16_at(table("hhea"), 34);
   if (units_per_em_ == 0 || metric_count_ == 0) {
-    throw FigureError(fmt::format("the font file {} is damaged", path_));
+    throw FigureError({"drawing.font_file_damaged", {{"file", path_}}});
   }
   const std::uint16_t embedding = u16_at(table("OS/2"), 8);
   if ((embedding & (restricted_licence | bitmaps_only)) != 0) {
-    throw FigureError(fmt::format("the font file {} forbids to be embedded in documents", path_));
+    throw FigureError({"drawing.font_not_embeddable", {{"file", path_}}});
   }
   read_kerning();
 }
@@ -63,7 +61,7 @@ void TrueTypeFile::read_directory() {
   constexpr std::size_t header = 12;
   constexpr std::size_t entry = 16;
   if (bytes_.size() < header || u32_at(bytes_, 0) != true_type_outlines) {
-    throw FigureError(fmt::format("the font file {} has no TrueType outlines", path_));
+    throw FigureError({"drawing.font_without_outlines", {{"file", path_}}});
   }
   const unsigned count = u16_at(bytes_, 4);
   for (unsigned i = 0; i < count; ++i) {
@@ -71,7 +69,7 @@ void TrueTypeFile::read_directory() {
     const std::size_t offset = u32_at(bytes_, at + 8);
     const std::size_t length = u32_at(bytes_, at + 12);
     if (offset > bytes_.size() || length > bytes_.size() - offset) {
-      throw FigureError(fmt::format("the font file {} is cut off", path_));
+      throw FigureError({"drawing.font_file_cut_off", {{"file", path_}}});
     }
     tables_.emplace(bytes_.substr(at, 4), std::string_view(bytes_).substr(offset, length));
   }
@@ -80,14 +78,14 @@ void TrueTypeFile::read_directory() {
 std::string_view TrueTypeFile::table(const std::string& tag) const {
   const auto found = tables_.find(tag);
   if (found == tables_.end()) {
-    throw FigureError(fmt::format("the font file {} has no table '{}'", path_, tag));
+    throw FigureError({"drawing.font_without_table", {{"file", path_}, {"table", tag}}});
   }
   return found->second;
 }
 
 std::string_view TrueTypeFile::glyph(unsigned id) const {
   if (id >= glyph_count_) {
-    throw FigureError(fmt::format("the font file {} has no glyph {}", path_, id));
+    throw FigureError({"drawing.font_without_glyph", {{"file", path_}, {"glyph", id}}});
   }
   const std::string_view offsets = table("loca");
   const auto offset = [&](unsigned i) -> std::size_t {

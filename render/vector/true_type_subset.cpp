@@ -31,7 +31,7 @@ std::size_t arguments_size(unsigned flags) {
 std::string without_instructions(std::string_view outline, int contours) {
   const std::size_t at = header_size + 2 * static_cast<std::size_t>(contours);
   const std::size_t points = at + 2 + u16_at(outline, at);
-  if (points > outline.size()) throw FigureError("a font file is damaged: a glyph is cut off");
+  if (points > outline.size()) throw FigureError({"drawing.glyph_cut_off"});
   std::string out(outline.substr(0, at));
   put_u16(out, 0);
   out += outline.substr(points);
@@ -44,7 +44,7 @@ SubsetGlyphs::SubsetGlyphs(const TrueTypeFile& font) : font_(font) { add(0); }
 
 std::uint16_t SubsetGlyphs::add(unsigned original) {
   constexpr std::size_t most = 0xFFFF;
-  if (originals_.size() >= most) throw FigureError("a figure has too many different characters");
+  if (originals_.size() >= most) throw FigureError({"drawing.too_many_characters"});
   originals_.push_back(original);
   return static_cast<std::uint16_t>(originals_.size() - 1);
 }
@@ -64,7 +64,7 @@ std::string SubsetGlyphs::composed(std::string_view outline) {
     put_u16(out, static_cast<std::uint16_t>(flags & ~instructions));
     put_u16(out, number_of(u16_at(outline, at + 2)));
     if (at + 4 + arguments > outline.size()) {
-      throw FigureError("a font file is damaged: a composed glyph is cut off");
+      throw FigureError({"drawing.composed_glyph_cut_off"});
     }
     out += outline.substr(at + 4, arguments);
     at += 4 + arguments;

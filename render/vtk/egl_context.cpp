@@ -10,8 +10,6 @@
 namespace tribolog::render::vtk {
 namespace {
 
-constexpr const char* packages = "; install the packages libegl1 and libgl1-mesa-dri";
-
 // Asked for through EGL, so that nothing here needs libGL.
 using GetString = const unsigned char* (*)(unsigned int);
 constexpr unsigned int gl_renderer_name = 0x1F01;
@@ -22,9 +20,9 @@ class EglContext final : public GlContext {
   EglContext() {
     display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      fail("EGL has no surfaceless platform");
+      fail({"drawing.egl_without_surfaceless_platform"});
     }
-    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL has no OpenGL");
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail({"drawing.egl_without_opengl"});
     const std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE,
                                         EGL_PBUFFER_BIT,
                                         EGL_RENDERABLE_TYPE,
@@ -45,7 +43,7 @@ class EglContext final : public GlContext {
     EGLConfig config{};
     EGLint found = 0;
     if (eglChooseConfig(display_, wanted.data(), &config, 1, &found) == EGL_FALSE || found < 1) {
-      fail("EGL has no fitting configuration");
+      fail({"drawing.egl_without_configuration"});
     }
     const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
                                      3,
@@ -58,7 +56,7 @@ class EglContext final : public GlContext {
     const std::array<EGLint, 5> small{EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
     surface_ = eglCreatePbufferSurface(display_, config, small.data());
     if (context_ == EGL_NO_CONTEXT || surface_ == EGL_NO_SURFACE || !make_current()) {
-      fail("EGL gives no OpenGL 3.2 context");
+      fail({"drawing.egl_without_context"});
     }
     // Asked now: while VTK has another context current, or none, there is no answer.
     gl_version_ = gl_text(gl_version_name);
@@ -80,9 +78,9 @@ class EglContext final : public GlContext {
   [[nodiscard]] std::string gl_renderer() const override { return gl_renderer_; }
 
  private:
-  [[noreturn]] void fail(const std::string& what) {
+  [[noreturn]] void fail(const Statement& what) {
     close();
-    throw FigureError(what + packages);
+    throw FigureError({"drawing.install_egl", {{"what", what}}});
   }
   void close() {
     if (display_ == EGL_NO_DISPLAY) return;

@@ -74,8 +74,7 @@ void HeadlessWindow::OpenGLInitContext() {
   const bool complete =
       GLEW_VERSION_3_2 && glGenVertexArrays != nullptr && glBindFramebuffer != nullptr;
   if (!tolerable || !complete) {
-    throw FigureError("VTK finds no OpenGL 3.2 functions (GLEW status " + std::to_string(result) +
-                      ")");
+    throw FigureError({"drawing.no_opengl_functions", {{"status", result}}});
   }
   GlewInitValid = true;
   Initialized = true;

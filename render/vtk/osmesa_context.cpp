@@ -21,14 +21,11 @@ void check_no_other_opengl() {
     Dl_info where{};
     void* function = dlsym(RTLD_DEFAULT, name);
     if (function == nullptr || dladdr(function, &where) == 0) {
-      throw FigureError(std::string("OpenGL function ") + name +
-                        " is missing; install the package libosmesa6");
+      throw FigureError({"drawing.opengl_function_missing", {{"function", name}}});
     }
     const std::string library = where.dli_fname;
     if (library.find("libOSMesa") == std::string::npos) {
-      throw FigureError("OpenGL calls go to " + library +
-                        " instead of libOSMesa, figures would be white; start the program without "
-                        "LD_PRELOAD and without another libGL");
+      throw FigureError({"drawing.foreign_opengl", {{"library", library}}});
     }
   }
 }
@@ -37,7 +34,7 @@ class OsmesaContext final : public GlContext {
  public:
   OsmesaContext() {
     check_no_other_opengl();
-    if (function("glClear") == nullptr) throw FigureError("OSMesa knows no OpenGL functions");
+    if (function("glClear") == nullptr) throw FigureError({"drawing.osmesa_without_functions"});
     const std::array<int, 15> wanted{OSMESA_FORMAT,
                                      OSMESA_RGBA,
                                      OSMESA_DEPTH_BITS,
@@ -55,9 +52,7 @@ class OsmesaContext final : public GlContext {
                                      0};
     context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
     if (context_ == nullptr || !make_current()) {
-      throw FigureError(
-          "OSMesa gives no OpenGL 3.2 context; install the packages libosmesa6 and "
-          "libgl1-mesa-dri");
+      throw FigureError({"drawing.osmesa_without_context"});
     }
   }
   ~OsmesaContext() override {

@@ -123,7 +123,7 @@ figure::Picture VtkPainter::paint(const figure::DrawList& list, int strip_rows) 
     paint_strip(list, top, strip_rows, picture);
   }
   const std::string error = messages_->take_error();
-  if (!error.empty()) throw FigureError("VTK: " + error);
+  if (!error.empty()) throw FigureError({"drawing.vtk", {{"words", error}}});
   return picture;
 }
 
@@ -136,7 +136,7 @@ void VtkPainter::paint_strip(const figure::DrawList& list, int top, int strip_ro
   const std::size_t row = 3 * static_cast<std::size_t>(list.width);
   if (static_cast<std::size_t>(pixels->GetNumberOfValues()) !=
       row * static_cast<std::size_t>(strip_rows)) {
-    throw FigureError("VTK gave a picture of the wrong size");
+    throw FigureError({"drawing.wrong_size"});
   }
   const unsigned char* bottom_up = pixels->GetPointer(0);
   const int rows = std::min(strip_rows, list.height - top);

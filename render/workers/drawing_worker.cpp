@@ -20,6 +20,7 @@
 #include "render/text/font.h"
 #include "render/text/utf8.h"
 #include "render/workers/figure_message.h"
+#include "render/workers/statement_message.h"
 
 namespace tribolog::render::workers {
 namespace {
@@ -126,9 +127,9 @@ figure::Figure every_kind_of_part() {
 Message drawn_figure_message(const DrawnFigure& drawn) {
   Message message;
   message.put(drawn.png);
-  message.put(drawn.error);
+  put_statement(message, drawn.error);
   message.put(static_cast<std::uint32_t>(drawn.warnings.size()));
-  for (const std::string& warning : drawn.warnings) message.put(warning);
+  for (const Statement& warning : drawn.warnings) put_statement(message, warning);
   put_info(message, drawn.drawn_by);
   return message;
 }
@@ -139,7 +140,7 @@ struct DrawingWorker::Stack {
   std::unique_ptr<text::Font> font;
   std::unique_ptr<paint::Painter> painter;
   paint::PainterThreads threads{paint::PainterThreads::as_many_as_it_likes};
-  std::string start_error;
+  Statement start_error;
 };
 
 DrawingWorker::DrawingWorker() : stack_(std::make_unique<Stack>()) {
@@ -155,7 +156,7 @@ void DrawingWorker::start() {
     if (!stack_->font) stack_->font = std::make_unique<text::Font>();
     if (!stack_->painter) stack_->painter = paint::make_painter(*stack_->font, stack_->threads);
   } catch (const std::exception& problem) {
-    stack_->start_error = problem.what();
+    stack_->start_error = stated_by(problem);
     throw;
   }
 }
@@ -196,17 +197,17 @@ DrawnFigure DrawingWorker::draw(const figure::Figure& figure, bool solid_parts_o
     check::PictureFindings findings = check::check_picture(list, figure, picture);
     drawn.warnings.insert(drawn.warnings.end(), findings.warnings.begin(), findings.warnings.end());
     if (drawn.drawn_by.gl_renderer.find("llvmpipe") == std::string::npos) {
-      drawn.warnings.push_back("drawn by '" + drawn.drawn_by.gl_renderer +
-                               "' instead of llvmpipe; pictures may differ between machines");
+      drawn.warnings.push_back(
+          {"drawing.other_driver", {{"renderer", drawn.drawn_by.gl_renderer}}});
     }
     drawn.error = std::move(findings.error);
     if (drawn.error.empty()) drawn.png = png::encode_png(picture);
   } catch (const std::exception& problem) {
-    drawn.error = problem.what();
+    drawn.error = stated_by(problem);
   }
   // They quote titles and labels, and end up on a terminal.
-  drawn.error = printable_text(drawn.error);
-  for (std::string& warning : drawn.warnings) warning = printable_text(warning);
+  drawn.error = with_texts(drawn.error, printable_text);
+  for (Statement& warning : drawn.warnings) warning = with_texts(warning, printable_text);
   return drawn;
 }
 
@@ -226,9 +227,9 @@ void put_request(Message& message, const figure::Figure& figure, bool solid_part
 DrawnFigure read_drawn_figure(Message& message) {
   DrawnFigure drawn;
   drawn.png = message.take_bytes();
-  drawn.error = message.take_text();
+  drawn.error = take_statement(message);
   const std::uint32_t count = message.take_number();
-  for (std::uint32_t i = 0; i < count; ++i) drawn.warnings.push_back(message.take_text());
+  for (std::uint32_t i = 0; i < count; ++i) drawn.warnings.push_back(take_statement(message));
   drawn.drawn_by = take_info(message);
   return drawn;
 }
@@ -239,17 +240,17 @@ void serve_info(int socket) {
   try {
     const text::Font font;
     const figure::RendererInfo info = paint::make_painter(font)->info();
-    answer.put(std::string());
+    put_statement(answer, {});
     put_info(answer, info);
   } catch (const std::exception& problem) {
     answer = Message();
-    answer.put(std::string(problem.what()));
+    put_statement(answer, stated_by(problem));
   }
   send_message(socket, answer);
 }
 
 figure::RendererInfo read_info(Message& message) {
-  const std::string problem = message.take_text();
+  const Statement problem = take_statement(message);
   if (!problem.empty()) throw FigureError(problem);
   return take_info(message);
 }

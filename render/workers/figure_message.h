@@ -8,7 +8,7 @@ namespace tribolog::render::workers {
 
 void put_figure(Message& message, const figure::Figure& figure);
 
-/// @throw std::runtime_error if the message ends before the figure does.
+/// @throw tribolog::FigureError if the message ends before the figure does.
 figure::Figure take_figure(Message& message);
 
 }  // namespace tribolog::render::workers

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "render/workers/message_channel.h"
+#include "render/workers/statement_message.h"
 
 namespace tribolog::render::workers {
 
@@ -108,9 +109,9 @@ class Server {
         close(owner_);
         serve_(socket);
       });
-      answer.put(std::string());
+      put_statement(answer, {});
     } catch (const std::exception& problem) {
-      answer.put(std::string(problem.what()));
+      put_statement(answer, stated_by(problem));
     }
     if (!send_message(owner_, answer)) return false;
     if (!worker) return true;
@@ -123,7 +124,7 @@ class Server {
 
   bool end(std::uint32_t number) {
     Message answer;
-    answer.put(workers_.at(number)->end_and_explain());
+    put_statement(answer, workers_.at(number)->end_and_explain());
     workers_.erase(number);
     return send_message(owner_, answer);
   }
@@ -157,7 +158,7 @@ ForkServer::Readiness ForkServer::wait(std::chrono::milliseconds most) {
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     found = poll(&server, 1, static_cast<int>(std::clamp<long long>(left.count(), 0, 1 << 30)));
   } while (found < 0 && errno == EINTR);
-  if (found == 0) throw FigureError("the graphics stack took too long to start and was stopped");
+  if (found == 0) throw FigureError({"drawing.start_took_too_long"});
   auto answer = receive_message(process_.socket());
   if (!answer) lost();
   is_prepared_ = true;
@@ -165,7 +166,7 @@ ForkServer::Readiness ForkServer::wait(std::chrono::milliseconds most) {
 }
 
 void ForkServer::lost() {
-  throw FigureError("the drawing process was lost: " + process_.end_and_explain());
+  throw FigureError({"drawing.process_lost", {{"end", process_.end_and_explain()}}});
 }
 
 std::unique_ptr<ForkServer::Worker> ForkServer::start_worker() {
@@ -176,20 +177,20 @@ std::unique_ptr<ForkServer::Worker> ForkServer::start_worker() {
   send_message(process_.socket(), request);
   auto answer = receive_message(process_.socket());
   if (!answer) lost();
-  const std::string problem = answer->take_text();
+  const Statement problem = take_statement(*answer);
   if (!problem.empty()) throw FigureError(problem);
   const int socket = receive_descriptor(process_.socket());
   if (socket < 0) lost();
   return std::make_unique<Worker>(*this, number, socket);
 }
 
-std::string ForkServer::end_worker(std::uint32_t number) {
+Statement ForkServer::end_worker(std::uint32_t number) {
   Message request;
   request.put(end_worker_command);
   request.put(number);
   send_message(process_.socket(), request);
   auto answer = receive_message(process_.socket());
-  return answer ? answer->take_text() : process_.end_and_explain();
+  return answer ? take_statement(*answer) : process_.end_and_explain();
 }
 
 ForkServer::Worker::Worker(ForkServer& server, std::uint32_t number, int socket)
@@ -197,6 +198,6 @@ ForkServer::Worker::Worker(ForkServer& server, std::uint32_t number, int socket)
 
 ForkServer::Worker::~Worker() { close(socket_); }
 
-std::string ForkServer::Worker::end_and_explain() { return server_.end_worker(number_); }
+Statement ForkServer::Worker::end_and_explain() { return server_.end_worker(number_); }
 
 }  // namespace tribolog::render::workers

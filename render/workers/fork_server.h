@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 
+#include "base/statement.h"
 #include "render/workers/worker_process.h"
 
 namespace tribolog::render::workers {
@@ -48,7 +48,7 @@ class ForkServer {
     [[nodiscard]] int socket() const { return socket_; }
     /// Gives it a moment to end by itself, then ends it, and says how it had ended, as
     /// WorkerProcess does.
-    std::string end_and_explain();
+    Statement end_and_explain();
 
    private:
     ForkServer& server_;
@@ -60,7 +60,7 @@ class ForkServer {
   std::unique_ptr<Worker> start_worker();
 
  private:
-  std::string end_worker(std::uint32_t number);
+  Statement end_worker(std::uint32_t number);
   [[noreturn]] void lost();
 
   WorkerProcess process_;

@@ -4,11 +4,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include "base/error.h"
 
 namespace tribolog::render::workers {
 namespace {
@@ -64,7 +65,7 @@ void Message::put(const std::vector<std::byte>& bytes) {
 }
 
 const std::byte* Message::next(std::size_t count) {
-  if (bytes_.size() - position_ < count) throw std::runtime_error("message ends early");
+  if (bytes_.size() - position_ < count) throw FigureError({"drawing.message_ends_early"});
   const std::byte* at = bytes_.data() + position_;
   position_ += count;
   return at;

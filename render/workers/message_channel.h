@@ -17,7 +17,7 @@ class Message {
   void put(const std::vector<std::byte>& bytes);
   void put_raw(const void* from, std::size_t count);
 
-  /// @throw std::runtime_error if the message ends before the value does.
+  /// @throw tribolog::FigureError if the message ends before the value does.
   std::uint32_t take_number();
   std::string take_text();
   std::vector<std::byte> take_bytes();

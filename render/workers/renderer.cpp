@@ -42,7 +42,7 @@ class DrawingServer {
 
   Prepared prepared_;
   std::unique_ptr<ForkServer> server_;
-  std::string start_error_;  ///< Of a stack that does not start: it is not tried again.
+  Statement start_error_;  ///< Of a stack that does not start: it is not tried again.
 };
 
 DrawingServer::DrawingServer(Prepared prepared) : prepared_(prepared) {
@@ -71,7 +71,7 @@ void DrawingServer::wait_until_ready(std::chrono::milliseconds most) {
       server_->wait(most);
     }
   } catch (const FigureError& error) {
-    start_error_ = error.what();
+    start_error_ = error.statement();
     throw;
   }
 }
@@ -145,7 +145,7 @@ class DrawingCrew {
         // A worker that has gone is noticed when its answer is awaited.
         send_message(member.worker->socket(), request);
       } catch (const std::exception& problem) {
-        finish(member.figure, problem.what());
+        finish(member.figure, stated_by(problem));
       }
     }
     if (!member.busy) member.worker.reset();
@@ -164,14 +164,14 @@ class DrawingCrew {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(first - Clock::now());
     const int timeout = static_cast<int>(std::clamp<long long>(left.count(), 0, 60'000));
     if (poll(sockets.data(), sockets.size(), timeout) < 0 && errno != EINTR) {
-      throw FigureError("waiting for the drawing processes failed");
+      throw FigureError({"drawing.not_waited_for"});
     }
     for (std::size_t i = 0; i < sockets.size(); ++i) {
       if (sockets[i].revents != 0) {
         collect(*owners[i]);
       } else if (Clock::now() >= owners[i]->deadline) {
         owners[i]->worker->end_and_explain();
-        lose(*owners[i], "drawing took too long and was stopped");
+        lose(*owners[i], {"drawing.took_too_long"});
       }
     }
   }
@@ -181,7 +181,7 @@ class DrawingCrew {
       case MessageReader::State::incomplete:
         return;
       case MessageReader::State::closed:
-        lose(member, "the drawing process was lost: " + member.worker->end_and_explain());
+        lose(member, {"drawing.process_lost", {{"end", member.worker->end_and_explain()}}});
         return;
       case MessageReader::State::complete:
         break;
@@ -194,19 +194,19 @@ class DrawingCrew {
       drawn_[member.figure].drawn_by = std::move(received.drawn_by);
       finish(member.figure, received.error);
     } catch (const std::runtime_error& problem) {
-      lose(member, problem.what());
+      lose(member, stated_by(problem));
       return;
     }
     give_next(member);
   }
 
-  void lose(Member& member, const std::string& why) {
+  void lose(Member& member, const Statement& why) {
     member.worker.reset();
     finish(member.figure, why);
     give_next(member);
   }
 
-  void finish(std::size_t figure, const std::string& error) {
+  void finish(std::size_t figure, const Statement& error) {
     drawn_[figure].error = error;
     if (!error.empty()) drawn_[figure].png.clear();
     ++done_;
@@ -254,7 +254,7 @@ figure::RendererInfo renderer_info() {
   WorkerProcess worker([](int socket) { serve_info(socket); });
   auto answer = receive_message(worker.socket());
   if (!answer) {
-    throw FigureError("the graphics stack does not start: " + worker.end_and_explain());
+    throw FigureError({"drawing.stack_does_not_start", {{"end", worker.end_and_explain()}}});
   }
   return read_info(*answer);
 }

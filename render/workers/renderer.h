@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "render/figure/figure.h"
 #include "render/figure/picture.h"
 
@@ -19,9 +20,9 @@ struct DrawnFigure {
   std::vector<std::byte> png;  ///< Empty if `error` is not.
   int width_px{};
   int height_px{};
-  std::vector<std::string> warnings;  ///< E.g. "dropped 3 samples that are not finite".
-  std::string error;                  ///< One sentence; empty if drawn and found whole.
-  figure::RendererInfo drawn_by;      ///< Empty texts if the graphics stack could not be started.
+  std::vector<Statement> warnings;  ///< E.g. that samples were dropped that are not finite.
+  Statement error;                  ///< Empty if drawn and found whole.
+  figure::RendererInfo drawn_by;    ///< Empty texts if the graphics stack could not be started.
 };
 
 struct DrawOptions {

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include <fcntl.h>
@@ -73,7 +74,7 @@ std::string last_line(int file) {
 WorkerProcess::WorkerProcess(const std::function<void(int socket)>& work) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw FigureError(std::string("no socket for a drawing process: ") + std::strerror(errno));
+    throw FigureError({"drawing.no_socket", {{"reason", std::strerror(errno)}}});
   }
   errors_ = memfd_create("tribolog-worker-errors", MFD_CLOEXEC);
   const pid_t parent = getpid();
@@ -88,7 +89,7 @@ WorkerProcess::WorkerProcess(const std::function<void(int socket)>& work) {
   if (process_ < 0) {
     close(socket_);
     if (errors_ >= 0) close(errors_);
-    throw FigureError(std::string("no process for drawing: ") + std::strerror(reason));
+    throw FigureError({"drawing.no_process", {{"reason", std::strerror(reason)}}});
   }
 }
 
@@ -125,17 +126,18 @@ void WorkerProcess::end() {
   process_ = -1;
 }
 
-std::string WorkerProcess::end_and_explain() {
+Statement WorkerProcess::end_and_explain() {
   // One that is ending by itself gets the time to, so that its own status is seen.
   wait_for_end(std::chrono::milliseconds(200));
   end();
-  std::string text = WIFSIGNALED(status_)
-                         ? "it was stopped by signal " + std::to_string(WTERMSIG(status_)) + " (" +
-                               strsignal(WTERMSIG(status_)) + ")"
-                         : "it ended with status " + std::to_string(WEXITSTATUS(status_));
+  Statement end{"drawing.ended_with_status", {{"status", WEXITSTATUS(status_)}}};
+  if (WIFSIGNALED(status_)) {
+    const int signal = WTERMSIG(status_);
+    end = {"drawing.stopped_by_signal", {{"signal", signal}, {"name", strsignal(signal)}}};
+  }
   const std::string said = errors_ >= 0 ? last_line(errors_) : std::string();
-  if (!said.empty()) text += "; its last words: " + said;
-  return text;
+  if (said.empty()) return end;
+  return {"drawing.last_words", {{"end", end}, {"words", said}}};
 }
 
 }  // namespace tribolog::render::workers

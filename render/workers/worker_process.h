@@ -3,9 +3,10 @@
 
 #include <chrono>
 #include <functional>
-#include <string>
 
 #include <sys/types.h>
+
+#include "base/statement.h"
 
 namespace tribolog::render::workers {
 
@@ -30,7 +31,7 @@ class WorkerProcess {
 
   /// Ends it at once and says how it had ended: "it was stopped by signal 11 (Segmentation fault)"
   /// with the last line that it wrote to standard error, if any.
-  std::string end_and_explain();
+  Statement end_and_explain();
 
  private:
   void end();

@@ -40,6 +40,15 @@ std::string message_of(const Location& where, const InputError::Problem& problem
 InputError::InputError(Location where, const Problem& problem)
     : Error(ExitStatus::input_refused, message_of(where, problem)), where_(std::move(where)) {}
 
+FigureError::FigureError(Statement statement)
+    : Error(ExitStatus::figure_failed, as_code(statement)), statement_(std::move(statement)) {}
+
+Statement stated_by(const std::exception& error) {
+  if (const auto* figure = dynamic_cast<const FigureError*>(&error)) return figure->statement();
+  if (const auto* refusal = dynamic_cast<const Refusal*>(&error)) return refusal->statement();
+  return Statement::verbatim(error.what());
+}
+
 std::string printable(const std::string& text, std::size_t limit) {
   constexpr std::string_view ellipsis = "…";
   std::string shown;

@@ -2,9 +2,12 @@
 // What can go wrong, sorted by what the user does about it. Each kind has one exit status.
 
 #include <cstddef>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "base/statement.h"
 
 namespace tribolog {
 
@@ -73,11 +76,20 @@ class ArchiveError : public Error {
   explicit ArchiveError(const std::string& message) : Error(ExitStatus::archive_failed, message) {}
 };
 
-/// A figure could not be drawn.
+/// A figure could not be drawn. what() is the code with its values; wording::words() has the
+/// sentence.
 class FigureError : public Error {
  public:
-  explicit FigureError(const std::string& message) : Error(ExitStatus::figure_failed, message) {}
+  explicit FigureError(Statement statement);
+  [[nodiscard]] const Statement& statement() const { return statement_; }
+
+ private:
+  Statement statement_;
 };
+
+/// What an error states: the statement of a Refusal or of a FigureError, and of every other its
+/// what(), word for word.
+Statement stated_by(const std::exception& error);
 
 /// Of a path in a message: as long as the system takes one.
 inline constexpr std::size_t longest_path = 4096;

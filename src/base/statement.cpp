@@ -7,28 +7,6 @@
 #include <fmt/format.h>
 
 namespace tribolog {
-namespace {
-
-/// "topic.code (share 0.3, file sweep.csv)"
-std::string as_code(const Statement& statement) {
-  std::string text(statement.code().text());
-  const char* before = " (";
-  for (const StatedValue& one : statement.values()) {
-    text.append(before).append(one.name).append(" ");
-    if (const auto* number = std::get_if<double>(&one.value)) text += fmt::format("{}", *number);
-    if (const auto* count = std::get_if<std::int64_t>(&one.value)) {
-      text += fmt::format("{}", *count);
-    }
-    if (const auto* name = std::get_if<std::string>(&one.value)) text += *name;
-    if (const auto* inner = std::get_if<std::vector<Statement>>(&one.value)) {
-      for (const Statement& part : *inner) text.append("[").append(as_code(part)).append("]");
-    }
-    before = ", ";
-  }
-  return statement.values().empty() ? text : text + ")";
-}
-
-}  // namespace
 
 Code Code::of(const std::string& text) {
   static std::mutex keeping;
@@ -66,6 +44,35 @@ void Statement::add(const Statement& more) {
 
 bool operator==(const Statement& a, const Statement& b) {
   return a.code_ == b.code_ && a.values_ == b.values_;
+}
+
+std::string as_code(const Statement& statement) {
+  std::string text(statement.code().text());
+  const char* before = " (";
+  for (const StatedValue& one : statement.values()) {
+    text.append(before).append(one.name).append(" ");
+    if (const auto* number = std::get_if<double>(&one.value)) text += fmt::format("{}", *number);
+    if (const auto* count = std::get_if<std::int64_t>(&one.value)) {
+      text += fmt::format("{}", *count);
+    }
+    if (const auto* name = std::get_if<std::string>(&one.value)) text += *name;
+    if (const auto* inner = std::get_if<std::vector<Statement>>(&one.value)) {
+      for (const Statement& part : *inner) text.append("[").append(as_code(part)).append("]");
+    }
+    before = ", ";
+  }
+  return statement.values().empty() ? text : text + ")";
+}
+
+Statement with_texts(const Statement& statement, std::string (*shown)(const std::string& text)) {
+  std::vector<StatedValue> values = statement.values();
+  for (StatedValue& one : values) {
+    if (auto* text = std::get_if<std::string>(&one.value)) *text = shown(*text);
+    if (auto* inner = std::get_if<std::vector<Statement>>(&one.value)) {
+      for (Statement& part : *inner) part = with_texts(part, shown);
+    }
+  }
+  return Statement::with(statement.code(), std::move(values));
 }
 
 Refusal::Refusal(Statement statement)

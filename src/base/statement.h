@@ -82,6 +82,12 @@ struct StatedValue {
   Value value;
 };
 
+/// The code with its values, for whoever has no words: "gravity.no_overlap (share 0.3)".
+std::string as_code(const Statement& statement);
+
+/// The same with each text among the values, and in statements inside, as `shown` makes it.
+Statement with_texts(const Statement& statement, std::string (*shown)(const std::string& text));
+
 /// Something stated cannot be used: a parameter out of its bounds, a motion that cannot be driven.
 /// what() is the code with its values; wording::words() has the sentence.
 class Refusal : public std::invalid_argument {

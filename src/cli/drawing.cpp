@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "report/html_report.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -29,7 +30,7 @@ std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& 
       missing[k].id = figures[k].figure.id;
       missing[k].width_px = figures[k].figure.width_px;
       missing[k].height_px = figures[k].figure.height_px;
-      missing[k].error = error.what();
+      missing[k].error = error.statement();
     }
     return missing;
   }
@@ -47,14 +48,16 @@ std::optional<calibration::DrawingSoftware> software_that_drew(
 std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn,
                           Console& console) {
   std::size_t failures = 0;
-  std::string last;
+  Statement last;
   for (const render::workers::DrawnFigure& figure : drawn) {
-    for (const std::string& warning : figure.warnings) {
-      console.warn(fmt::format("{}: note: {}", figure.id, warning));
+    for (const Statement& warning : figure.warnings) {
+      console.warn(fmt::format("{}: note: {}", figure.id, wording::words(warning)));
     }
     if (figure.error.empty()) continue;
     ++failures;
-    if (figure.error != last) console.warn(fmt::format("{}: {}", figure.id, figure.error));
+    if (figure.error != last) {
+      console.warn(fmt::format("{}: {}", figure.id, wording::words(figure.error)));
+    }
     last = figure.error;
   }
   if (failures > 0) {

@@ -19,6 +19,11 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// Titles and labels are quoted, and end up on a terminal.
+Statement shown(const Statement& statement) {
+  return with_texts(statement, [](const std::string& text) { return printable(text, 400); });
+}
+
 /// The pictures of scenes that go below their lines and texts, by the figure's place in the list.
 std::map<std::size_t, render::workers::DrawnFigure> draw_solid_parts(
     const std::vector<figures::ReportFigure>& figures, render::workers::FigureRenderer* renderer) {
@@ -49,8 +54,7 @@ class VectorWriter {
     try {
       const render::figure::DrawList list = render::composition::lay_out(figure.figure, font_);
       if (outcome.warnings.empty()) {
-        for (const std::string& one : list.warnings)
-          outcome.warnings.push_back(printable(one, 400));
+        for (const Statement& one : list.warnings) outcome.warnings.push_back(shown(one));
       }
       std::vector<std::byte> picture;
       if (solid_parts != nullptr) {
@@ -66,7 +70,7 @@ class VectorWriter {
                                   : render::vector::pdf_document(list, texts, font_, picture)});
       }
     } catch (const FigureError& problem) {
-      if (outcome.error.empty()) outcome.error = printable(problem.what(), 400);
+      if (outcome.error.empty()) outcome.error = shown(problem.statement());
     }
   }
 

@@ -3,6 +3,7 @@
 #include "calibration/provenance.h"
 #include "cli/commands.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -19,7 +20,7 @@ ExitStatus run_version(bool verbose, Console& console) {
       console.say(fmt::format("renderer {}, Mesa {}", info.gl_renderer, info.gl_version));
     console.say(fmt::format("FreeType {}, font {}", info.freetype_version, info.font));
   } catch (const FigureError& error) {
-    console.warn(fmt::format("no figures can be drawn here: {}", error.what()));
+    console.warn(fmt::format("no figures can be drawn here: {}", wording::words(error)));
     return ExitStatus::figure_failed;
   }
   return ExitStatus::done;

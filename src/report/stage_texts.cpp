@@ -5,6 +5,7 @@
 #include "figures/figure_csv.h"
 #include "report/view_parts.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -182,7 +183,7 @@ FigureCard card(const figures::ReportFigure& figure, const render::workers::Draw
   if (drawn == nullptr) {
     made.error = tr("It was not drawn.");
   } else if (!drawn->error.empty()) {
-    made.error = as_sentence(drawn->error);
+    made.error = as_sentence(wording::words(drawn->error));
   } else if (drawn->png.empty()) {
     made.error = tr("Its picture is empty.");
   } else {
@@ -190,7 +191,7 @@ FigureCard card(const figures::ReportFigure& figure, const render::workers::Draw
     made.width_px = drawn->width_px;
     made.height_px = drawn->height_px;
   }
-  if (drawn != nullptr) made.warnings = drawn->warnings;
+  if (drawn != nullptr) made.warnings = wording::words(drawn->warnings);
   made.csv = figure.english_csv.empty() ? figures::figure_csv(figure, figures::most_csv_rows)
                                         : figure.english_csv;
   return made;

@@ -46,5 +46,6 @@ const Messages& history_messages();
 const Messages& plan_messages();
 const Messages& study_messages();
 const Messages& reading_messages();
+const Messages& drawing_messages();
 
 }  // namespace tribolog::wording

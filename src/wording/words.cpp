@@ -10,6 +10,7 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "wording/messages.h"
 #include "wording/tr.h"
 #include "wording/translated.h"
@@ -52,7 +53,8 @@ const std::map<std::string_view, Message>& messages_by_code() {
     for (const Messages* table :
          {&general_messages(), &check_messages(), &gravity_messages(), &hysteresis_messages(),
           &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages(),
-          &history_messages(), &plan_messages(), &study_messages(), &reading_messages()}) {
+          &history_messages(), &plan_messages(), &study_messages(), &reading_messages(),
+          &drawing_messages()}) {
       for (const CodedMessage& one : *table) {
         if (!found.emplace(one.code, one.message).second) {
           throw std::logic_error(fmt::format("'{}' has two messages", one.code));
@@ -133,10 +135,8 @@ std::vector<std::string> words(const std::vector<Statement>& statements) {
 }
 
 std::string words(const std::exception& error) {
-  const auto* const refusal = dynamic_cast<const Refusal*>(&error);
-  if (refusal == nullptr) return error.what();
   try {
-    return words(refusal->statement());
+    return words(stated_by(error));
   } catch (const std::logic_error&) {  // told while another error is: it must not take its place
     return error.what();
   }

@@ -18,8 +18,8 @@ std::string words(const Statement& statement);
 /// Of each, in order.
 std::vector<std::string> words(const std::vector<Statement>& statements);
 
-/// What an error says: the sentence of a Refusal, what() of every other. A refusal that has no
-/// message says its code.
+/// What an error says: the sentence of what a Refusal or a FigureError states, what() of every
+/// other. Where there is no message for it, what() as well: the code.
 std::string words(const std::exception& error);
 
 /// The message without values that stands for a key: words_for("quantity", "coulomb_torque").

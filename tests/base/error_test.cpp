@@ -35,6 +35,29 @@ TEST(InputErrorMessage, KeepsTheLocationAndTheStatus) {
   EXPECT_EQ(error.status(), ExitStatus::input_refused);
 }
 
+TEST(StatedBy, IsWhatARefusalOrAFigureErrorStates) {
+  const Statement why{"test.code", {{"count", 3}, {"inner", Statement("test.inner")}}};
+  EXPECT_EQ(stated_by(FigureError(why)), why);
+  EXPECT_EQ(stated_by(Refusal(why)), why);
+  EXPECT_EQ(stated_by(std::runtime_error("no such file")), Statement::verbatim("no such file"));
+}
+
+TEST(FigureErrorMessage, IsTheCodeWithItsValues) {
+  const FigureError error({"test.code", {{"count", 3}, {"inner", Statement("test.inner")}}});
+  EXPECT_STREQ(error.what(), "test.code (count 3, inner [test.inner])");
+  EXPECT_EQ(error.status(), ExitStatus::figure_failed);
+}
+
+TEST(WithTexts, ChangesEveryTextAndNothingElse) {
+  const auto doubled = [](const std::string& text) { return text + text; };
+  const auto statement = [](const char* text) {
+    const Statement inner{"test.inner", {{"label", text}, {"number", 0.5}}};
+    return Statement{"test.code", {{"text", text}, {"count", 3}, {"inner", inner}}};
+  };
+  EXPECT_EQ(with_texts(statement("a"), doubled), statement("aa"));
+  EXPECT_TRUE(with_texts({}, doubled).empty());
+}
+
 TEST(Printable, KeepsOrdinaryTextOfEveryScript) {
   EXPECT_EQ(printable("N·m 20 °C Größe 摩擦"), "N·m 20 °C Größe 摩擦");
 }

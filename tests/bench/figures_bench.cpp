@@ -7,6 +7,7 @@
 #include "identify/identify.h"
 #include "render/workers/renderer.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 int main() {
   using namespace tribolog;
@@ -27,7 +28,8 @@ int main() {
   std::size_t bytes = 0;
   for (const tribolog::render::workers::DrawnFigure& drawn : renderer.draw(figures)) {
     if (!drawn.error.empty()) {
-      std::fprintf(stderr, "%s: %s\n", drawn.id.c_str(), drawn.error.c_str());
+      std::fprintf(stderr, "%s: %s\n", drawn.id.c_str(),
+                   tribolog::wording::words(drawn.error).c_str());
       return 1;
     }
     bytes += drawn.png.size();

@@ -13,6 +13,7 @@
 #include "render/composition/publication.h"
 #include "render/vector/vector_document.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace {
 
@@ -78,8 +79,10 @@ int main(int argc, char** argv) {
     return tribolog::render::vector::DocumentTexts{figures[i].id, figures[i].title, figures[i].alt};
   };
   for (const tribolog::render::workers::DrawnFigure& one : pictures) {
-    if (!one.error.empty()) std::printf("%s: %s\n", one.id.c_str(), one.error.c_str());
-    for (const std::string& warning : one.warnings) {
+    if (!one.error.empty()) {
+      std::printf("%s: %s\n", one.id.c_str(), tribolog::wording::words(one.error).c_str());
+    }
+    for (const std::string& warning : tribolog::wording::words(one.warnings)) {
       std::printf("%s: note: %s\n", one.id.c_str(), warning.c_str());
     }
   }

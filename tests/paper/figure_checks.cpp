@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::test {
 namespace {
@@ -46,9 +47,11 @@ void expect_drawn_whole(const std::vector<figures::ReportFigure>& figures) {
   for (const figures::ReportFigure& one : figures) pictures.push_back(one.figure);
   for (const render::workers::DrawnFigure& drawn :
        render::workers::FigureRenderer().draw(pictures)) {
-    EXPECT_EQ(drawn.error, "") << drawn.id;
+    EXPECT_EQ(wording::words(drawn.error), "") << drawn.id;
     EXPECT_FALSE(drawn.png.empty()) << drawn.id;
-    for (const std::string& warning : drawn.warnings) ADD_FAILURE() << drawn.id << ": " << warning;
+    for (const Statement& warning : drawn.warnings) {
+      ADD_FAILURE() << drawn.id << ": " << wording::words(warning);
+    }
     save(drawn);
   }
 }

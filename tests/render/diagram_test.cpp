@@ -9,6 +9,7 @@
 #include "render/example_diagram.h"
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::render::diagram_test {
 namespace {
@@ -25,10 +26,11 @@ workers::DrawnFigure drawn(const figure::Figure& figure) {
 /// Some warning holds each of the words.
 void expect_warning(const figure::Figure& figure, const std::string& words) {
   const figure::DrawList list = laid_out(figure);
+  const std::vector<std::string> warnings = wording::words(list.warnings);
   EXPECT_TRUE(
-      std::any_of(list.warnings.begin(), list.warnings.end(),
+      std::any_of(warnings.begin(), warnings.end(),
                   [&](const std::string& one) { return one.find(words) != std::string::npos; }))
-      << words << (list.warnings.empty() ? "; there is none" : "; but " + list.warnings.front());
+      << words << (warnings.empty() ? "; there is none" : "; but " + warnings.front());
 }
 
 figure::PixelBox bounds_of(const figure::Primitive& primitive) {
@@ -46,8 +48,8 @@ figure::PixelBox bounds_of(const figure::Primitive& primitive) {
 
 TEST(Diagram, OneOfEachKindHasNothingToComplainOf) {
   const workers::DrawnFigure result = drawn(examples::diagram());
-  EXPECT_EQ(result.error, "");
-  EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+  EXPECT_EQ(wording::words(result.error), "");
+  EXPECT_TRUE(result.warnings.empty()) << wording::words(result.warnings.front());
 }
 
 TEST(Diagram, StaysInsideThePicture) {
@@ -179,17 +181,17 @@ TEST(Diagram, IsDrawnInsteadOfPanels) {
 TEST(Diagram, ThePictureIsRefusedIfABlockOrWireCannotBeSeen) {
   figure::Figure figure = examples::diagram();
   figure.diagram->blocks[5].colour = {255, 255, 255};
-  EXPECT_EQ(drawn(figure).error, "block 'two' cannot be told from the background");
+  EXPECT_EQ(wording::words(drawn(figure).error), "block 'two' cannot be told from the background");
   figure = examples::diagram();
   figure.diagram->wires[2].colour = {255, 255, 255};
-  EXPECT_EQ(drawn(figure).error, "wire 3 cannot be told from the background");
+  EXPECT_EQ(wording::words(drawn(figure).error), "wire 3 cannot be told from the background");
 }
 
 TEST(Diagram, ThePictureShowsLinesWhereTheyBelong) {
   figure::Figure figure = examples::diagram();
   figure.diagram->wires[1].colour = figure::palette::vermilion;
   const workers::DrawnFigure result = drawn(figure);
-  ASSERT_EQ(result.error, "");
+  ASSERT_EQ(wording::words(result.error), "");
   const figure::Picture picture = read_png(result.png);
   for (const figure::Primitive& one : laid_out(figure).primitives) {
     const auto* line = std::get_if<figure::Polyline>(&one);
@@ -211,7 +213,7 @@ TEST(Diagram, SurvivesEmptyAndImpossibleSizes) {
     figure = examples::diagram();
     figure.diagram->wires[1].points[0].x = bad;
     expect_warning(figure, "cannot be drawn");
-    EXPECT_EQ(drawn(figure).error, "");
+    EXPECT_EQ(wording::words(drawn(figure).error), "");
     figure = examples::diagram();
     figure.diagram->arcs[0].radius = bad;
     expect_warning(figure, "cannot be drawn");

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -8,6 +10,7 @@
 #include "base/error.h"
 #include "render/example_figures.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::render::draw_figures_test {
 namespace {
@@ -46,7 +49,7 @@ TEST(DrawFigures, GivesTheSameBytesForAnyNumberOfProcessesAndOrder) {
   const auto three = draw(figures, 3);
   const auto backwards = draw({figures.rbegin(), figures.rend()}, 2);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    EXPECT_EQ(one[i].error, "");
+    EXPECT_EQ(wording::words(one[i].error), "");
     EXPECT_EQ(one[i].id, figures[i].id);
     EXPECT_EQ(one[i].png, three[i].png) << one[i].id;
     EXPECT_EQ(one[i].png, backwards[figures.size() - 1 - i].png) << one[i].id;
@@ -70,7 +73,7 @@ TEST(DrawFigures, DrawsAgainWithTheSameProcesses) {
   const auto first = renderer.draw(five());
   const auto second = renderer.draw(five());
   for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].error, "");
+    EXPECT_EQ(wording::words(first[i].error), "");
     EXPECT_EQ(first[i].png, second[i].png);
   }
 }
@@ -81,7 +84,7 @@ TEST(DrawFigures, GivesTheSameBytesWithADriverThatHasThreads) {
   const Setting setting("LP_NUM_THREADS", "2");
   const auto threaded = draw(five(), 2);
   for (std::size_t i = 0; i < usual.size(); ++i) {
-    EXPECT_EQ(threaded[i].error, "");
+    EXPECT_EQ(wording::words(threaded[i].error), "");
     EXPECT_EQ(threaded[i].png, usual[i].png) << usual[i].id;
   }
   expect_no_child_left();
@@ -90,9 +93,10 @@ TEST(DrawFigures, GivesTheSameBytesWithADriverThatHasThreads) {
 TEST(DrawFigures, SaysSoAtEachFigureWhereTheGraphicsStackIsLostAtItsStart) {
   const Setting setting("TRIBOLOG_TEST_CRASH_FIGURE", "warm-up");
   for (const workers::DrawnFigure& one : draw(five(), 2)) {
-    EXPECT_NE(one.error.find("the drawing process was lost: it was stopped by signal 11"),
-              std::string::npos)
-        << one.error;
+    EXPECT_EQ(
+        wording::words(one.error).find("the drawing process was lost: it was stopped by signal 11"),
+        0U)
+        << wording::words(one.error);
   }
   expect_no_child_left();
 }
@@ -104,7 +108,7 @@ TEST(DrawFigures, GivesUpOnAGraphicsStackThatHangsAtItsStart) {
   const auto all =
       workers::FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
   for (const workers::DrawnFigure& one : all) {
-    EXPECT_NE(one.error.find("took too long to start"), std::string::npos) << one.error;
+    EXPECT_EQ(one.error, Statement("drawing.start_took_too_long")) << wording::words(one.error);
   }
   expect_no_child_left();
 }
@@ -117,10 +121,10 @@ TEST(DrawFigures, LosesOnlyTheFigureAtWhichAWorkerCrashes) {
     for (const int processes : {1, 2}) {
       for (const workers::DrawnFigure& one : draw(five(), processes)) {
         if (one.id == "stacked") {
-          EXPECT_NE(one.error.find("the drawing process was lost"), std::string::npos) << one.error;
+          EXPECT_TRUE(one.error.is("drawing.process_lost")) << wording::words(one.error);
           EXPECT_TRUE(one.png.empty());
         } else {
-          EXPECT_EQ(one.error, "");
+          EXPECT_EQ(wording::words(one.error), "");
         }
       }
     }
@@ -134,8 +138,8 @@ TEST(DrawFigures, StopsAWorkerThatHangs) {
   options.most_per_figure = 5000ms;
   const auto all =
       workers::FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
-  EXPECT_NE(all[0].error.find("took too long"), std::string::npos);
-  EXPECT_EQ(all[1].error, "");
+  EXPECT_EQ(all[0].error, Statement("drawing.took_too_long"));
+  EXPECT_EQ(wording::words(all[1].error), "");
   expect_no_child_left();
 }
 
@@ -149,9 +153,23 @@ TEST(DrawFigures, LeavesNoChildWhenProgressThrows) {
 TEST(DrawFigures, ReportsAMissingFontPerFigure) {
   const Setting setting("TRIBOLOG_FONT_DIR", "/nonexistent");
   for (const workers::DrawnFigure& one : draw(five(), 2)) {
-    EXPECT_NE(one.error.find("fonts-dejavu-core"), std::string::npos);
+    EXPECT_NE(wording::words(one.error).find("fonts-dejavu-core"), std::string::npos);
   }
   EXPECT_THROW(workers::renderer_info(), FigureError);
+}
+
+// They are quoted on terminals and pages.
+TEST(DrawFigures, QuotesLabelsInWarningsWithoutControlCharacters) {
+  figure::Figure figure = examples::plain();
+  figure::Series& series = figure.panels[0].series[0];
+  series.label = "a\x1b[2Jb\xff";
+  series.y.assign(series.x.size(), std::nan(""));
+  const workers::DrawnFigure result = draw({figure}, 1).at(0);
+  const std::vector<std::string> warnings = wording::words(result.warnings);
+  EXPECT_EQ(wording::words(result.error), "");
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
+                       "series 'a?[2Jb?' has no sample that can be drawn"),
+            1);
 }
 
 TEST(RendererInfo, NamesEverythingThatMakesAPicture) {
@@ -179,7 +197,7 @@ TEST(RendererInfo, RefusesAForeignOpenGlLibrary) {
   const int status = pclose(pipe);
   if (said.find("cannot be preloaded") != std::string::npos) GTEST_SKIP() << "no libGL here";
   EXPECT_NE(status, 0);
-  EXPECT_NE(said.find("instead of libOSMesa"), std::string::npos) << said;
+  EXPECT_NE(said.find("drawing.foreign_opengl"), std::string::npos) << said;
 }
 
 }  // namespace

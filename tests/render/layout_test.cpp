@@ -10,6 +10,7 @@
 #include "render/legibility/contrast.h"
 #include "render/legibility/panel_content.h"
 #include "render/legibility/text_collisions.h"
+#include "wording/words.h"
 
 namespace tribolog::render::layout_test {
 namespace {
@@ -107,7 +108,8 @@ TEST(Layout, BreaksTheLineAtMissingSamplesAndCountsThem) {
   }
   EXPECT_EQ(lines, 2);
   ASSERT_EQ(list.warnings.size(), 1U);
-  EXPECT_NE(list.warnings[0].find("dropped 2 of 6"), std::string::npos) << list.warnings[0];
+  EXPECT_EQ(wording::words(list.warnings[0]),
+            "series 'line': dropped 2 of 6 samples that are not finite");
 }
 
 TEST(Layout, SaysNoDataAndWarnsOfASeriesWithoutAny) {

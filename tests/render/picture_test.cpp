@@ -7,6 +7,7 @@
 #include "render/example_figures.h"
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::render::picture_test {
 namespace {
@@ -38,7 +39,7 @@ figure::Figure with_fixed_axes() {
 TEST(Picture, ShowsSeriesWhereTheyBelong) {
   const figure::Figure figure = with_fixed_axes();
   const workers::DrawnFigure result = drawn(figure);
-  ASSERT_EQ(result.error, "");
+  ASSERT_EQ(wording::words(result.error), "");
   const figure::Picture picture = read_png(result.png);
   const text::Font font;
   const figure::DrawList list = composition::lay_out(figure, font);
@@ -58,7 +59,7 @@ TEST(Picture, HasInkOfEveryTextInsideItsBoxAndNoneBeside) {
   figure::Figure figure = examples::stacked();
   figure.title = "Tgjpq q\u0307 φ\u0307_{f} x^{2}";
   const workers::DrawnFigure result = drawn(figure);
-  ASSERT_EQ(result.error, "");
+  ASSERT_EQ(wording::words(result.error), "");
   const figure::Picture picture = read_png(result.png);
   const text::Font font;
   const figure::DrawList list = composition::lay_out(figure, font);
@@ -91,7 +92,7 @@ TEST(Picture, DrawsEveryNastyFigure) {
   const auto results = workers::FigureRenderer().draw(all);
   ASSERT_EQ(results.size(), all.size());
   for (const workers::DrawnFigure& one : results) {
-    EXPECT_EQ(one.error, "") << one.id;
+    EXPECT_EQ(wording::words(one.error), "") << one.id;
     EXPECT_FALSE(one.png.empty()) << one.id;
   }
 }
@@ -99,9 +100,10 @@ TEST(Picture, DrawsEveryNastyFigure) {
 TEST(Picture, ReportsASeriesThatNobodyCanSee) {
   figure::Figure figure = with_fixed_axes();
   figure.panels[0].series[1].colour = {255, 255, 255};
-  EXPECT_EQ(drawn(figure).error, "series 'rising' cannot be told from the background");
+  EXPECT_EQ(wording::words(drawn(figure).error),
+            "series 'rising' cannot be told from the background");
   figure.panels[0].series[1].colour = {0, 0, 0, 0};
-  EXPECT_NE(drawn(figure).error, "");
+  EXPECT_FALSE(drawn(figure).error.empty());
 }
 
 TEST(Picture, OnlyWarnsOfASeriesUnderAnotherOrOutside) {
@@ -109,14 +111,14 @@ TEST(Picture, OnlyWarnsOfASeriesUnderAnotherOrOutside) {
   figure.panels[0].series[1] = figure.panels[0].series[0];
   figure.panels[0].series[1].colour = figure::palette::black;
   workers::DrawnFigure result = drawn(figure);
-  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(wording::words(result.error), "");
   EXPECT_EQ(result.warnings.size(), 1U);
 
   figure.panels[0].series[1].y = {50, 50};
   result = drawn(figure);
-  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(wording::words(result.error), "");
   ASSERT_EQ(result.warnings.size(), 1U);
-  EXPECT_NE(result.warnings[0].find("outside"), std::string::npos);
+  EXPECT_TRUE(result.warnings[0].is("drawing.outside_axes")) << wording::words(result.warnings[0]);
 }
 
 TEST(Picture, ShowsTwoMillionPoints) {
@@ -128,7 +130,7 @@ TEST(Picture, ShowsTwoMillionPoints) {
     series.x.push_back(i * 1e-4);
     series.y.push_back(std::sin(i * 1e-4) + 0.1 * std::sin(i * 12.9898));
   }
-  EXPECT_EQ(drawn(figure).error, "");
+  EXPECT_EQ(wording::words(drawn(figure).error), "");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "render/scene/part_map.h"
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"
+#include "wording/words.h"
 
 namespace tribolog::render::scene_geometry_test {
 namespace {
@@ -169,7 +170,7 @@ TEST(SceneLayout, KeepsTextsApartAndInsideThePicture) {
       figure.height_px = figure.height_px * width / figure.width_px;
       figure.width_px = width;
       const figure::DrawList list = composition::lay_out(figure, font);
-      EXPECT_TRUE(list.warnings.empty()) << list.warnings[0];
+      EXPECT_TRUE(list.warnings.empty()) << wording::words(list.warnings[0]);
       const auto boxes = label_boxes(list);
       EXPECT_EQ(boxes.size(), 8U);
       for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -189,7 +190,8 @@ TEST(SceneLayout, WarnsOfTextsWithoutRoom) {
     figure.scene->texts.push_back({"a long text of many", {0, 0, 1}, {}});
   const figure::DrawList list = composition::lay_out(figure, text::Font());
   ASSERT_FALSE(list.warnings.empty());
-  EXPECT_NE(list.warnings.back().find("no room to keep the texts"), std::string::npos);
+  EXPECT_TRUE(list.warnings.back().is("drawing.no_room_between"))
+      << wording::words(list.warnings.back());
 }
 
 TEST(SceneLayout, RefusesWhatItCannotShow) {

@@ -16,6 +16,7 @@
 #include "render/png_reading.h"
 #include "render/workers/drawing_worker.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::render::scene_picture_test {
 namespace {
@@ -27,8 +28,8 @@ workers::DrawnFigure drawn(const figure::Figure& figure) {
 TEST(ScenePicture, IsWholeInBothProjections) {
   for (const double opening : {0.0, 30.0}) {
     const workers::DrawnFigure result = drawn(examples::scene(opening));
-    EXPECT_EQ(result.error, "");
-    EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
+    EXPECT_EQ(wording::words(result.error), "");
+    EXPECT_TRUE(result.warnings.empty()) << wording::words(result.warnings[0]);
     EXPECT_FALSE(result.png.empty());
   }
 }
@@ -59,7 +60,7 @@ TEST(ScenePicture, AndChartsDoNotChangeEachOther) {
   narrow.width_px = 900;
   const auto mixed = workers::FigureRenderer(1).draw(
       {scene, chart, scene, examples::scene(30), chart, narrow, scene});
-  EXPECT_EQ(mixed[0].error, "");
+  EXPECT_EQ(wording::words(mixed[0].error), "");
   EXPECT_EQ(mixed[2].png, mixed[0].png);
   EXPECT_EQ(mixed[4].png, mixed[1].png);
   EXPECT_EQ(mixed[6].png, mixed[0].png);
@@ -74,7 +75,7 @@ TEST(ScenePicture, IsTheSameHoweverTheProcessesWerePrepared) {
   for (const figure::Figure& figure : {scene, examples::hysteresis()}) {
     const auto prepared =
         workers::FigureRenderer(1, workers::Prepared::charts_and_scenes).draw({figure}).at(0);
-    EXPECT_EQ(prepared.error, "");
+    EXPECT_EQ(wording::words(prepared.error), "");
     EXPECT_EQ(prepared.png, drawn(figure).png);
   }
 }
@@ -136,8 +137,8 @@ TEST(ScenePicture, IsWarnedAboutWhereALabelledPartIsHidden) {
   figure::Figure figure = examples::scene();
   figure.scene->balls[0].inside = false;
   const workers::DrawnFigure hidden = drawn(figure);
-  EXPECT_EQ(hidden.error, "");
-  EXPECT_EQ(hidden.warnings,
+  EXPECT_EQ(wording::words(hidden.error), "");
+  EXPECT_EQ(wording::words(hidden.warnings),
             (std::vector<std::string>{
                 "the part 'm_{3}' is hidden by others, or outside of the picture"}));
 }
@@ -146,13 +147,13 @@ TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {
   const figure::Figure figure = examples::scene();
   const figure::DrawList list = composition::lay_out(figure, text::Font());
   const figure::Picture whole = read_png(drawn(figure).png);
-  EXPECT_EQ(check::check_picture(list, figure, whole).error, "");
+  EXPECT_EQ(wording::words(check::check_picture(list, figure, whole).error), "");
 
   figure::Picture grey = whole;  // as a driver that loses the colours
   for (std::size_t i = 0; i < grey.rgb.size(); i += 3) {
     grey.rgb[i] = grey.rgb[i + 2] = grey.rgb[i + 1];
   }
-  EXPECT_NE(check::check_picture(list, figure, grey).error, "");
+  EXPECT_FALSE(check::check_picture(list, figure, grey).error.empty());
 
   figure::Picture flat = whole;  // as a driver that draws texts and lines only
   for (std::size_t i = 0; i < flat.rgb.size(); ++i) {
@@ -161,7 +162,7 @@ TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {
       flat.rgb[i] = 255;
     }
   }
-  EXPECT_NE(check::check_picture(list, figure, flat).error, "");
+  EXPECT_FALSE(check::check_picture(list, figure, flat).error.empty());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "render/text/accents.h"
 #include "render/text/text_line.h"
 #include "render/text/utf8.h"
+#include "wording/words.h"
 
 namespace tribolog::render::text_test {
 namespace {
@@ -110,7 +111,7 @@ TEST(Font, NamesThePackageWhenItIsMissing) {
     const text::Font font;
     ADD_FAILURE() << "no error";
   } catch (const FigureError& error) {
-    EXPECT_NE(std::string(error.what()).find("fonts-dejavu-core"), std::string::npos);
+    EXPECT_NE(wording::words(error).find("fonts-dejavu-core"), std::string::npos);
   }
   unsetenv("TRIBOLOG_FONT_DIR");
 }

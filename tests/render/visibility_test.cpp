@@ -4,6 +4,7 @@
 
 #include "render/check/picture_check.h"
 #include "render/check/visibility_map.h"
+#include "wording/words.h"
 
 namespace tribolog::render::visibility_test {
 namespace {
@@ -76,13 +77,13 @@ TEST(VisibilityMap, ExpectsTheLowerSeriesInTheGapsOfADashedOne) {
 TEST(PictureCheck, AcceptsASeriesThatIsThere) {
   const auto findings = check::check_picture(list_of({level(first, 50, figure::palette::blue)}),
                                              two_series(), with_line(50, figure::palette::blue));
-  EXPECT_EQ(findings.error, "");
+  EXPECT_EQ(wording::words(findings.error), "");
 }
 
 TEST(PictureCheck, FindsABlankPicture) {
   const auto findings = check::check_picture(list_of({level(first, 50, figure::palette::blue)}),
                                              two_series(), white());
-  EXPECT_NE(findings.error.find("blank"), std::string::npos);
+  EXPECT_EQ(findings.error, Statement("drawing.blank"));
 }
 
 TEST(PictureCheck, FindsASeriesInTheWrongColourOrPlace) {
@@ -90,8 +91,8 @@ TEST(PictureCheck, FindsASeriesInTheWrongColourOrPlace) {
        {with_line(50, figure::palette::orange), with_line(20, figure::palette::blue)}) {
     const auto findings = check::check_picture(list_of({level(first, 50, figure::palette::blue)}),
                                                two_series(), wrong);
-    EXPECT_NE(findings.error.find("series 'below' is not visible"), std::string::npos)
-        << findings.error;
+    EXPECT_EQ(wording::words(findings.error).find("series 'below' is not visible"), 0U)
+        << wording::words(findings.error);
   }
 }
 
@@ -100,9 +101,10 @@ TEST(PictureCheck, WarnsOfAHiddenSeriesOnly) {
       check::check_picture(list_of({level(first, 50, figure::palette::blue),
                                     level(second, 50, figure::palette::vermilion)}),
                            two_series(), with_line(50, figure::palette::vermilion));
-  EXPECT_EQ(findings.error, "");
+  EXPECT_EQ(wording::words(findings.error), "");
   ASSERT_EQ(findings.warnings.size(), 1U);
-  EXPECT_NE(findings.warnings[0].find("'below' is hidden"), std::string::npos);
+  EXPECT_EQ(wording::words(findings.warnings[0]),
+            "series 'below' is hidden under what is drawn after it");
 }
 
 // A curve in two parts of which one is covered; and a panel that shows what another one hides.
@@ -122,13 +124,14 @@ TEST(PictureCheck, DoesNotWarnWhereAnotherPartShowsTheSeries) {
   for (const bool labelled : {true, false}) {
     if (!labelled) figure.panels[0].series.back().label.clear();
     const auto findings = check::check_picture(list, figure, picture);
-    EXPECT_EQ(findings.error, "");
-    EXPECT_TRUE(findings.warnings.empty()) << findings.warnings[0];
+    EXPECT_EQ(wording::words(findings.error), "");
+    EXPECT_TRUE(findings.warnings.empty()) << wording::words(findings.warnings[0]);
   }
   figure.panels[0].series.back().colour = figure::palette::green;
   const auto findings = check::check_picture(list, figure, picture);
   ASSERT_EQ(findings.warnings.size(), 1U) << "a series of its own";
-  EXPECT_EQ(findings.warnings[0], "series 3 is hidden under what is drawn after it");
+  EXPECT_EQ(wording::words(findings.warnings[0]),
+            "series 3 is hidden under what is drawn after it");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/figure/part_names.h"
 #include "report/document_checks.h"
 #include "report/html_report.h"
 #include "report/run_python.h"
@@ -72,9 +73,13 @@ std::string report_with(const std::string& text) {
     figure.title = figure.caption = figure.how_to_read = figure.alt = text;
   }
   auto drawn = sample_pictures(figures);
-  for (render::workers::DrawnFigure& picture : drawn) picture.warnings = {text};
+  for (render::workers::DrawnFigure& picture : drawn) {
+    picture.warnings = {
+        Statement::verbatim(text),
+        {"drawing.no_sample", {{"series", render::figure::name_of_series(text, 0)}}}};
+  }
   drawn.back().png.clear();
-  drawn.back().error = text;
+  drawn.back().error = Statement::verbatim(text);
   calibration::Provenance p = sample_provenance();
   p.tool_version = p.git_revision = p.compiler = p.eigen_version = p.command_line = text;
   p.created_utc = text;

@@ -8,6 +8,7 @@
 
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
+#include "render/figure/part_names.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
@@ -152,11 +153,38 @@ TEST(HtmlReport, AFailedFigureLeavesAPlaceholderWithTheReason) {
   const auto figures = sample_figures(c);
   auto drawn = sample_pictures(figures);
   drawn[2].png.clear();
-  drawn[2].error = "no off-screen context <could> be made";
+  drawn[2].error = Statement::verbatim("no off-screen context <could> be made");
   const std::string html = report::html_report(c, figures, drawn, sample_provenance());
   EXPECT_NE(html.find("1 figure missing"), std::string::npos);
   EXPECT_NE(html.find("No off-screen context &lt;could&gt; be made."), std::string::npos);
   EXPECT_EQ(occurrences(html, "<img "), figures.size() - 1);
+}
+
+// What is said of a figure is stated where it is drawn and becomes words on the page.
+TEST(HtmlReport, SpeaksOfItsFiguresInThePagesLanguage) {
+  const calibration::Calibration c = complete_calibration();
+  const auto figures = sample_figures(c);
+  auto drawn = sample_pictures(figures);
+  const StatedValue series{"series", render::figure::name_of_series("tarcie", 0)};
+  drawn[0].warnings = {{"drawing.samples_not_finite", {series, {"dropped", 2}, {"all", 6}}}};
+  drawn[1].png.clear();
+  drawn[1].error = {"drawing.process_lost",
+                    {{"end", Statement{"drawing.stopped_by_signal",
+                                       {{"signal", 11}, {"name", "Segmentation fault"}}}}}};
+  const std::string english = report::html_report(c, figures, drawn, sample_provenance());
+  EXPECT_NE(english.find("series &#39;tarcie&#39;: dropped 2 of 6 samples that are not finite"),
+            std::string::npos);
+  EXPECT_NE(english.find("The drawing process was lost: it was stopped by signal 11 "
+                         "(Segmentation fault)."),
+            std::string::npos);
+  const std::string polish =
+      report::html_report(c, figures, drawn, sample_provenance(), std::nullopt, {"pl"});
+  EXPECT_NE(polish.find("seria &#39;tarcie&#39;: pominięto 2 z 6 próbek, które nie są skończone"),
+            std::string::npos);
+  EXPECT_NE(polish.find("Utracono proces rysujący: zatrzymał go sygnał 11 (Segmentation fault)."),
+            std::string::npos);
+  EXPECT_EQ(polish.find("dropped"), std::string::npos);
+  EXPECT_EQ(polish.find("drawing process"), std::string::npos);
 }
 
 TEST(HtmlReport, WithoutFiguresItIsStillWhole) {

@@ -70,7 +70,7 @@ TEST(PaperPage, CountsWhatIsThereAgainstWhatThePaperHas) {
 TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
   SmallPaper small;
   small.drawn[0].png.clear();
-  small.drawn[0].error = "the stack is gone";
+  small.drawn[0].error = Statement::verbatim("the stack is gone");
   EXPECT_EQ(small.tally(ItemKind::figure).here, 0);
   EXPECT_EQ(small.tally(ItemKind::figure).well, 0);
   EXPECT_NE(small.page().find("The stack is gone."), std::string::npos);

@@ -295,7 +295,7 @@ TEST(ReportView, MissingPicturesAreCounted) {
   const calibration::Calibration c = complete_calibration();
   const auto figures = sample_figures(c);
   auto drawn = sample_pictures(figures);
-  drawn[0].error = "the worker stopped";
+  drawn[0].error = Statement::verbatim("the worker stopped");
   drawn[0].png.clear();
   drawn.pop_back();
   const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());

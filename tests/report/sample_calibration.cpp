@@ -367,7 +367,7 @@ std::vector<render::workers::DrawnFigure> sample_pictures(
   for (const figures::ReportFigure& figure : figures) {
     const std::vector<std::byte> png{std::byte{0x89}, std::byte{'P'}, std::byte{'N'},
                                      std::byte{'G'}, std::byte{0xff}};
-    drawn.push_back({figure.id, png, 1600, 1000, {}, "", {}});
+    drawn.push_back({figure.id, png, 1600, 1000, {}, {}, {}});
   }
   return drawn;
 }

@@ -12,6 +12,7 @@
 #include "paper/scenes/scene_figures.h"
 #include "render/figure/scene.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::identified_scenes_test {
 namespace {
@@ -50,8 +51,8 @@ void expect_drawn(const std::vector<figures::ReportFigure>& figures) {
   for (const auto& drawn :
        render::workers::FigureRenderer(1, render::workers::Prepared::charts_and_scenes)
            .draw(plain)) {
-    EXPECT_EQ(drawn.error, "") << drawn.id;
-    EXPECT_TRUE(drawn.warnings.empty()) << drawn.id << ": " << drawn.warnings[0];
+    EXPECT_EQ(wording::words(drawn.error), "") << drawn.id;
+    EXPECT_TRUE(drawn.warnings.empty()) << drawn.id << ": " << wording::words(drawn.warnings[0]);
   }
 }
 
@@ -214,7 +215,7 @@ TEST_F(IdentifiedScenes, DrawHostileNamesAsText) {
     }
   }
   for (const auto& drawn : render::workers::FigureRenderer(1).draw(pictures)) {
-    EXPECT_EQ(drawn.error, "") << drawn.id;
+    EXPECT_EQ(wording::words(drawn.error), "") << drawn.id;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "ingest/manifest/robot_file.h"
 #include "render/figure/scene.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::scene_figures_test {
 namespace {
@@ -38,8 +39,9 @@ TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {
   const auto drawn = render::workers::FigureRenderer(1).draw(plain);
   const auto again = render::workers::FigureRenderer(2).draw(plain);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    EXPECT_EQ(drawn[i].error, "") << drawn[i].id;
-    EXPECT_TRUE(drawn[i].warnings.empty()) << drawn[i].id << ": " << drawn[i].warnings[0];
+    EXPECT_EQ(wording::words(drawn[i].error), "") << drawn[i].id;
+    EXPECT_TRUE(drawn[i].warnings.empty())
+        << drawn[i].id << ": " << wording::words(drawn[i].warnings[0]);
     EXPECT_EQ(drawn[i].png, again[i].png) << drawn[i].id;
   }
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Codes inside, words at the edge: what the rooms of the method state, and the words for it.
 
-  statements.py sentences   no string literal of src/method, src/verdict, src/friction, src/simulate is
-                            a sentence: three words or more
+  statements.py sentences   no string literal of src/method, src/verdict, src/friction, src/simulate and
+                            render is a sentence: three words or more
   statements.py codes       every code that is stated has one message in src/wording, every message is
                             stated somewhere, and values have the names that the message asks for
 
@@ -16,8 +16,9 @@ import re
 import sys
 
 ROOT = pathlib.Path(os.environ.get("TRIBOLOG_ROOMS") or pathlib.Path(__file__).parents[2]).resolve()
-WORDLESS = ("method", "verdict", "friction", "simulate")
+WORDLESS = ("method", "verdict", "friction", "simulate", "render")
 LITERALS = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
+SYNTAX = re.compile(r"render/vector/(pdf|svg)_\w+\.cpp")  # what these write is PDF and SVG
 KEYS = {"waiboer"}  # of a result's numbers: "waiboer.stribeck_power"
 CODE = r"[a-z][a-z0-9_]*(?:\.[A-Za-z0-9_]+)+"
 
@@ -30,7 +31,7 @@ def source_of(path):
 
 def sources(*tops):
     for top in tops:
-        for path in sorted((ROOT / "src" / top).rglob("*")):
+        for path in sorted((ROOT / top if top == "render" else ROOT / "src" / top).rglob("*")):
             if path.suffix in (".h", ".cpp"):
                 yield path, source_of(path)
 
@@ -43,6 +44,8 @@ def joined(literals):
 def sentences():
     wrong = []
     for path, text in sources(*WORDLESS):
+        if SYNTAX.fullmatch(str(path.relative_to(ROOT))):
+            continue
         for match in LITERALS.finditer(text):
             words = re.findall(r"[^\W\d_]{2,}[^\s]*", joined(match.group(0)))
             if len(words) >= 3 and " " in match.group(0):
@@ -83,7 +86,7 @@ def codes():
     known, wrong = messages()
     topics = {code.split(".")[0] for code in known}
     stated, beginnings = collections.defaultdict(set), set()
-    for path, text in sources(""):
+    for path, text in sources("", "render"):
         if path.name.endswith("_messages.cpp"):
             continue
         name = path.relative_to(ROOT)
@@ -93,7 +96,7 @@ def codes():
         for match in re.finditer(r'"(' + CODE + r'|verbatim)"\s*(.?)', text):
             code = match.group(1)
             if code not in known:
-                room = path.relative_to(ROOT / "src").parts[0]
+                room = str(name).removeprefix("src/").split("/")[0]
                 if code.split(".")[0] in topics - KEYS and room in (*WORDLESS, "truth", "identify", "history"):
                     wrong.append(f"{name}: {code} has no message")
                 continue

@@ -11,6 +11,7 @@
 #include "render/legibility/picture_border.h"
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::test::drawn_sample_test {
 namespace {
@@ -40,9 +41,7 @@ Sample sample_of(std::string_view example) {
 
 /// Estimators may agree to a pixel: both are in the legend and in the CSV, and the report says so
 /// below the figure.
-bool is_of_equal_curves(const std::string& warning) {
-  return warning.find("is hidden under what is drawn after it") != std::string::npos;
-}
+bool is_of_equal_curves(const Statement& warning) { return warning.is("drawing.hidden"); }
 
 void save(const render::workers::DrawnFigure& drawn, const std::string& name) {
   const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
@@ -61,9 +60,10 @@ TEST_P(DrawnSample, IsWholeAndInsideItsMargin) {
   ASSERT_EQ(drawn.size(), sample.figures.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     save(drawn[i], GetParam() + "-" + sample.names[i]);
-    EXPECT_EQ(drawn[i].error, "") << sample.names[i];
-    for (const std::string& warning : drawn[i].warnings) {
-      if (!is_of_equal_curves(warning)) ADD_FAILURE() << sample.names[i] << ": " << warning;
+    EXPECT_EQ(wording::words(drawn[i].error), "") << sample.names[i];
+    for (const Statement& warning : drawn[i].warnings) {
+      if (is_of_equal_curves(warning)) continue;
+      ADD_FAILURE() << sample.names[i] << ": " << wording::words(warning);
     }
     if (drawn[i].png.empty()) continue;
     for (const auto& one : legibility::ink_at_border(render::read_png(drawn[i].png))) {

@@ -10,6 +10,7 @@
 #include "render/legibility/letter_sizes.h"
 #include "render/legibility/panel_content.h"
 #include "render/legibility/text_collisions.h"
+#include "wording/words.h"
 
 namespace tribolog::test::every_figure_test {
 namespace {
@@ -45,7 +46,9 @@ void expect_legible(const figures::ReportFigure& figure, const Reading& reading,
   if (reading.look == render::figure::Look::publication) {
     expect_none(legibility::small_letters(list, least_letters_pt), name);
   }
-  for (const std::string& warning : list.warnings) ADD_FAILURE() << name << ": " << warning;
+  for (const Statement& warning : list.warnings) {
+    ADD_FAILURE() << name << ": " << wording::words(warning);
+  }
 }
 
 TEST_P(EveryFigure, IsLegible) {

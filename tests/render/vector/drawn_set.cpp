@@ -14,13 +14,16 @@
 #include "render/example_figures.h"
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
+#include "wording/words.h"
 
 namespace tribolog::render {
 namespace {
 
 DrawnExample with_picture(const figures::ReportFigure& figure, const workers::DrawnFigure& picture,
                           const text::Font& font) {
-  if (!picture.error.empty()) throw std::runtime_error(picture.id + ": " + picture.error);
+  if (!picture.error.empty()) {
+    throw std::runtime_error(picture.id + ": " + wording::words(picture.error));
+  }
   return {figure, composition::lay_out(figure.figure, font), read_png(picture.png), {}};
 }
 

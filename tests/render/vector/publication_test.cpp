@@ -11,6 +11,7 @@
 #include "render/example_figures.h"
 #include "render/text/font.h"
 #include "render/vector/drawn_set.h"
+#include "wording/words.h"
 
 namespace tribolog::render::publication_test {
 namespace {
@@ -36,7 +37,7 @@ TEST(Publication, IsOneOrTwoColumnsWideWithLettersOfSevenToEightPoints) {
         << one.id;
     const figure::DrawList list = composition::lay_out(figure, font);
     EXPECT_EQ(list.width_mm, figure.width_mm);
-    EXPECT_TRUE(list.warnings.empty()) << one.id << ": " << list.warnings.front();
+    EXPECT_TRUE(list.warnings.empty()) << one.id << ": " << wording::words(list.warnings.front());
     double largest = 0;
     each_run(list, [&](const figure::TextRun& run) {
       EXPECT_NE(run.owner.role, figure::Role::figure_title) << one.id;

@@ -9,6 +9,7 @@
 #include "render/vector/drawn_set.h"
 #include "render/vector/outside_renderers.h"
 #include "render/vector/picture_match.h"
+#include "wording/words.h"
 
 namespace tribolog::render::renders_alike_test {
 namespace {
@@ -22,7 +23,8 @@ void expect_alike(const DrawnExample& example, const figure::Picture& other,
   const SampledInk ink = sampled_ink(example.list, example.picture, other);
   EXPECT_GE(static_cast<double>(ink.found), least_ink * static_cast<double>(ink.asked))
       << name << ": " << ink.found << " of " << ink.asked;
-  EXPECT_EQ(check::check_picture(example.list, example.figure.figure, other).error, "") << name;
+  const Statement error = check::check_picture(example.list, example.figure.figure, other).error;
+  EXPECT_TRUE(error.empty()) << name << ": " << wording::words(error);
 }
 
 void expect_pdf_alike(const std::vector<figures::ReportFigure>& figures) {
@@ -36,10 +38,9 @@ void expect_pdf_alike(const std::vector<figures::ReportFigure>& figures) {
     const int height = one.list.height;
     expect_alike(one, pdf_by_cairo(pdf, width, height), "cairo");
     // It widens lines to whole pixels: held against what must be seen, not pixel by pixel.
-    EXPECT_EQ(
-        check::check_picture(one.list, one.figure.figure, pdf_by_splash(pdf, width, height)).error,
-        "")
-        << one.figure.figure.id;
+    const Statement error =
+        check::check_picture(one.list, one.figure.figure, pdf_by_splash(pdf, width, height)).error;
+    EXPECT_TRUE(error.empty()) << one.figure.figure.id << ": " << wording::words(error);
     EXPECT_EQ(complaints_of_qpdf(pdf), "") << one.figure.figure.id;
   }
 }
