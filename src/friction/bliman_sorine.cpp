@@ -1,11 +1,56 @@
-#include "friction/bliman_sorine.h"
+// Friction of Bliman and Sorine (1991, 1995): a linear system along the way travelled.
+//
+//   dx1/ds = -x1/(eta e) + f1/(eta e) sgn(w)
+//   dx2/ds = -x2/e       - f2/e       sgn(w)
+//   T = x1 + x2,    s = integral of |w| dt
+//
+// Rate independent. The faster part x1 rises to f1 over the way eta e, the slower one pulls back by
+// f2 over e: on the way to the Coulomb torque f1 - f2 the torque goes through a peak, which is how
+// the second order model shows break-away.
 
 #include <cmath>
 
 #include "base/requirements.h"
 #include "base/statement.h"
+#include "friction/dynamic_friction.h"
+#include "friction/model_entry.h"
 
 namespace tribolog::friction {
+namespace {
+
+/// State: x1, x2 [N·m].
+class BlimanSorineFriction final : public DynamicFriction {
+ public:
+  struct Parameters {
+    double fast_torque_Nm{};   ///< f1 > 0
+    double slow_torque_Nm{};   ///< 0 <= f2 < f1; Coulomb torque is f1 - f2
+    double slow_way_rad{};     ///< e > 0
+    double way_ratio{0.5};     ///< 0 < eta < 1
+    double viscous_Nms_rad{};  ///< >= 0; added to the torque
+    ParameterSlots by_name();
+  };
+
+  /// @throw Refusal stating the value and the rule.
+  explicit BlimanSorineFriction(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "bliman_sorine"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
+  /// Largest torque [N·m] on the way from an unloaded contact to steady sliding.
+  [[nodiscard]] double break_away_Nm() const;
+
+  [[nodiscard]] std::size_t states() const override { return 2; }
+  void state_scales(std::span<double> scales) const override;
+  void rates(std::span<const double> state, double speed_rad_s,
+             std::span<double> rates) const override;
+  [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
+  /// Exact for any course of the speed.
+  void advance(std::span<double> state, const SpeedStep& step) const override;
+
+ private:
+  Parameters p_;
+};
 
 ParameterSlots BlimanSorineFriction::Parameters::by_name() {
   return {{"fast_torque_Nm", &fast_torque_Nm},
@@ -69,6 +114,33 @@ void BlimanSorineFriction::advance(std::span<double> state, const SpeedStep& ste
 void BlimanSorineFriction::state_scales(std::span<double> scales) const {
   scales[0] = p_.fast_torque_Nm;
   scales[1] = p_.fast_torque_Nm;
+}
+
+/// f1 and f2 such that the peak is the break-away torque; the initial stiffness then sets the ways.
+BlimanSorineFriction::Parameters bliman_sorine(const ContactParameters& c) {
+  constexpr double eta = 0.5;
+  const auto with = [&](double slow) {
+    const double fast = c.coulomb_Nm + slow;
+    const double way = (fast / eta - slow) / c.stiffness_Nm_rad;
+    return BlimanSorineFriction::Parameters{fast, slow, way, eta, c.viscous_Nms_rad};
+  };
+  double low = 0;
+  double high = 100 * c.static_Nm;
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    const bool too_small = BlimanSorineFriction(with(middle)).break_away_Nm() < c.static_Nm;
+    (too_small ? low : high) = middle;
+  }
+  return with((low + high) / 2);
+}
+
+}  // namespace
+
+FrictionModelEntry bliman_sorine_model() {
+  return model<BlimanSorineFriction>(
+      {.break_away = true, .presliding = true, .drifts = true, .rate_independent = true},
+      bliman_sorine);
 }
 
 }  // namespace tribolog::friction

@@ -1,13 +1,67 @@
-#include "friction/haessig_bristles.h"
+// The bristle model of Haessig and Friedland (1990): many elastic bonds that snap and form anew.
+//
+//   T = sum over N bonds of (s0/N) di,     ddi/dt = w while |di| < ds
+//
+// A bond that is stretched to ds snaps; a new one forms at a random place, with a deflection
+// equally likely anywhere between -ds and ds. The Coulomb torque of steady sliding is therefore s0
+// ds/3 on the average, and the torque scatters about it as 1/sqrt(N). The places come from a
+// counter, not from a clock: the same seed and motion give the same torque.
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/requirements.h"
 #include "base/statement.h"
+#include "friction/dynamic_friction.h"
+#include "friction/model_entry.h"
 
 namespace tribolog::friction {
 namespace {
+
+/// State: d1 ... dN [rad], then how often each bond has snapped.
+class HaessigBristleFriction final : public DynamicFriction {
+ public:
+  struct Parameters {
+    double stiffness_Nm_rad{};     ///< s0 > 0, of all bonds together
+    double snap_deflection_rad{};  ///< ds > 0
+    std::uint64_t bristles{50};    ///< N, from 1 to most_bristles
+    double viscous_Nms_rad{};      ///< >= 0; added to the torque
+    std::uint64_t seed{1};
+    ParameterSlots by_name();
+  };
+
+  /// Bounds memory and time.
+  static constexpr std::uint64_t most_bristles = 100'000;
+
+  /// @throw Refusal stating the value and the rule.
+  explicit HaessigBristleFriction(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "haessig_bristles"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
+  [[nodiscard]] std::size_t states() const override;
+  /// Deflections spread evenly between -ds and ds: no torque.
+  [[nodiscard]] std::vector<double> unloaded() const override;
+  void state_scales(std::span<double> scales) const override;
+  /// One: how far the most stretched bond is beyond its limit.
+  [[nodiscard]] std::size_t events() const override { return 1; }
+  void event_values(std::span<const double> state, double speed_rad_s,
+                    std::span<double> values) const override;
+  void rates(std::span<const double> state, double speed_rad_s,
+             std::span<double> rates) const override;
+  /// Snaps the bonds that are stretched to the full.
+  void settle(std::span<double> state, double speed_rad_s) const override;
+  [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  /// The average over many snaps.
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
+  /// Exact, bond by bond.
+  void advance(std::span<double> state, const SpeedStep& step) const override;
+
+ private:
+  [[nodiscard]] double new_deflection_rad(std::size_t bristle, double snaps) const;
+  Parameters p_;
+};
 
 /// Equally likely in [0, 1): SplitMix64's finaliser over a counter.
 double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) {
@@ -17,8 +71,6 @@ double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) 
   x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
   return static_cast<double>((x ^ (x >> 31U)) >> 11U) * 0x1p-53;
 }
-
-}  // namespace
 
 ParameterSlots HaessigBristleFriction::Parameters::by_name() {
   return {{"stiffness_Nm_rad", &stiffness_Nm_rad},
@@ -116,6 +168,19 @@ void HaessigBristleFriction::event_values(std::span<const double> state, double 
   double farthest = 0;
   for (const double d : state.first(state.size() / 2)) farthest = std::max(farthest, std::abs(d));
   values[0] = farthest - p_.snap_deflection_rad;
+}
+
+/// Its stiffness appears over the bonds' average stretch, its Coulomb torque is a third of what all
+/// of them could carry.
+HaessigBristleFriction::Parameters haessig_bristles(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, 3 * c.coulomb_Nm / c.stiffness_Nm_rad, 500, c.viscous_Nms_rad, 1};
+}
+
+}  // namespace
+
+FrictionModelEntry haessig_bristles_model() {
+  return model<HaessigBristleFriction>(
+      {.presliding = true, .rate_independent = true, .is_random = true}, haessig_bristles);
 }
 
 }  // namespace tribolog::friction

@@ -4,6 +4,7 @@
 
 #include "base/requirements.h"
 #include "friction/exponential_step.h"
+#include "friction/model_entry.h"
 
 namespace tribolog::friction {
 
@@ -65,6 +66,21 @@ void LuGreFriction::advance(std::span<double> state, const SpeedStep& step) cons
 
 void LuGreFriction::state_scales(std::span<double> scales) const {
   scales[0] = p_.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
+}
+
+namespace {
+
+LuGreFriction::Parameters lugre(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, c.damping_Nms_rad, c.viscous_Nms_rad,
+          c.coulomb_Nm,       c.static_Nm,       c.stribeck_speed_rad_s};
+}
+
+}  // namespace
+
+FrictionModelEntry lugre_model() {
+  return model<LuGreFriction>(
+      {.break_away = true, .stribeck = true, .lag = true, .presliding = true, .drifts = true},
+      lugre);
 }
 
 }  // namespace tribolog::friction
