@@ -8,6 +8,7 @@
   rooms.py walls BUILD      the compiler finds no header of a room that is not named: one unit of each
                             room is asked for every header there is
   rooms.py graph            the rooms and what each needs, for `dot`
+  rooms.py size             files, headers, lines, and the headers whose change rebuilds most sources
   rooms.py drawing          the house on one page, for `dot`: a box for each folder of src/, and arrows
                             to what it needs that nothing else it needs would bring along
   rooms.py drawn            docs/rooms.dot is that drawing, and docs/rooms.svg was made from it
@@ -219,6 +220,35 @@ def graph(rooms):
     return True
 
 
+def size(rooms):
+    """What the house weighs. Prints alone."""
+    files = {name: text for room in rooms.values() for name, text in room.items()}
+    headers = [name for name in files if name.endswith(".h")]
+    short = sum(files[name].count("\n") < 30 for name in headers)
+    lines = sum(text.count("\n") for text in files.values())
+    print(f"{len(files)} files, {len(headers)} of them headers ({short} under 30 lines), {lines} lines, "
+          f"{len(rooms)} rooms")
+    included = {name: {h for h in INCLUDE.findall(text) if h in files} for name, text in files.items()}
+    sources = [name for name in files if name.endswith(".cpp")]
+    rebuilt = collections.Counter()
+    for source in sources:
+        reached, left = set(), [source]
+        while left:
+            for header in included[left.pop()] - reached:
+                reached.add(header)
+                left.append(header)
+        rebuilt.update(reached)
+    direct = collections.Counter(h for name in files for h in included[name])
+    print(f"sources that a change rebuilds, of {len(sources)}: the ten headers included by most files")
+    for header, count in direct.most_common(10):
+        print(f"  {header:40} {rebuilt[header]:4} {100 * rebuilt[header] / len(sources):5.1f} %"
+              f"   included by {count}")
+    print("the ten that rebuild most")
+    for header, count in rebuilt.most_common(10):
+        print(f"  {header:40} {count:4} {100 * count / len(sources):5.1f} %")
+    return True
+
+
 def house(rooms):
     """Folder of src/, or render -> the folders that it needs."""
     after = {(room or "main").split("/")[0]: set() for room in rooms}
@@ -324,7 +354,7 @@ def main():
     rooms = read_rooms()
     if what == "walls" and len(sys.argv) == 3:
         return walls(rooms, sys.argv[2])
-    checks = {"circles": circles, "lists": lists, "graph": graph, "drawing": drawing,
+    checks = {"circles": circles, "lists": lists, "graph": graph, "size": size, "drawing": drawing,
               "drawn": drawn}
     if what not in checks:
         sys.exit(__doc__)
