@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/requirements.h"
-#include "joint/acceptance_limit.h"
+#include "joint/dataset.h"
 
 namespace tribolog::calibration {
 std::string without_side(const std::string& words) {

@@ -4,9 +4,7 @@
 #include "base/standard_output.h"
 #include "cli/archive_commands.h"
 #include "cli/shared_options.h"
-#include "exports/results/json_document.h"
-#include "exports/results/result_tables.h"
-#include "exports/results/simulator_models.h"
+#include "exports/results/calibration_exports.h"
 
 namespace tribolog::cli {
 namespace {

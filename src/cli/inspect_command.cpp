@@ -14,8 +14,7 @@
 #include "cli/shared_options.h"
 #include "inspect/survey/log_survey.h"
 #include "inspect/survey/manifest_proposal.h"
-#include "inspect/survey/survey_json.h"
-#include "inspect/survey/survey_text.h"
+#include "inspect/survey/survey_output.h"
 
 namespace tribolog::cli {
 

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "history/comparison.h"
+#include "history/joint_trend.h"
+
 namespace tribolog::history {
 
 QuantityTraits traits_of(const std::string& name) {
@@ -47,6 +50,34 @@ bool has_same_gear(const calibration::Facts& a, const calibration::Facts& b) {
 bool has_same_payload(const calibration::Facts& a, const calibration::Facts& b) {
   return a.payload == b.payload && alike(a.payload_kg, b.payload_kg) &&
          alike(a.payload_distance_m, b.payload_distance_m);
+}
+
+// What the history's states are called.
+
+Statement statement_of(ChangeWord word) {
+  switch (word) {
+    case ChangeWord::no_change_seen:
+      return {"comparison.no_change_seen"};
+    case ChangeWord::changed:
+      return {"comparison.changed"};
+    case ChangeWord::not_comparable:
+      break;
+  }
+  return {"comparison.not_comparable"};
+}
+
+Statement statement_of(TrendState state) {
+  switch (state) {
+    case TrendState::too_few:
+      return {"trend.too_few"};
+    case TrendState::steady:
+      return {"trend.steady"};
+    case TrendState::recovered:
+      return {"trend.recovered"};
+    case TrendState::warning:
+      break;
+  }
+  return {"trend.changed"};
 }
 
 }  // namespace tribolog::history

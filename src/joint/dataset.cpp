@@ -2,7 +2,41 @@
 
 #include <algorithm>
 
+#include "joint/degrees.h"
+
 namespace tribolog::joint {
+
+const std::vector<LimitedQuantity>& limited_quantities() {
+  static const std::vector<LimitedQuantity> all{
+      {"q_peak_deg", "cog_angle", "°", degrees_per_rad, 0},
+      {"q_peak_rad", "cog_angle", "rad", 1, 0},
+      {"gravity_motor_Nm", "gravity_torque", "N·m", 1, 0},
+      {"gravity_joint_Nm", "gravity_torque", "N·m", 1, 1},
+      {"surrogate_mass_kg", "surrogate_mass", "kg", 1, 0},
+      {"break_away_motor_Nm", "break_away_torque", "N·m", 1, 0},
+      {"break_away_joint_Nm", "break_away_torque", "N·m", 1, 1},
+      {"coulomb_motor_Nm", "coulomb_torque", "N·m", 1, 0},
+      {"coulomb_joint_Nm", "coulomb_torque", "N·m", 1, 1},
+      {"stribeck_speed_motor_rad_s", "stribeck_speed", "rad/s", 1, 0},
+      {"stribeck_speed_joint_rad_s", "stribeck_speed", "rad/s", 1, -1},
+      {"viscous_motor_Nms_rad", "viscous_coefficient", "N·m·s/rad", 1, 0},
+      {"viscous_joint_Nms_rad", "viscous_coefficient", "N·m·s/rad", 1, 2},
+      {"bristle_stiffness_motor_Nm_rad", "bristle_stiffness", "N·m/rad", 1, 0},
+      {"bristle_stiffness_joint_Nm_rad", "bristle_stiffness", "N·m/rad", 1, 2},
+      {"bristle_damping_motor_Nms_rad", "bristle_damping", "N·m·s/rad", 1, 0},
+      {"bristle_damping_joint_Nms_rad", "bristle_damping", "N·m·s/rad", 1, 2},
+      {"inertia_motor_kgm2", "inertia", "kg·m²", 1, 0},
+      {"inertia_joint_kgm2", "inertia", "kg·m²", 1, 2},
+  };
+  return all;
+}
+
+const LimitedQuantity* find_limited_quantity(const std::string& key) {
+  const auto& all = limited_quantities();
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const LimitedQuantity& q) { return q.key == key; });
+  return it == all.end() ? nullptr : &*it;
+}
 
 bool resamples_are_allowed(std::uint64_t resamples) {
   return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);

@@ -1,5 +1,5 @@
 #pragma once
-// A dataset: the manifest's facts about one joint, and its recordings.
+// What the user accepts: limits of identified quantities, as the manifest states them.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,6 @@
 
 #include "base/statement.h"
 #include "friction/static_friction.h"
-#include "joint/acceptance_limit.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
 #include "joint/recording.h"
@@ -18,8 +17,31 @@
 namespace tribolog::robot {
 struct RobotDescription;
 }
-
 namespace tribolog::joint {
+
+/// One `[[limit]]` of the manifest. At least one of the four is set.
+struct AcceptanceLimit {
+  std::string quantity;       ///< A key of limited_quantities().
+  std::optional<double> min;  ///< In the unit that the key names, as all but the last.
+  std::optional<double> max;
+  std::optional<double> half_width;          ///< Largest half width of the 95 % interval.
+  std::optional<double> half_width_percent;  ///< The same, of the estimate.
+};
+
+/// A quantity on a side of the gear and in a unit, of which a limit may speak.
+struct LimitedQuantity {
+  std::string key;       ///< "coulomb_joint_Nm"
+  std::string quantity;  ///< Key of the verdict's quantity: "coulomb_torque".
+  std::string unit;      ///< "N·m"
+  double factor{1.0};    ///< From SI to the unit.
+  int gear_power{0};     ///< From the motor's side: times gear ratio to this power.
+};
+
+const std::vector<LimitedQuantity>& limited_quantities();
+/// nullptr if there is none of this key.
+const LimitedQuantity* find_limited_quantity(const std::string& key);
+
+// A dataset: the manifest's facts about one joint, and its recordings.
 
 /// Fewest resamples from which the ends of a 95 % interval can be read.
 inline constexpr std::size_t fewest_resamples = 100;

@@ -11,7 +11,6 @@
 #include "plan/simulated_plan.h"
 #include "simulate/simulate_joint.h"
 #include "statistics/order_statistics.h"
-#include "study/statistics.h"
 #include "study/study.h"
 
 namespace tribolog::plan {

@@ -7,8 +7,8 @@
 
 #include "base/requirements.h"
 #include "friction/lugre.h"
-#include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
+#include "simulate/forced_motion.h"
 #include "simulate/motion.h"
 #include "wording/language.h"
 #include "wording/words.h"

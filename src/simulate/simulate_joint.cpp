@@ -9,10 +9,10 @@
 #include "base/requirements.h"
 #include "base/statement.h"
 #include "friction/lugre.h"
-#include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
-#include "simulate/friction_response.h"
+#include "simulate/forced_motion.h"
+#include "simulate/model_portrait.h"
 #include "simulate/motion.h"
 
 namespace tribolog::simulate {

@@ -1,11 +1,10 @@
-#include "study/factors.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
 
 #include "base/requirements.h"
+#include "study/study.h"
 #include "wording/language.h"
 #include "wording/words.h"
 

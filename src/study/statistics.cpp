@@ -1,5 +1,3 @@
-#include "study/statistics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "statistics/distributions.h"
+#include "study/study.h"
 
 namespace tribolog::study {
 namespace {

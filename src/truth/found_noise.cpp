@@ -1,11 +1,10 @@
-#include "truth/found_noise.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "statistics/white_noise.h"
+#include "truth/identified_joint.h"
 
 namespace tribolog::truth {
 namespace {

@@ -14,7 +14,6 @@
 #include "method/motion/plateaus.h"
 #include "method/viscous/waiboer_fit.h"
 #include "simulate/bristle_integrator.h"
-#include "truth/found_noise.h"
 
 namespace tribolog::truth {
 namespace {

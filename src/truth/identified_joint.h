@@ -1,4 +1,32 @@
 #pragma once
+// The noise of a dataset as its recordings show it: what a repetition of the measurement would
+// have.
+
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
+#include "simulate/scenario.h"
+#include "truth/readings.h"
+
+namespace tribolog::truth {
+
+/// Standard deviation of the white part of a torque [N·m], from third differences of neighbouring
+/// samples (statistics/white_noise.h). The smaller one of their mean square and their median: jumps
+/// of friction at a reversal weigh on the first, steps of the torque on the second. 0 with fewer
+/// than four samples.
+double white_torque_Nm(const std::vector<double>& torque_Nm);
+
+/// Torque ripple periodic in the motor's angle, from what the rough sweep's fit leaves: the
+/// strongest lines of a search as fine as its samples allow (method/gravity/ripple_spectrum.h), up
+/// to four, so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm.
+/// Periods of which the sweep holds fewer than three are none: they cannot be told from gravity.
+/// Empty where no line carries a tenth of the ripple's variance. Phases are as found.
+std::vector<simulate::Noise::Ripple> ripple_of(const method::gravity::CogSweepResult& rough,
+                                               double gear_ratio);
+
 // What was identified, as a simulation: its torque along the recorded motions.
 //
 // Angles, speeds and times are those of the log, so that its motions, its sampling and its encoder
@@ -9,15 +37,6 @@
 //
 // with speeds from the angle itself. G is that of the recommended estimator in all of them: one
 // joint, whose numbers are known.
-
-#include <string>
-#include <vector>
-
-#include "calibration/calibration.h"
-#include "simulate/scenario.h"
-#include "truth/readings.h"
-
-namespace tribolog::truth {
 
 struct IdentifiedJoint {
   /// The dataset with the model's torque, without noise. Recordings that the model cannot follow

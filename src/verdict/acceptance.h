@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calibration/quantity_verdict.h"
-#include "joint/acceptance_limit.h"
+#include "joint/dataset.h"
 
 namespace tribolog::verdict {
 

@@ -32,7 +32,7 @@
 #include <benchmark/benchmark.h>
 
 #include "friction/catalogue.h"
-#include "simulate/friction_response.h"
+#include "simulate/model_portrait.h"
 #include "support/cvode_friction.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "base/atomic_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
-#include "paper/checks/paper_figures.h"
+#include "paper/checks/paper_items.h"
 #include "render/composition/figure_layout.h"
 #include "render/composition/publication.h"
 #include "render/vector/vector_document.h"

@@ -4,7 +4,7 @@
 
 #include "base/temporary_directory.h"
 #include "exports/export_sample.h"
-#include "exports/results/simulator_models.h"
+#include "exports/results/calibration_exports.h"
 
 #ifdef TRIBOLOG_URDFDOM
 #include <urdf_parser/urdf_parser.h>

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 #include "exports/export_sample.h"
-#include "exports/results/simulator_models.h"
+#include "exports/results/calibration_exports.h"
 
 namespace tribolog::archive::export_simulators_test {
 namespace {

@@ -4,8 +4,7 @@
 #include "base/temporary_directory.h"
 #include "calibration/gear_side.h"
 #include "exports/export_sample.h"
-#include "exports/results/json_document.h"
-#include "exports/results/result_tables.h"
+#include "exports/results/calibration_exports.h"
 #include "support/run_program.h"
 
 namespace tribolog::archive::export_tables_test {

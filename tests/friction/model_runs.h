@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "friction/catalogue.h"
-#include "simulate/friction_response.h"
+#include "simulate/model_portrait.h"
 
 namespace tribolog::test {
 

@@ -5,7 +5,7 @@
 #include "fuzz/check_tables.h"
 #include "fuzz/file_in_memory.h"
 #include "fuzz/outcomes.h"
-#include "ingest/bags/rosbag_reader.h"
+#include "ingest/bags/bag_readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static tribolog::fuzz::FileInMemory file;

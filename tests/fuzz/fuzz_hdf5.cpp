@@ -7,7 +7,7 @@
 #include "fuzz/check_tables.h"
 #include "fuzz/file_in_memory.h"
 #include "fuzz/outcomes.h"
-#include "ingest/arrays/hdf5_reader.h"
+#include "ingest/arrays/array_readers.h"
 
 // The library frees its table of half a megabyte with every file, and page by page gets it anew:
 // two thirds of the time. Here it keeps it; lists of buffers keep what they keep elsewhere.

@@ -3,7 +3,7 @@
 
 #include "fuzz/check_tables.h"
 #include "fuzz/outcomes.h"
-#include "ingest/arrays/json_reader.h"
+#include "ingest/arrays/array_readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

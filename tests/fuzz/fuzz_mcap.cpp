@@ -6,7 +6,7 @@
 
 #include "fuzz/check_tables.h"
 #include "fuzz/outcomes.h"
-#include "ingest/bags/mcap_reader.h"
+#include "ingest/bags/bag_readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 16;

@@ -1,12 +1,11 @@
 // What is printed: aligned, within the page, and safe on a terminal.
 
-#include "inspect/survey/survey_text.h"
-
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "inspect/survey/survey_output.h"
 #include "inspect/survey/text_table.h"
 #include "support/run_program.h"
 

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "friction/lugre.h"
-#include "simulate/break_away_ramp.h"
 #include "simulate/drive_noise.h"
+#include "simulate/forced_motion.h"
 #include "support/paper_joint.h"
 #include "wording/words.h"
 

@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/drawings/drive_diagram.h"
-#include "paper/drawings/joint_diagram.h"
-#include "paper/drawings/lugre_diagram.h"
 #include "paper/drawings/paper_drawings.h"
 #include "paper/figure_checks.h"
 #include "render/composition/figure_layout.h"

@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/drawings/drive_diagram.h"
-#include "paper/drawings/joint_diagram.h"
-#include "paper/drawings/lugre_diagram.h"
+#include "paper/drawings/paper_drawings.h"
 #include "simulate/simulate_joint.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"

@@ -1,5 +1,7 @@
 // What the charts of figures 1, 2 and 5 show, and that they can be read.
 
+#include "paper/charts/paper_charts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -7,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "paper/charts/joint_scale.h"
-#include "paper/charts/presliding_figure.h"
-#include "paper/charts/static_law_figures.h"
 #include "paper/figure_checks.h"
 
 namespace tribolog::paper::paper_charts_test {

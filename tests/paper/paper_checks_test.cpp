@@ -7,7 +7,6 @@
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
-#include "paper/checks/paper_figures.h"
 #include "paper/checks/paper_items.h"
 #include "paper/drawings/printed_paper.h"
 

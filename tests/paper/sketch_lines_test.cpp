@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/drawings/bristle_sketch.h"
+#include "paper/drawings/paper_drawings.h"
 
 namespace tribolog::paper::sketch_lines_test {
 namespace {

@@ -1,7 +1,5 @@
 // Every model's own method under prescribed motion against CVODE on the model's rates.
 
-#include "simulate/friction_response.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "friction/catalogue.h"
+#include "simulate/model_portrait.h"
 #include "support/cvode_friction.h"
 
 namespace tribolog::friction_response_test {

@@ -9,7 +9,6 @@
 #include "statistics/random_stream.h"
 #include "study/small_scenario.h"
 #include "support/paper_joint.h"
-#include "truth/found_noise.h"
 #include "truth/identified_joint.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"

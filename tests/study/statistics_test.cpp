@@ -1,11 +1,10 @@
-#include "study/statistics.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
+#include "study/study.h"
 
 namespace tribolog::statistics_test {
 namespace {

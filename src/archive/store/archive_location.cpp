@@ -8,7 +8,6 @@
 #include "archive/sql/open_postgres.h"
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/schema.h"
-#include "archive/store/schema_check.h"
 #include "base/atomic_file.h"
 #include "base/early_end.h"
 #include "base/error.h"

@@ -6,7 +6,6 @@
 #include "archive/store/digest.h"
 #include "archive/store/entry_rows.h"
 #include "archive/store/schema.h"
-#include "archive/store/schema_check.h"
 #include "base/encodings.h"
 #include "base/error.h"
 

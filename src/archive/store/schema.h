@@ -34,4 +34,13 @@ void set_version(sql::Connection& connection, int version);
 /// @throw ArchiveError: the archive's is newer, or it has no tables of an archive.
 void refuse_other_versions(sql::Connection& connection, int known = schema_version);
 
+// Whether an archive's tables are those that tribolog makes.
+
+/// Holds tables, columns, indices and triggers against those of a new archive of the same schema:
+/// in SQLite the whole text of each; on a server columns with their types, the number of rules and
+/// indices of each table, and that it has neither triggers nor rewrite rules nor hidden rows.
+/// @param version of the archive's schema, one that the program knows.
+/// @throw ArchiveError naming the first that is missing, altered or of another program.
+void refuse_damaged_schema(sql::Connection& connection, int version);
+
 }  // namespace tribolog::archive::store

@@ -1,5 +1,3 @@
-#include "archive/store/schema_check.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <map>

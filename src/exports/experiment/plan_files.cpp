@@ -8,7 +8,7 @@
 
 #include "base/shown_text.h"
 #include "exports/experiment/plan_table.h"
-#include "ingest/manifest/toml_text.h"
+#include "ingest/manifest/toml_document.h"
 #include "plan/simulated_plan.h"
 #include "wording/language.h"
 #include "wording/words.h"

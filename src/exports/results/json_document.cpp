@@ -1,10 +1,9 @@
-#include "exports/results/json_document.h"
-
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
 #include "calibration/gear_side.h"
 #include "exports/results/archived_joint.h"
+#include "exports/results/calibration_exports.h"
 #include "exports/results/friction_table.h"
 
 namespace tribolog::exports::results {

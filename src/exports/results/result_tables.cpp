@@ -1,5 +1,3 @@
-#include "exports/results/result_tables.h"
-
 #include <algorithm>
 #include <string_view>
 
@@ -9,6 +7,7 @@
 #include "base/utf8.h"
 #include "calibration/gear_side.h"
 #include "exports/results/archived_joint.h"
+#include "exports/results/calibration_exports.h"
 #include "wording/rounding.h"
 
 namespace tribolog::exports::results {

@@ -1,5 +1,3 @@
-#include "exports/results/simulator_models.h"
-
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include "base/shown_text.h"
 #include "calibration/gear_side.h"
 #include "exports/results/archived_joint.h"
+#include "exports/results/calibration_exports.h"
 #include "exports/results/friction_table.h"
 
 namespace tribolog::exports::results {

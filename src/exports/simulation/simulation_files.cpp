@@ -11,7 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/shown_text.h"
-#include "ingest/manifest/toml_text.h"
+#include "ingest/manifest/toml_document.h"
 
 namespace tribolog::exports::simulation {
 

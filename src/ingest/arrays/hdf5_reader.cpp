@@ -1,6 +1,5 @@
-#include "ingest/arrays/hdf5_reader.h"
-
 #include "ingest/arrays/array_libraries.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/isolated_reading.h"
 

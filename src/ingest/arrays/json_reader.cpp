@@ -1,10 +1,9 @@
-#include "ingest/arrays/json_reader.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
 
 #include "base/input_file.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
 

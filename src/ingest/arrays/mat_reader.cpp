@@ -1,5 +1,3 @@
-#include "ingest/arrays/mat_reader.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ingest/arrays/array_libraries.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/isolated_reading.h"

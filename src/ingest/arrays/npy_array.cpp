@@ -1,5 +1,3 @@
-#include "ingest/arrays/npy_array.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,7 +17,7 @@
 #include "base/error.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/byte_order.h"
-#include "ingest/arrays/npy_header.h"
+#include "ingest/arrays/npy.h"
 
 namespace tribolog::ingest::arrays {
 

@@ -1,5 +1,3 @@
-#include "ingest/arrays/npy_header.h"
-
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -11,7 +9,7 @@
 #include "base/error.h"
 #include "base/utf8.h"
 #include "ingest/arrays/byte_order.h"
-#include "ingest/arrays/python_text.h"
+#include "ingest/arrays/npy.h"
 
 namespace tribolog::ingest::arrays {
 

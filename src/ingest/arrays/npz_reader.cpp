@@ -1,5 +1,3 @@
-#include "ingest/arrays/npz_reader.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -13,9 +11,10 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/byte_order.h"
-#include "ingest/arrays/npy_array.h"
+#include "ingest/arrays/npy.h"
 
 namespace tribolog::ingest::arrays {
 

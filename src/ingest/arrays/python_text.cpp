@@ -1,10 +1,9 @@
-#include "ingest/arrays/python_text.h"
-
 #include <charconv>
 #include <optional>
 #include <system_error>
 
 #include "base/utf8.h"
+#include "ingest/arrays/npy.h"
 
 namespace tribolog::ingest::arrays {
 namespace {

@@ -1,5 +1,3 @@
-#include "ingest/bags/mcap_chunk.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

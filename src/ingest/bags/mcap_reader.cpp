@@ -1,5 +1,3 @@
-#include "ingest/bags/mcap_reader.h"
-
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "ingest/bags/bag_readers.h"
 #include "ingest/bags/byte_reader.h"
-#include "ingest/bags/mcap_chunk.h"
 #include "ingest/bags/mcap_records.h"
 #include "ingest/bags/topic_tables.h"
 

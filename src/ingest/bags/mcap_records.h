@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "ingest/bags/byte_reader.h"
+
 namespace tribolog::ingest::bags {
 
 inline constexpr std::string_view mcap_magic{"\x89MCAP0\r\n", 8};
@@ -80,5 +82,19 @@ inline constexpr std::size_t mcap_chunk_fixed_bytes = 32;
 std::uint32_t mcap_chunk_name_bytes(std::string_view fixed);
 /// @param start all bytes before the records.
 McapChunkStart mcap_chunk_start(std::string_view start);
+
+// One chunk of an MCAP file, from its start in the file to its unpacked records.
+
+struct UnpackedChunk {
+  std::string records;  ///< Where is_cut: those that could be unpacked, the last one in part.
+  bool is_cut{};        ///< The file ends inside the chunk.
+  std::string damage;   ///< Why the chunk is not to be trusted; empty: nothing against it.
+};
+
+/// Reads the content of a chunk record to its end, whatever stands in it.
+/// @param source stands after the record's start. @param content_bytes as the record states.
+/// @param largest_bytes of the unpacked records.
+UnpackedChunk unpack_chunk(ByteReader& source, std::uint64_t content_bytes,
+                           std::uint64_t largest_bytes);
 
 }  // namespace tribolog::ingest::bags

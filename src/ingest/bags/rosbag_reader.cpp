@@ -1,5 +1,3 @@
-#include "ingest/bags/rosbag_reader.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -12,6 +10,7 @@
 #include <sqlite3.h>
 
 #include "base/error.h"
+#include "ingest/bags/bag_readers.h"
 #include "ingest/bags/byte_reader.h"
 #include "ingest/bags/topic_tables.h"
 

@@ -19,7 +19,7 @@
 #include "ingest/dataset/log_reader.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/dataset/row_choice.h"
-#include "ingest/layout/known_loggers.h"
+#include "ingest/layout/log_layout.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"

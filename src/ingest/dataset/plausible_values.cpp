@@ -1,5 +1,3 @@
-#include "ingest/dataset/plausible_values.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "base/closest_match.h"
 #include "base/requirements.h"
+#include "ingest/dataset/row_choice.h"
 #include "ingest/log/units.h"
 
 namespace tribolog::ingest::dataset {

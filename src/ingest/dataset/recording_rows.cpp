@@ -10,7 +10,6 @@
 #include "base/closest_match.h"
 #include "ingest/dataset/column_conversions.h"
 #include "ingest/dataset/log_reader.h"
-#include "ingest/dataset/plausible_values.h"
 #include "ingest/dataset/row_choice.h"
 #include "ingest/log/log_table.h"
 #include "ingest/log/units.h"

@@ -1,8 +1,7 @@
-#include "ingest/layout/known_loggers.h"
-
 #include <algorithm>
 #include <array>
 
+#include "ingest/layout/log_layout.h"
 #include "ingest/layout/name_words.h"
 
 namespace tribolog::ingest::layout {

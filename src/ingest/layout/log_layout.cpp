@@ -4,7 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "ingest/layout/known_loggers.h"
 #include "ingest/layout/name_words.h"
 
 namespace tribolog::ingest::layout {

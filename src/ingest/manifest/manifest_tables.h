@@ -6,7 +6,7 @@
 
 #include "ingest/manifest/toml_table.h"
 #include "ingest/text/csv_dialect.h"
-#include "joint/acceptance_limit.h"
+#include "joint/dataset.h"
 #include "joint/gravity_load.h"
 
 namespace tribolog::ingest::manifest {

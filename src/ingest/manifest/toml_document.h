@@ -43,4 +43,24 @@ struct TomlNode {
 /// @param file its name, for the error. @throw InputError for a syntax error or a key given twice.
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
+// Values as TOML writes them.
+
+/// The shortest that reads back to the same double. @param value finite.
+std::string toml_number(double value);
+
+/// A basic string, in quotes; what is not seen is escaped.
+/// @throw std::invalid_argument: not UTF-8, of which TOML has no form.
+std::string toml_text(std::string_view text);
+
+// What must not reach the TOML parser.
+//
+// Some released versions of toml++ answer certain malformed texts with undefined behaviour (its
+// issues 190 and 295: characters beyond ASCII where no text is) or with a recursion as deep as a
+// key has dots. Those texts are no valid or no sensible TOML; they are refused before the parser.
+
+/// @throw InputError for broken UTF-8, a character beyond ASCII outside of quotes and comments, a
+///        backslash before such a character, a quote or a bracket in the middle of a key or value,
+///        or a key with over 50 dots.
+void precheck_toml(std::string_view text, const std::string& file);
+
 }  // namespace tribolog::ingest::manifest

@@ -1,5 +1,3 @@
-#include "ingest/manifest/toml_precheck.h"
-
 #include <cstddef>
 #include <vector>
 
@@ -7,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "ingest/manifest/toml_document.h"
 
 namespace tribolog::ingest::manifest {
 namespace {

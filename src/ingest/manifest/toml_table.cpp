@@ -9,7 +9,6 @@
 #include "base/closest_match.h"
 #include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_document.h"
-#include "ingest/manifest/toml_precheck.h"
 
 namespace tribolog::ingest::manifest {
 

@@ -1,5 +1,3 @@
-#include "ingest/text/csv_header.h"
-
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -11,6 +9,7 @@
 #include "base/utf8.h"
 #include "ingest/log/units.h"
 #include "ingest/text/clock_field.h"
+#include "ingest/text/csv_rows.h"
 
 namespace tribolog::ingest::text {
 namespace {

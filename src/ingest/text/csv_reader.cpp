@@ -11,7 +11,6 @@
 #include "base/closest_match.h"
 #include "base/utf8.h"
 #include "ingest/text/clock_field.h"
-#include "ingest/text/csv_header.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_rows.h"
 

@@ -13,7 +13,6 @@
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
 #include "ingest/text/plain_rows.h"
-#include "ingest/text/row_refusals.h"
 
 namespace tribolog::ingest::text {
 namespace {

@@ -1,9 +1,8 @@
-#include "ingest/text/row_refusals.h"
-
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "ingest/text/clock_field.h"
+#include "ingest/text/csv_rows.h"
 
 namespace tribolog::ingest::text {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inspect/motion/noise_floor.h"
-#include "inspect/motion/stroke_groups.h"
+#include "inspect/motion/angle_trace.h"
+#include "inspect/motion/strokes.h"
 #include "inspect/motion/torque_ramps.h"
 #include "method/motion/plateaus.h"
 

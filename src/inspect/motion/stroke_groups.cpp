@@ -1,9 +1,8 @@
-#include "inspect/motion/stroke_groups.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "inspect/motion/angle_trace.h"
+#include "inspect/motion/strokes.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::inspect::motion {

@@ -30,4 +30,42 @@ using StrokeFamily = std::vector<AngleStroke>;
 /// @return families, larger scales first; none in a trace at rest.
 std::vector<StrokeFamily> find_strokes(const AngleTrace& trace, double noise_floor_rad);
 
+// Strokes that belong together: there and back over the same way, in the same time.
+
+// Whether a stroke runs at constant speed, and how fast.
+//
+// The speed is taken from the angle: the mean slope between two marks of the travel. The speed that
+// a controller logs is not trusted: some are two-point differences, which at low speed are steps of
+// the encoder.
+
+struct StrokeShape {
+  double speed_rad_s{};  ///< Mean between 30 and 70 % of the travel, >= 0.
+  /// As fast near its ends as in the middle: between 10 and 25 %, and 75 and 90 % of its travel, at
+  /// least 0.87 of that; a sine is at 0.75 there, a speed that rises and falls linearly at 0.61. Or
+  /// so at one end alone, and even in the middle: a run that creeps at first, or at last.
+  bool is_steady{};
+};
+
+StrokeShape shape_of(const AngleTrace& trace, const AngleStroke& stroke);
+
+struct StrokeGroup {
+  std::vector<AngleStroke> strokes;  ///< In the order of time.
+  std::vector<StrokeShape> shapes;   ///< Of each.
+  bool is_steady{};                  ///< More than half of them.
+  /// Most of a chain of strokes without rest belongs to none: mixed sines, for example.
+  bool is_irregular{};
+
+  [[nodiscard]] std::size_t first() const { return strokes.front().first; }
+  [[nodiscard]] std::size_t last() const { return strokes.back().last; }
+  [[nodiscard]] double travel_rad() const;   ///< Median of the strokes.
+  [[nodiscard]] double speed_rad_s() const;  ///< Median of the strokes.
+};
+
+/// Groups in the order of time; a stroke like none of its neighbours is a group of its own. Travel
+/// and time agree within 0.7 to 1.4 from one stroke to the next, speed of steady ones within 8 %; a
+/// rest between is at most half as long as the shorter stroke. A half stroke at the start or the
+/// end of a sine belongs to it, and so does a smaller one with which a narrow oscillation begins.
+std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
+                                       double widest_oscillation_rad);
+
 }  // namespace tribolog::inspect::motion

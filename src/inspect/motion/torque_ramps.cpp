@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "inspect/motion/angle_trace.h"
-#include "inspect/motion/noise_floor.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::inspect::motion {

@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "base/requirements.h"
 #include "base/utf8.h"
+#include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
-#include "ingest/manifest/toml_text.h"
 #include "inspect/survey/joint_choice.h"
 
 namespace tribolog::inspect::survey {

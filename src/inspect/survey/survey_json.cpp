@@ -1,10 +1,9 @@
-#include "inspect/survey/survey_json.h"
-
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
+#include "inspect/survey/survey_output.h"
 #include "wording/words.h"
 
 namespace tribolog::inspect::survey {

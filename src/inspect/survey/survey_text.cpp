@@ -1,5 +1,3 @@
-#include "inspect/survey/survey_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,6 +10,7 @@
 #include "inspect/survey/joint_choice.h"
 #include "inspect/survey/log_survey.h"
 #include "inspect/survey/recording_roles.h"
+#include "inspect/survey/survey_output.h"
 #include "inspect/survey/text_table.h"
 #include "wording/words.h"
 

@@ -1,5 +1,3 @@
-#include "paper/charts/presliding_figure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "figures/report_figure.h"
+#include "paper/charts/paper_charts.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/tr.h"

@@ -1,5 +1,3 @@
-#include "paper/charts/static_law_figures.h"
-
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "base/requirements.h"
 #include "figures/report_figure.h"
+#include "paper/charts/paper_charts.h"
 #include "render/figure/figure.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"

@@ -4,11 +4,8 @@
 #include <limits>
 
 #include "base/requirements.h"
-#include "paper/checks/figure_checks.h"
-#include "paper/drawings/bristle_sketch.h"
-#include "paper/drawings/drive_diagram.h"
-#include "paper/drawings/joint_diagram.h"
-#include "paper/drawings/lugre_diagram.h"
+#include "paper/checks/check.h"
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/printed_paper.h"
 #include "statistics/random_stream.h"
 #include "wording/axis_scale.h"

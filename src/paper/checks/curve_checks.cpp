@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/requirements.h"
-#include "paper/checks/figure_checks.h"
+#include "paper/checks/check.h"
 #include "paper/drawings/printed_paper.h"
 #include "wording/tr.h"
 

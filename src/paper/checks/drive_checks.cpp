@@ -4,8 +4,8 @@
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
-#include "paper/checks/equation_checks.h"
-#include "paper/drawings/drive_diagram.h"
+#include "paper/checks/check.h"
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/printed_paper.h"
 #include "wording/tr.h"
 

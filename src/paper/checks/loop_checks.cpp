@@ -4,7 +4,7 @@
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
-#include "paper/checks/figure_checks.h"
+#include "paper/checks/check.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 #include "wording/tr.h"

@@ -1,14 +1,17 @@
 #include "paper/checks/paper_items.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
+#include "figures/figure_set.h"
 #include "friction/catalogue.h"
+#include "paper/charts/paper_charts.h"
 #include "paper/checks/check.h"
-#include "paper/checks/equation_checks.h"
-#include "paper/checks/figure_checks.h"
 #include "paper/checks/papers_joint.h"
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/printed_paper.h"
+#include "paper/scenes/scene_figures.h"
 #include "wording/tr.h"
 
 namespace tribolog::paper::checks {
@@ -235,6 +238,23 @@ Tally tally_checks(const std::vector<PaperSection>& sections) {
     }
   }
   return sum;
+}
+
+std::vector<figures::ReportFigure> paper_figures(const PapersJoint& joint) {
+  std::vector<figures::ReportFigure> figures{charts::static_friction_figure(joint.discontinuous),
+                                             charts::linear_zone_figure(joint.continuous),
+                                             charts::presliding_hysteresis_figure(joint.loops)};
+  const auto add = [&](std::vector<figures::ReportFigure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  add(drawings::paper_drawings(joint.scenario.gear_ratio));
+  add(scenes::scene_figures(joint.robot));
+  add(figures::figure_set(joint.dataset, joint.calibration));
+  std::sort(figures.begin(), figures.end(),
+            [](const figures::ReportFigure& a, const figures::ReportFigure& b) {
+              return a.number < b.number;
+            });
+  return figures;
 }
 
 }  // namespace tribolog::paper::checks

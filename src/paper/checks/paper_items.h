@@ -44,4 +44,9 @@ Tally tally_checks(const std::vector<PaperSection>& sections);
 /// Has the item a check, and does each hold?
 bool every_check_holds(const PaperItem& item);
 
+// The paper's figures, regenerated.
+
+/// In the order of their numbers: charts, drawings and scenes, and those of the identification.
+std::vector<figures::ReportFigure> paper_figures(const PapersJoint& joint);
+
 }  // namespace tribolog::paper::checks

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "paper/checks/equation_checks.h"
+#include "paper/checks/check.h"
 #include "paper/drawings/printed_paper.h"
 #include "wording/tr.h"
 

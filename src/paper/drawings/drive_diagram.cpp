@@ -1,9 +1,8 @@
-#include "paper/drawings/drive_diagram.h"
-
 #include <string>
 
 #include <fmt/format.h>
 
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/schematic.h"
 #include "wording/tr.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/schematic.h"
 #include "wording/tr.h"
 

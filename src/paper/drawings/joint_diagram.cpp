@@ -1,7 +1,6 @@
-#include "paper/drawings/joint_diagram.h"
-
 #include <utility>
 
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/schematic.h"
 #include "wording/tr.h"
 

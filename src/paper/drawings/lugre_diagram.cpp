@@ -1,7 +1,6 @@
-#include "paper/drawings/lugre_diagram.h"
-
 #include <cmath>
 
+#include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/schematic.h"
 #include "wording/tr.h"
 

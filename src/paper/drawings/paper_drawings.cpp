@@ -1,10 +1,5 @@
 #include "paper/drawings/paper_drawings.h"
 
-#include "paper/drawings/bristle_sketch.h"
-#include "paper/drawings/drive_diagram.h"
-#include "paper/drawings/joint_diagram.h"
-#include "paper/drawings/lugre_diagram.h"
-
 namespace tribolog::paper::drawings {
 
 std::vector<figures::ReportFigure> paper_drawings(double gear_ratio) {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "ingest/arrays/hdf5_reader.h"
+#include "ingest/arrays/array_readers.h"
 #include "wording/words.h"
 
 namespace tribolog::hdf5_chunks_test {

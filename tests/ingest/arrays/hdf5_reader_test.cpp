@@ -1,5 +1,3 @@
-#include "ingest/arrays/hdf5_reader.h"
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"

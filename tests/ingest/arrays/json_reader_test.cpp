@@ -1,5 +1,3 @@
-#include "ingest/arrays/json_reader.h"
-
 #include <bit>
 #include <cmath>
 #include <random>
@@ -9,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/json_text.h"
 #include "support/damaged_files.h"
 #include "wording/words.h"

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
-#include "ingest/arrays/mat_reader.h"
+#include "ingest/arrays/array_readers.h"
 #include "support/damaged_files.h"
 
 namespace tribolog::mat_claims_test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "ingest/arrays/npz_reader.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/numpy_files.h"
 #include "support/damaged_files.h"
 #include "wording/words.h"

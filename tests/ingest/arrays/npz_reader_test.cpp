@@ -1,5 +1,3 @@
-#include "ingest/arrays/npz_reader.h"
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/numpy_files.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/bags/mcap_reader.h"
+#include "ingest/bags/bag_readers.h"
 #include "support/run_program.h"
 #include "wording/words.h"
 

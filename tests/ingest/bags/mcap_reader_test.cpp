@@ -1,11 +1,10 @@
 // MCAP logs: what is read, and what is left out.
 
-#include "ingest/bags/mcap_reader.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "ingest/bags/bag_readers.h"
 #include "ingest/bags/numbered_log.h"
 #include "wording/words.h"
 

@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
-#include "ingest/bags/mcap_reader.h"
+#include "ingest/bags/bag_readers.h"
 #include "support/cdr_writer.h"
 #include "support/mcap_writer.h"
 

@@ -1,7 +1,5 @@
 // rosbag2 logs in SQLite, written by SQLite itself.
 
-#include "ingest/bags/rosbag_reader.h"
-
 #include <random>
 #include <string_view>
 
@@ -10,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
+#include "ingest/bags/bag_readers.h"
 #include "support/cdr_writer.h"
 #include "wording/words.h"
 

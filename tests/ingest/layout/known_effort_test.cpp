@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/layout/known_loggers.h"
+#include "ingest/layout/log_layout.h"
 
 namespace tribolog::known_effort_test {
 namespace {

@@ -1,11 +1,32 @@
 #pragma once
-// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica.
+// A calibration in other programs' formats.
 
 #include <string>
 
 #include "exports/results/archived_joint.h"
 
 namespace tribolog::exports::results {
+
+// The results as JSON for a script.
+
+/// Schema "tribolog-export-1", described by templates/export.schema.json: what the calibration is
+/// of, the conversions, each quantity on each side, and the friction curve on both sides.
+std::string json_document(const ArchivedJoint& joint);
+
+// The results as tables: CSV and LaTeX.
+
+/// Lines behind `#`, then quantity, value, low, high, unit, side, verdict, conversion; a row for
+/// each quantity and side. Numbers read back to the same doubles. A text that a spreadsheet would
+/// take for a formula (from = + - @) gets an apostrophe in front.
+std::string csv_table(const ArchivedJoint& joint);
+
+// The results as a LaTeX table to \input.
+
+/// Comments, then one `tabular` that needs no package: quantity, value, interval, unit, side and
+/// verdict. Rounded by the intervals. Letters that pdfLaTeX cannot set become [U+XXXX].
+std::string latex_table(const ArchivedJoint& joint);
+
+// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica.
 
 /// A robot of two links with the joint between them, which a parser of URDF loads; its `<dynamics>`
 /// is to be copied. Joint side: `damping` is the viscous coefficient [N·m·s/rad], `friction` the

@@ -1,6 +1,5 @@
 #pragma once
-// The header of a NumPy array: format versions 1 to 3, and the type of the elements that it
-// states.
+// One NumPy array: the Python text of its header, the type that it states, and its values.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +8,34 @@
 #include <string_view>
 #include <vector>
 
-#include "ingest/arrays/python_text.h"
+#include "ingest/arrays/array_tables.h"
 
 namespace tribolog::ingest::arrays {
+
+// Text of Python literals, as a NumPy header holds them: taken piece by piece from the front.
+
+class PythonText {
+ public:
+  explicit PythonText(std::string_view text) : rest_(text) {}
+
+  /// Each takes what it names, with blanks in front of it. @return false: it is not there, and what
+  /// is left of the text has no meaning.
+  bool take(char c);
+  bool take(std::string_view word);
+  /// In quotes of either kind, with Python's escapes.
+  bool take_text(std::string& text);
+  bool take_number(std::uint64_t& number);
+
+  bool is_at_end();
+
+ private:
+  void skip_blanks();
+  bool take_escape(std::string& text);
+  std::string_view rest_;
+};
+
+// The header of a NumPy array: format versions 1 to 3, and the type of the elements that it
+// states.
 
 /// A dimension of an array: so many values, each so many bytes behind the one before.
 struct NpyDimension {
@@ -57,5 +81,22 @@ struct NpyHeader {
 
 /// @throw InputError saying what is wrong with the header of array `name`.
 NpyHeader read_npy_header(std::string_view bytes, const std::string& name, const std::string& file);
+
+// One NumPy array.
+
+/// What the fields of an array of records are called.
+enum class RecordNames {
+  by_field,           ///< "q": where the array's name is only its file's.
+  by_array_and_field  ///< "run.q"
+};
+
+/// Adds an array of numbers, booleans or times (datetime64 and timedelta64 in s, ms, us or ns, NaT
+/// a gap), or a single text. Of an array of records each field is an array of its own, those of
+/// nested records too; a field that is an array itself adds its dimensions. Objects, which are
+/// pickles and could run code, complex numbers and texts are left out with the reason; with an
+/// object in it, the whole array is one.
+/// @throw InputError where the header is damaged, or the values are more or fewer than it says.
+void add_npy_array(std::string_view bytes, const std::string& name, const std::string& file,
+                   RecordNames names, FileArrays& found);
 
 }  // namespace tribolog::ingest::arrays
