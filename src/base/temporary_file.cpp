@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <string>
 #include <string_view>
 
 #include <fcntl.h>
@@ -42,6 +44,20 @@ int make(std::string& path, std::unique_ptr<Unfinished>& unfinished) {
   return file;
 }
 
+/// As the system lists it: to set it in order to read it would be seen by other threads.
+mode_t current_umask() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    constexpr std::string_view name = "Umask:";
+    if (line.starts_with(name)) {
+      return static_cast<mode_t>(std::strtoul(line.c_str() + name.size(), nullptr, 8));
+    }
+  }
+  const mode_t mask = ::umask(0);  // without /proc, or with Linux before 4.7
+  ::umask(mask);
+  return mask;
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& target)
@@ -62,10 +78,7 @@ bool TemporaryFile::flush() const {
 }
 
 bool TemporaryFile::open_to_others() const {
-  // The umask can only be read by setting it.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return ::chmod(path_.c_str(), 0666 & ~mask) == 0;
+  return ::chmod(path_.c_str(), 0666 & ~current_umask()) == 0;
 }
 
 bool TemporaryFile::take_permissions_of(const std::filesystem::path& target) const {

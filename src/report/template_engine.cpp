@@ -143,7 +143,8 @@ std::string expand_template(const std::string& file, const TemplateValues& value
                             const wording::Language& language) {
   const Templates& templates = templates_in(language);
   ctemplate::TemplateDictionary dictionary("report");
-  dictionary.SetGlobalValue("LANGUAGE", language.code);
+  // Of this page alone: a global value would be that of all threads, whatever their languages.
+  dictionary.SetTemplateGlobalValue("LANGUAGE", language.code);
   DictionaryFiller::fill(values, dictionary);
   std::string output;
   UnsetVariables unset(output);
