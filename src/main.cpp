@@ -14,6 +14,7 @@
 #include "base/program_module.h"
 #include "base/standard_output.h"
 #include "cli/command_line.h"
+#include "tribolog/failure.h"
 #include "wording/words.h"
 
 namespace tribolog {
@@ -22,14 +23,44 @@ namespace {
 constexpr std::size_t longest_message = 10'000;
 
 /// An archive that says of itself that nothing was changed knows nothing of the other outputs.
-std::string with_what_was_kept(const Error& error) {
-  std::string message = wording::words(error);
+std::string with_what_was_kept(std::string message, ExitStatus status) {
   const bool is_of_outputs =
-      error.status() == ExitStatus::output_failed || error.status() == ExitStatus::archive_failed;
+      status == ExitStatus::output_failed || status == ExitStatus::archive_failed;
   if (!is_of_outputs || !is_something_kept()) return message;
   constexpr std::string_view nothing = "; nothing was changed";
   if (message.ends_with(nothing)) message.resize(message.size() - nothing.size());
   return message + "; " + kept_in_words();
+}
+
+void tell_refusal(const std::string& message, ExitStatus status) {
+  std::cerr << "tribolog: error: " +
+                   printable(with_what_was_kept(message, status), longest_message) + "\n";
+}
+
+void tell_want(const std::string& what) {
+  std::cerr << "tribolog: error: " + what + "; " + kept_in_words() + "\n";
+}
+
+void tell_fault(const std::string& what) {
+  std::cerr << "tribolog: internal error: " << printable(what, longest_message)
+            << "; please report it with the command and its input\n";
+}
+
+/// Of what goes through the door.
+void tell(const Failure& failure) {
+  switch (failure.kind()) {
+    case Failure::Kind::usage:
+    case Failure::Kind::input_refused:
+    case Failure::Kind::output_failed:
+    case Failure::Kind::figure_failed:
+    case Failure::Kind::archive_failed:
+      return tell_refusal(failure.what(), static_cast<ExitStatus>(failure.exit_status()));
+    case Failure::Kind::missing_library:
+    case Failure::Kind::out_of_memory:
+      return tell_want(failure.what());
+    case Failure::Kind::internal:
+      return tell_fault(failure.what());
+  }
 }
 
 int run(int argc, char** argv) {
@@ -38,15 +69,17 @@ int run(int argc, char** argv) {
     finish_printing();
     return static_cast<int>(status);
   } catch (const Error& error) {
-    std::cerr << "tribolog: error: " + printable(with_what_was_kept(error), longest_message) + "\n";
+    tell_refusal(wording::words(error), error.status());
     return static_cast<int>(error.status());
+  } catch (const Failure& failure) {
+    tell(failure);
+    return failure.exit_status();
   } catch (const MissingModule& missing) {
-    std::cerr << "tribolog: error: " << missing.what() << "; " << kept_in_words() << '\n';
+    tell_want(missing.what());
   } catch (const std::bad_alloc&) {
-    std::cerr << "tribolog: error: out of memory; " << kept_in_words() << '\n';
+    tell_want("out of memory");
   } catch (const std::exception& error) {
-    std::cerr << "tribolog: internal error: " << printable(wording::words(error), longest_message)
-              << "; please report it with the command and its input\n";
+    tell_fault(wording::words(error));
   }
   return static_cast<int>(ExitStatus::internal);
 }

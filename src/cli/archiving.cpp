@@ -12,6 +12,7 @@
 #include "base/input_file.h"
 #include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
+#include "tribolog/failure.h"
 
 namespace tribolog::cli {
 
@@ -78,7 +79,7 @@ void Archiving::keep_numbers(const std::string& calibration, const std::string& 
   tell_added(added, file, console);
 }
 
-std::optional<history::Comparison> Archiving::since_last() {
+std::optional<EarlierCalibration> Archiving::since_last() {
   if (!archive_ || id_.empty()) return std::nullopt;
   const calibration::JointName of = archive_->find(id_).facts.of;
   const auto all = archive_->measured({of.robot, of.serial, of.joint, true});
@@ -90,7 +91,14 @@ std::optional<history::Comparison> Archiving::since_last() {
     if (one.entry.facts.measured_at < now->entry.facts.measured_at) before = &one;
   }
   if (before == nullptr) return std::nullopt;
-  return history::compare(*before, *now, {}, false);
+  const auto json = archive_->document(before->entry, calibration::DocumentKind::calibration);
+  const std::string id = before->entry.id.substr(0, calibration::shown_digits);
+  if (!json) throw ArchiveError(id + ": its calibration is not in the archive");
+  try {
+    return EarlierCalibration{Calibration::from_json(*json, id), before->entry.id};
+  } catch (const Failure& failure) {
+    throw ArchiveError(std::string("what the archive has cannot be read: ") + failure.what());
+  }
 }
 
 void Archiving::keep_report(const std::string& html, Console& console) {

@@ -7,7 +7,7 @@
 #include "archive/store/calibration_archive.h"
 #include "calibration/archived_calibration.h"
 #include "cli/console.h"
-#include "history/comparison.h"
+#include "tribolog/report.h"
 
 namespace tribolog::cli {
 
@@ -44,9 +44,10 @@ class Archiving {
   void keep_numbers(const std::string& calibration, const std::string& file,
                     const std::string& manifest, Console& console);
 
-  /// From the joint's calibration before to the one whose numbers were kept; absent where nothing
-  /// is archived, or there is none before.
-  std::optional<history::Comparison> since_last();
+  /// The joint's calibration before the one whose numbers were kept; absent where nothing is
+  /// archived, or there is none before.
+  /// @throw ArchiveError: what is archived of it cannot be read.
+  std::optional<EarlierCalibration> since_last();
 
   /// Nothing where nothing is archived.
   void keep_report(const std::string& html, Console& console);

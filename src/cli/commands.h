@@ -8,10 +8,12 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
-#include "calibration/calibration.h"
 #include "cli/archiving.h"
 #include "cli/console.h"
 #include "inspect/survey/manifest_proposal.h"
+#include "joint/dataset.h"
+#include "tribolog/figures.h"
+#include "tribolog/values.h"
 #include "wording/language.h"
 
 namespace tribolog::cli {
@@ -25,25 +27,17 @@ struct SimulateOptions {
 struct IdentifyArguments {
   std::string dataset;
   std::string output;
-  std::size_t truth_runs{20};                   ///< Of the known-truth check; 0: none.
-  std::optional<calibration::Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
-  joint::IntervalSettings intervals;            ///< Win over the manifest's.
+  std::size_t truth_runs{20};         ///< Of the known-truth check; 0: none.
+  std::optional<Verdict> fail_on;     ///< This verdict or a worse one is exit status 1.
+  joint::IntervalSettings intervals;  ///< Win over the manifest's.
   ArchivingOptions archiving;
-};
-
-enum class FigureFormat { png, svg, pdf };
-
-/// What figures are drawn for.
-enum class FigureStyleChoice {
-  report,  ///< As in the report, 160 mm wide.
-  paper,   ///< For the columns of a journal.
 };
 
 struct FiguresOptions {
   std::string dataset;
   std::string directory;
   std::vector<FigureFormat> formats{FigureFormat::png};
-  FigureStyleChoice style{FigureStyleChoice::report};
+  FigureStyle style{FigureStyle::report};
   wording::Language language;
   std::size_t truth_runs{0};  ///< Of the known-truth check, which has a figure of its own.
   int processes{2};
@@ -54,7 +48,7 @@ struct ReportOptions {
   std::string output;
   std::string calibration;  ///< Empty: beside the report.
   std::size_t truth_runs{20};
-  std::optional<calibration::Verdict> fail_on;
+  std::optional<Verdict> fail_on;
   joint::IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};

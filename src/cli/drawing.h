@@ -2,13 +2,12 @@
 // Drawing a calibration's figures with progress, and naming those that failed.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
-#include "calibration/provenance.h"
 #include "cli/console.h"
 #include "figures/report_figure.h"
 #include "render/workers/renderer.h"
+#include "tribolog/figures.h"
 
 namespace tribolog::cli {
 
@@ -18,11 +17,8 @@ std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& 
                                                const std::vector<figures::ReportFigure>& figures,
                                                Console& console);
 
-/// The graphics stack, for the provenance; absent if nothing was drawn.
-std::optional<calibration::DrawingSoftware> software_that_drew(
-    const std::vector<render::workers::DrawnFigure>& drawn);
-
 /// Warns of each figure that failed; returns how many did.
+std::size_t tell_failures(const std::vector<FigureOutcome>& figures, Console& console);
 std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn, Console& console);
 
 }  // namespace tribolog::cli

@@ -9,27 +9,26 @@
 #include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
-#include "cli/figure_files.h"
 #include "cli/identification.h"
 #include "cli/shared_options.h"
-#include "figures/figure_set.h"
-#include "paper/scenes/scene_figures.h"
-#include "wording/words.h"
+#include "tribolog/figures.h"
+#include "tribolog/files.h"
 
 namespace tribolog::cli {
 
 namespace {
 
-/// Charts in vector formats alone need no graphics stack, and none is started for them.
-bool needs_pictures(const std::vector<FigureFormat>& formats, render::workers::Prepared drawings) {
-  return drawings == render::workers::Prepared::charts_and_scenes ||
-         std::find(formats.begin(), formats.end(), FigureFormat::png) != formats.end();
-}
+const std::map<std::string, FigureFormat> figure_formats{
+    {"png", FigureFormat::png}, {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}};
+const std::map<std::string, FigureStyle> figure_styles{{"report", FigureStyle::report},
+                                                       {"paper", FigureStyle::paper}};
 
 std::string listed_formats(const std::vector<FigureFormat>& formats) {
   std::string out;
   for (const FigureFormat one : formats) {
-    out += fmt::format("{}{}", out.empty() ? "" : ", ", ending_of(one));
+    const auto named = std::find_if(figure_formats.begin(), figure_formats.end(),
+                                    [&](const auto& known) { return known.second == one; });
+    out += (out.empty() ? "" : ", ") + named->first;
   }
   return out;
 }
@@ -37,44 +36,30 @@ std::string listed_formats(const std::vector<FigureFormat>& formats) {
 }  // namespace
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
-  std::optional<render::workers::FigureRenderer> renderer;
-  const render::workers::Prepared drawings = drawings_of(options.dataset);
-  // Starts while the numbers are computed.
-  if (needs_pictures(options.formats, drawings)) renderer.emplace(options.processes, drawings);
-  const joint::Dataset dataset = load_dataset(options.dataset, console);
+  std::optional<Renderer> renderer;
+  if (needs_renderer(options.dataset, options.formats)) {  // starts while the numbers are computed
+    renderer.emplace(RendererOptions{options.processes, options.dataset});
+  }
+  const Dataset dataset = load_dataset(options.dataset, console);
   AtomicFiles files;
   files.make_directory(options.directory);
-  const calibration::Calibration calibration =
-      run_identification(dataset, {{}, options.truth_runs}, console);
-  std::vector<figures::ReportFigure> figures = [&] {
-    const wording::WordsIn words(options.language);
-    return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
-                                             dataset.robot.get(), calibration);
-  }();
-  if (options.style == FigureStyleChoice::paper) figures = for_publication(std::move(figures));
-  const FigureFiles drawn =
-      figure_files(figures, options.formats, renderer ? &*renderer : nullptr, console);
-  for (const FigureFile& one : drawn.files)
-    files.add(options.directory + "/" + one.name, one.bytes);
+  const Calibration calibration =
+      run_identification(dataset, {{}, options.truth_runs, {}}, console);
+  const Figures figures = draw_figures(
+      calibration, {options.formats, options.style, options.language.code, progress_on(console)},
+      renderer ? &*renderer : nullptr);
+  for (const File& one : figures.files) files.add(options.directory + "/" + one.name, one.bytes);
   files.commit();
-  console.say(fmt::format("{}: {} figures as {}", options.directory, drawn.whole,
+  console.say(fmt::format("{}: {} figures as {}", options.directory, figures.drawn(),
                           listed_formats(options.formats)));
-  for (const statistics::StageReport& stage : calibration.stages()) {
-    if (stage.state != statistics::StageState::done) {
-      console.say(fmt::format("  {}: {}", stage.name, wording::words(stage.reason)));
+  for (const Stage& stage : calibration.stages()) {
+    if (stage.state != Stage::State::done) {
+      console.say(fmt::format("  {}: {}", stage.name, stage.reason.words));
     }
   }
-  return tell_failures(drawn.drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+  return tell_failures(figures.outcomes, console) > 0 ? ExitStatus::figure_failed
+                                                      : ExitStatus::done;
 }
-
-namespace {
-
-const std::map<std::string, FigureFormat> figure_formats{
-    {"png", FigureFormat::png}, {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}};
-const std::map<std::string, FigureStyleChoice> figure_styles{{"report", FigureStyleChoice::report},
-                                                             {"paper", FigureStyleChoice::paper}};
-
-}  // namespace
 
 CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   CLI::App& command = *app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");

@@ -1,5 +1,6 @@
 #include "cli/history_page.h"
 
+#include "api/drawing.h"
 #include "base/atomic_file.h"
 #include "cli/drawing.h"
 #include "inspect/survey/text_table.h"
@@ -31,7 +32,7 @@ ExitStatus write_history_page(
     render::workers::FigureRenderer renderer(output.processes);
     drawn = draw(renderer, figures, call.console);
   }
-  provenance.drawing = software_that_drew(drawn);
+  provenance.drawing = api::software_that_drew(drawn);
   write_file_atomically(output.path, make_page(provenance, drawn));
   call.console.finish();
   call.console.say("page: " + printable(output.path, longest_path));

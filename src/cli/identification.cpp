@@ -1,7 +1,9 @@
 #include "cli/identification.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +11,6 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "identify/identify.h"
-#include "ingest/dataset/dataset_file.h"
-#include "ingest/dataset/row_choice.h"
-#include "ingest/manifest/manifest_file.h"
-#include "joint/dataset.h"
 #include "joint/degrees.h"
 #include "wording/words.h"
 
@@ -25,24 +22,34 @@ namespace {
 
 constexpr std::size_t longest_reason = 200;
 
+/// Rows of another time: with a file of several recordings, most of them.
+bool is_outside_window(const SkippedRows& skipped) {
+  return skipped.reason.code == "skipped.outside_window";
+}
+
+/// Rows that every recording of the file lacks, whatever its window.
+bool is_of_whole_file(const SkippedRows& skipped) {
+  return skipped.reason.code == "skipped.cut_off" || skipped.reason.code == "skipped.not_usable";
+}
+
 /// A log with all recordings that are cut from it.
 class Log {
  public:
-  explicit Log(const joint::InputFile& input) : name_(input.name), rows_(input.rows_read) {}
+  explicit Log(const InputFile& input) : name_(input.name), rows_(input.rows_read) {}
 
-  [[nodiscard]] bool is(const joint::InputFile& input) const { return input.name == name_; }
+  [[nodiscard]] bool is(const InputFile& input) const { return input.name == name_; }
 
-  void add(const joint::InputFile& input) {
+  void add(const InputFile& input) {
     ++recordings_;
     used_ += input.rows_used;
-    for (const joint::SkippedRows& skipped : input.skipped) {
-      const auto known =
-          std::find_if(skipped_.begin(), skipped_.end(),
-                       [&](const joint::SkippedRows& one) { return one.reason == skipped.reason; });
+    for (const SkippedRows& skipped : input.skipped) {
+      const auto known = std::find_if(
+          skipped_.begin(), skipped_.end(),
+          [&](const SkippedRows& one) { return one.reason.words == skipped.reason.words; });
       if (known == skipped_.end()) {
         skipped_.push_back(skipped);
-      } else if (!ingest::dataset::is_of_whole_file(skipped)) {
-        known->count += skipped.count;
+      } else if (!is_of_whole_file(skipped)) {
+        known->rows += skipped.rows;
       }
     }
   }
@@ -54,11 +61,11 @@ class Log {
   void tell(std::vector<std::string>& lines) const {
     const bool is_cut_up = recordings_ > 1;
     std::size_t skipped_within = 0;
-    for (const joint::SkippedRows& one : skipped_) {
-      if (is_cut_up && ingest::dataset::is_outside_window(one)) continue;
-      skipped_within += one.count;
-      lines.push_back(fmt::format("  {}: {} rows skipped: {}", printable(name_), one.count,
-                                  printable(wording::words(one.reason), longest_reason)));
+    for (const SkippedRows& one : skipped_) {
+      if (is_cut_up && is_outside_window(one)) continue;
+      skipped_within += one.rows;
+      lines.push_back(fmt::format("  {}: {} rows skipped: {}", printable(name_), one.rows,
+                                  printable(one.reason.words, longest_reason)));
     }
     const std::size_t within = used_ + skipped_within;
     if (!is_cut_up || within == rows_) return;
@@ -73,16 +80,16 @@ class Log {
   std::size_t rows_;
   std::size_t recordings_{};
   std::size_t used_{};
-  std::vector<joint::SkippedRows> skipped_;
+  std::vector<SkippedRows> skipped_;
 };
 
 /// One line for each reason why rows were skipped, and one with all rows read and used. A log that
 /// several recordings are cut from is counted once; of it, it is said how many of its rows are in
 /// no recording, if any.
-std::vector<std::string> row_accounts(const std::vector<joint::InputFile>& inputs) {
+std::vector<std::string> row_accounts(const std::vector<InputFile>& inputs) {
   std::vector<Log> logs;
-  for (const joint::InputFile& input : inputs) {
-    if (input.conversions.empty()) continue;  // no recording's own file: its rows are counted there
+  for (const InputFile& input : inputs) {
+    if (!input.is_recording) continue;  // no recording's own file: its rows are counted there
     auto log =
         std::find_if(logs.begin(), logs.end(), [&](const Log& one) { return one.is(input); });
     if (log == logs.end()) log = logs.emplace(logs.end(), input);
@@ -100,101 +107,83 @@ std::vector<std::string> row_accounts(const std::vector<joint::InputFile>& input
   return lines;
 }
 
-constexpr std::size_t longest_note = 400;  // on a terminal; the report has all of it
+constexpr std::size_t longest_reading_note = 400;  // on a terminal; the report has all of it
+constexpr std::size_t longest_finding = 600;
 
 }  // namespace
 
-render::workers::Prepared drawings_of(const std::string& manifest) {
-  return ingest::manifest::read_manifest(manifest).manifest.robot_description.empty()
-             ? render::workers::Prepared::charts
-             : render::workers::Prepared::charts_and_scenes;
+Progress progress_on(Console& console) {
+  return [&console](const std::string& what, std::size_t done, std::size_t all) {
+    console.progress(what, done, all);
+  };
 }
 
-joint::Dataset load_dataset(const std::string& manifest, Console& console) {
+Dataset load_dataset(const std::string& manifest, Console& console) {
   console.progress("reading " + printable(manifest), 0, 1);
-  joint::Dataset dataset = ingest::dataset::read_dataset(manifest);
-  for (const Statement& note : dataset.notes) {
-    console.warn("note: " + printable(wording::words(note), longest_note));
+  Dataset dataset = Dataset::read(manifest);
+  for (const Message& note : dataset.notes()) {
+    console.warn("note: " + printable(note.words, longest_reading_note));
   }
   return dataset;
 }
 
-void protect_inputs(const joint::Dataset& dataset, const std::string& manifest,
-                    const std::string& output) {
-  const std::filesystem::path directory = std::filesystem::path(manifest).parent_path();
-  std::vector<std::string> files{manifest};
-  if (dataset.robot) files.push_back((directory / dataset.manifest.robot_description).string());
-  for (const joint::Recording& recording : dataset.recordings) {
-    files.push_back((directory / recording.name).string());
-  }
-  check_output_can_be_written(output, files);
+void protect_inputs(const Dataset& dataset, const std::string& output) {
+  check_output_can_be_written(output, dataset.files());
 }
 
-calibration::Calibration run_identification(const joint::Dataset& dataset,
-                                            const IdentificationSettings& settings,
-                                            Console& console) {
-  const joint::IntervalSettings& arguments = settings.intervals;
-  const joint::IntervalSettings& stated = dataset.manifest.intervals;
-  identify::IdentifyOptions options;
-  options.truth_runs = settings.truth_runs;
-  options.resamples = arguments.resamples.value_or(stated.resamples.value_or(options.resamples));
-  options.seed = arguments.seed.value_or(stated.seed.value_or(options.seed));
-  if (!joint::resamples_are_allowed(options.resamples)) {
-    throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", options.resamples,
+Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
+                               Console& console) {
+  const std::optional<std::uint64_t>& resamples = settings.intervals.resamples;
+  if (resamples && !joint::resamples_are_allowed(*resamples)) {
+    throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", *resamples,
                                  wording::words(joint::allowed_resamples())));
   }
-  return identify::identify(dataset, options, [&](const std::string& stage, int done, int all) {
-    console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
-  });
+  IdentifyOptions options;
+  options.resamples = resamples;
+  options.seed = settings.intervals.seed;
+  options.truth_runs = settings.truth_runs;
+  options.command_line = settings.arguments;
+  options.progress = progress_on(console);
+  return identify_joint(dataset, options);
 }
 
-std::vector<calibration::Setting> interval_configuration(
-    const method::intervals::IntervalsResult& intervals) {
-  if (intervals.resamples == 0) return {{{"setting.resamples"}, {"setting.closed_forms"}}};
-  return {{{"setting.resamples"}, Statement::verbatim(std::to_string(intervals.resamples))},
-          {{"setting.seed"}, Statement::verbatim(std::to_string(intervals.seed))}};
-}
-
-void tell_outcome(const calibration::Calibration& c, Console& console) {
-  const auto say = [&](const std::string& name, const statistics::Estimate& e, double factor,
+void tell_outcome(const Calibration& calibration, Console& console) {
+  console.say(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
+                          calibration.sentence().words));
+  for (const Check& check : calibration.checks()) {
+    if (check.state != Check::State::fails) continue;
+    console.say(printable(fmt::format("  check fails: {}: {}", check.words, check.found.words),
+                          longest_finding));
+  }
+  for (const Quantity& quantity : calibration.quantities()) {
+    if (quantity.verdict == Verdict::usable || !quantity.decides) continue;
+    console.say(printable(fmt::format("  {}: {}: {}", code_of(quantity.verdict), quantity.words,
+                                      quantity.reasons.front().words),
+                          longest_finding));
+  }
+  const auto say = [&](const char* quantity, const std::string& name, double factor,
                        const char* unit) {
-    const statistics::Estimate s = statistics::scaled(e, factor);
-    console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, s.value, unit,
-                            s.low, s.high));
+    const std::optional<Quantity> found = calibration.quantity(quantity);
+    if (!found || !found->at_joint) return;
+    const Estimate& e = *found->at_joint;
+    console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, factor * e.value,
+                            unit, factor * e.low, factor * e.high));
   };
-  console.say(fmt::format("verdict: {} - {}", calibration::to_string(c.judgement.verdict),
-                          wording::words(c.judgement.sentence)));
-  for (const method::checks::DataCheck* check :
-       c.data_checks.in_state(method::checks::CheckState::fails)) {
-    console.say(
-        printable(fmt::format("  check fails: {}: {}", wording::words_for("check", check->name),
-                              wording::words(check->found)),
-                  600));
+  say("cog_angle", "gravity peak at joint angle", joint::degrees_per_rad, "deg");
+  say("surrogate_mass", "surrogate mass, " + calibration.estimator(), 1, "kg");
+  say("gravity_torque", "gravity torque at the joint", 1, "N·m");
+  for (const Stage& stage : calibration.stages()) {
+    const bool has_line = stage.state == Stage::State::done || stage.state == Stage::State::partial;
+    if (stage.name == "friction_parameters" && has_line) {
+      say("coulomb_torque", "Coulomb torque at the joint", 1, "N·m");
+    }
   }
-  for (const calibration::QuantityVerdict& quantity : c.judgement.quantities) {
-    if (quantity.verdict == calibration::Verdict::usable || !quantity.decides) continue;
-    console.say(printable(fmt::format("  {}: {}: {}", calibration::to_string(quantity.verdict),
-                                      wording::words_for("quantity", quantity.key),
-                                      wording::words(quantity.reasons.front())),
-                          600));
-  }
-  const double n = c.manifest.drive.gear_ratio();
-  if (c.q_peak_rad)
-    say("gravity peak at joint angle", *c.q_peak_rad, joint::degrees_per_rad, "deg");
-  if (const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended)) {
-    say("surrogate mass, " + mass->estimator, mass->mass_kg, 1, "kg");
-    say("gravity torque at the joint", mass->gravity_Nm, n, "N·m");
-  }
-  if (const auto& line = c.friction.coulomb_viscous) {
-    say("Coulomb torque at the joint", line->coulomb_Nm, n, "N·m");
-  }
-  for (const std::string& line : row_accounts(c.inputs)) console.say(line);
+  for (const std::string& line : row_accounts(calibration.inputs())) console.say(line);
 }
 
-ExitStatus status_of(const calibration::Calibration& calibration,
-                     const std::optional<calibration::Verdict>& fail_on) {
+ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {
   const bool fails =
-      fail_on && static_cast<int>(calibration.judgement.verdict) >= static_cast<int>(*fail_on);
+      fail_on && static_cast<int>(calibration.verdict()) >= static_cast<int>(*fail_on);
   return fails ? ExitStatus::verdict_failed : ExitStatus::done;
 }
 

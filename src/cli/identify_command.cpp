@@ -1,7 +1,7 @@
 #include <string>
 
 #include "base/atomic_file.h"
-#include "calibration/calibration_json.h"
+#include "calibration/provenance.h"
 #include "cli/archiving.h"
 #include "cli/commands.h"
 #include "cli/identification.h"
@@ -13,17 +13,15 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
                         Console& console) {
   check_output_can_be_written(options.output, {options.dataset, options.archiving.file()});
   console.make_way_for(options.output);
-  calibration::Provenance provenance = calibration::make_provenance(arguments);
+  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
   Archiving archiving(options.archiving);
-  const joint::Dataset dataset = load_dataset(options.dataset, console);
-  protect_inputs(dataset, options.dataset, options.output);
-  const calibration::Calibration calibration =
-      run_identification(dataset, {options.intervals, options.truth_runs}, console);
-  provenance.configuration = interval_configuration(calibration.intervals);
-  const std::string json = calibration::calibration_json(calibration, provenance);
+  const Dataset dataset = load_dataset(options.dataset, console);
+  protect_inputs(dataset, options.output);
+  const Calibration calibration =
+      run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
-  files.add(options.output, json);
-  archiving.keep_numbers(json, options.output, options.dataset, console);
+  files.add(options.output, calibration.to_json());
+  archiving.keep_numbers(calibration.to_json(), options.output, options.dataset, console);
   files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));

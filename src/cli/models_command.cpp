@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/drawing.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/commands.h"
@@ -126,7 +127,7 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   }
   const std::vector<figures::ReportFigure> figures = figures_of(experiments);
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
-  provenance.drawing = software_that_drew(drawn);
+  provenance.drawing = api::software_that_drew(drawn);
   write_file_atomically(options.output, report::models_page(contact, experiments, drawn, provenance,
                                                             options.language));
   console.say("comparison: " + options.output);

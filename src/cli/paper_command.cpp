@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "api/drawing.h"
 #include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
@@ -81,7 +82,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   }
 
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, paper.figures, console);
-  paper.provenance.drawing = software_that_drew(drawn);
+  paper.provenance.drawing = api::software_that_drew(drawn);
   const std::vector<paper::page::PaperTally> tallies = paper::page::tally_of(paper, drawn);
   write_file_atomically(options.output,
                         page_in(options.language, paper, joint.calibration, drawn, json));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "api/drawing.h"
 #include "base/atomic_file.h"
 #include "base/input_file.h"
 #include "cli/commands.h"
@@ -115,7 +116,7 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   const std::vector<figures::ReportFigure> figures =
       figures::figures_in(options.language, [&] { return figures::plan_figures(report.plan); });
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
-  report.provenance.drawing = software_that_drew(drawn);
+  report.provenance.drawing = api::software_that_drew(drawn);
   {
     const wording::WordsIn words(options.language);
     files.add(page, report::plan_page(report, figures, drawn, options.language));

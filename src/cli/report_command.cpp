@@ -1,16 +1,16 @@
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
-#include "calibration/calibration_json.h"
+#include "calibration/provenance.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
-#include "figures/figure_csv.h"
-#include "figures/figure_set.h"
-#include "paper/scenes/scene_figures.h"
-#include "report/html_report.h"
+#include "tribolog/figures.h"
+#include "tribolog/report.h"
 
 namespace tribolog::cli {
 namespace {
@@ -42,47 +42,31 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
     console.make_way_for(output);
   }
   check_outputs_differ({options.output, numbers});
-  calibration::Provenance provenance = calibration::make_provenance(arguments);
+  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
   Archiving archiving(options.archiving);
 
-  std::optional<render::workers::FigureRenderer> renderer;  // starts while the numbers are computed
-  if (options.figures) renderer.emplace(options.processes, drawings_of(options.dataset));
-  const joint::Dataset dataset = load_dataset(options.dataset, console);
-  protect_inputs(dataset, options.dataset, options.output);
-  protect_inputs(dataset, options.dataset, numbers);
-  const calibration::Calibration calibration =
-      run_identification(dataset, {options.intervals, options.truth_runs}, console);
-  provenance.configuration = interval_configuration(calibration.intervals);
-  const std::string json = calibration::calibration_json(calibration, provenance);
+  std::optional<Renderer> renderer;  // starts while the numbers are computed
+  if (options.figures) renderer.emplace(RendererOptions{options.processes, options.dataset});
+  const Dataset dataset = load_dataset(options.dataset, console);
+  protect_inputs(dataset, options.output);
+  protect_inputs(dataset, numbers);
+  const Calibration calibration =
+      run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
-  files.add(numbers, json);
-  archiving.keep_numbers(json, numbers, options.dataset, console);
-  const std::optional<history::Comparison> since_last = archiving.since_last();
-  if (!archiving.id().empty()) {
-    provenance.configuration.push_back(
-        {{"setting.archived_as"}, Statement::verbatim(archiving.id())});
-  }
+  files.add(numbers, calibration.to_json());
+  archiving.keep_numbers(calibration.to_json(), numbers, options.dataset, console);
 
-  std::vector<figures::ReportFigure> figures;
-  std::vector<render::workers::DrawnFigure> drawn;
-  if (renderer) {
-    figures = figures::figures_in(options.language, [&] {
-      return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
-                                               dataset.robot.get(), calibration);
-    });
-    drawn = draw(*renderer, figures, console);
-    provenance.drawing = software_that_drew(drawn);
-  }
-  console.progress("writing the report", 1, 1);
-  const std::string html =
-      report::html_report(calibration, figures, drawn, provenance, since_last, options.language);
-  files.add(options.output, html);
-  archiving.keep_report(html, console);
+  const Report report = make_report(
+      calibration,
+      {options.language.code, archiving.since_last(), archiving.id(), progress_on(console)},
+      renderer ? &*renderer : nullptr);
+  files.add(options.output, report.html);
+  archiving.keep_report(report.html, console);
   files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));
-  if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
+  if (tell_failures(report.figures, console) > 0) return ExitStatus::figure_failed;
   return status_of(calibration, options.fail_on);
 }
 

@@ -14,9 +14,8 @@
 namespace tribolog::cli {
 namespace {
 
-const std::map<std::string, calibration::Verdict> verdicts{
-    {"doubtful", calibration::Verdict::doubtful},
-    {"not-identifiable", calibration::Verdict::not_identifiable}};
+const std::map<std::string, Verdict> verdicts{{"doubtful", Verdict::doubtful},
+                                              {"not-identifiable", Verdict::not_identifiable}};
 
 /// "en (the default), pl"
 std::string codes_in_words() {
@@ -58,7 +57,7 @@ CLI::Validator whole_number() {
           "WHOLE NUMBER"};
 }
 
-void add_fail_on(CLI::App& command, std::optional<calibration::Verdict>& fail_on) {
+void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
   command
       .add_option_function<std::string>(
           "--fail-on", [&fail_on](const std::string& word) { fail_on = verdicts.at(word); },

@@ -6,8 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "calibration/calibration.h"
 #include "cli/archiving.h"
+#include "joint/dataset.h"
+#include "tribolog/values.h"
 #include "wording/language.h"
 
 namespace tribolog::cli {
@@ -18,7 +19,7 @@ CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number();
 
 /// `--fail-on VERDICT`
-void add_fail_on(CLI::App& command, std::optional<calibration::Verdict>& fail_on);
+void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);
 /// `--resamples`, `--seed`
 void add_intervals(CLI::App& command, joint::IntervalSettings& intervals);
 /// `--archive [LOCATION]`, `--archive-inputs`, `--archive-again`, `--wait`

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "api/drawing.h"
 #include "base/atomic_file.h"
 #include "base/input_file.h"
 #include "cli/commands.h"
@@ -78,7 +79,7 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   const std::vector<figures::ReportFigure> figures =
       figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
-  report.provenance.drawing = software_that_drew(drawn);
+  report.provenance.drawing = api::software_that_drew(drawn);
   {
     const wording::WordsIn words(options.language);
     files.add(options.output, report::study_page(report, figures, drawn, options.language));

@@ -1,18 +1,21 @@
-#include "cli/figure_files.h"
+#include "api/figure_files.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "api/drawing.h"
 #include "base/error.h"
-#include "cli/drawing.h"
 #include "render/composition/figure_layout.h"
 #include "render/composition/publication.h"
 #include "render/text/font.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog::cli {
+namespace tribolog::api {
 namespace {
 
 std::string text_of(const std::vector<std::byte>& bytes) {
@@ -43,10 +46,22 @@ std::map<std::size_t, render::workers::DrawnFigure> draw_solid_parts(
   return out;
 }
 
+const char* ending_of(FigureFormat format) {
+  switch (format) {
+    case FigureFormat::svg:
+      return "svg";
+    case FigureFormat::pdf:
+      return "pdf";
+    case FigureFormat::png:
+      break;
+  }
+  return "png";
+}
+
 class VectorWriter {
  public:
-  VectorWriter(FigureFiles& out, const std::vector<FigureFormat>& formats)
-      : out_(out), formats_(formats) {}
+  VectorWriter(std::vector<File>& files, const std::vector<FigureFormat>& formats)
+      : files_(files), formats_(formats) {}
 
   /// @param solid_parts null for what has none
   void write(const figures::ReportFigure& figure, const render::workers::DrawnFigure* solid_parts,
@@ -64,10 +79,10 @@ class VectorWriter {
       const render::vector::DocumentTexts texts{figure.figure.id, figure.title, figure.alt};
       for (const FigureFormat format : formats_) {
         if (format == FigureFormat::png) continue;
-        out_.files.push_back({file_name(figure, format),
-                              format == FigureFormat::svg
-                                  ? render::vector::svg_document(list, texts, font_, picture)
-                                  : render::vector::pdf_document(list, texts, font_, picture)});
+        files_.push_back({file_name(figure, format),
+                          format == FigureFormat::svg
+                              ? render::vector::svg_document(list, texts, font_, picture)
+                              : render::vector::pdf_document(list, texts, font_, picture)});
       }
     } catch (const FigureError& problem) {
       if (outcome.error.empty()) outcome.error = shown(problem.statement());
@@ -79,20 +94,26 @@ class VectorWriter {
   }
 
  private:
-  FigureFiles& out_;
+  std::vector<File>& files_;
   const std::vector<FigureFormat>& formats_;
   render::text::Font font_;
 };
 
-void draw_pictures(const std::vector<figures::ReportFigure>& figures,
-                   render::workers::FigureRenderer& renderer, FigureFiles& out, Console& console) {
-  out.drawn = draw(renderer, figures, console);
+/// The pictures go into the files; what is left of each figure is its outcome.
+std::vector<render::workers::DrawnFigure> draw_pictures(
+    const std::vector<figures::ReportFigure>& figures, render::workers::FigureRenderer& renderer,
+    std::vector<File>& files, const Progress& progress) {
+  std::vector<render::workers::DrawnFigure> drawn =
+      draw(renderer, figures, [&](std::size_t done, std::size_t all) {
+        if (progress) progress("drawing figures", done, all);
+      });
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (!out.drawn[i].error.empty()) continue;
-    out.files.push_back(
-        {VectorWriter::file_name(figures[i], FigureFormat::png), text_of(out.drawn[i].png)});
-    out.drawn[i].png.clear();
+    if (!drawn[i].error.empty()) continue;
+    files.push_back(
+        {VectorWriter::file_name(figures[i], FigureFormat::png), text_of(drawn[i].png)});
+    drawn[i].png.clear();
   }
+  return drawn;
 }
 
 bool has(const std::vector<FigureFormat>& formats, FigureFormat wanted) {
@@ -100,18 +121,6 @@ bool has(const std::vector<FigureFormat>& formats, FigureFormat wanted) {
 }
 
 }  // namespace
-
-const char* ending_of(FigureFormat format) {
-  switch (format) {
-    case FigureFormat::svg:
-      return "svg";
-    case FigureFormat::pdf:
-      return "pdf";
-    case FigureFormat::png:
-      break;
-  }
-  return "png";
-}
 
 std::vector<figures::ReportFigure> for_publication(std::vector<figures::ReportFigure> figures) {
   const render::text::Font font;
@@ -125,28 +134,27 @@ std::vector<figures::ReportFigure> for_publication(std::vector<figures::ReportFi
   return figures;
 }
 
-FigureFiles figure_files(const std::vector<figures::ReportFigure>& figures,
-                         const std::vector<FigureFormat>& formats,
-                         render::workers::FigureRenderer* renderer, Console& console) {
-  FigureFiles out;
+Figures figure_files(const std::vector<figures::ReportFigure>& figures,
+                     const std::vector<FigureFormat>& formats,
+                     render::workers::FigureRenderer* renderer, const Progress& progress) {
+  Figures out;
+  std::vector<render::workers::DrawnFigure> drawn;
   if (has(formats, FigureFormat::png)) {
-    draw_pictures(figures, *renderer, out, console);
+    drawn = draw_pictures(figures, *renderer, out.files, progress);
   } else {
-    for (const figures::ReportFigure& one : figures) out.drawn.emplace_back().id = one.figure.id;
+    for (const figures::ReportFigure& one : figures) drawn.emplace_back().id = one.figure.id;
   }
   if (has(formats, FigureFormat::svg) || has(formats, FigureFormat::pdf)) {
     const auto solid_parts = draw_solid_parts(figures, renderer);
-    VectorWriter writer(out, formats);
+    VectorWriter writer(out.files, formats);
     for (std::size_t i = 0; i < figures.size(); ++i) {
-      console.progress("writing figures", i, figures.size());
+      if (progress) progress("writing figures", i, figures.size());
       const auto below = solid_parts.find(i);
-      writer.write(figures[i], below == solid_parts.end() ? nullptr : &below->second, out.drawn[i]);
+      writer.write(figures[i], below == solid_parts.end() ? nullptr : &below->second, drawn[i]);
     }
   }
-  out.whole = static_cast<std::size_t>(
-      std::count_if(out.drawn.begin(), out.drawn.end(),
-                    [](const render::workers::DrawnFigure& one) { return one.error.empty(); }));
+  out.outcomes = outcomes_of(drawn);
   return out;
 }
 
-}  // namespace tribolog::cli
+}  // namespace tribolog::api

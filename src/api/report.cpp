@@ -1,0 +1,74 @@
+#include "tribolog/report.h"
+
+#include <utility>
+
+#include "api/contents.h"
+#include "api/drawing.h"
+#include "api/guard.h"
+#include "base/encodings.h"
+#include "calibration/read_calibration.h"
+#include "figures/figure_csv.h"
+#include "figures/figure_set.h"
+#include "history/comparison.h"
+#include "paper/scenes/scene_figures.h"
+#include "report/html_report.h"
+
+namespace tribolog::api {
+namespace {
+
+calibration::Measured measured(const Calibration& calibration, const std::string& id) {
+  calibration::RecordedCalibration read =
+      calibration::read_calibration(calibration.to_json(), "the calibration");
+  calibration::Measured made;
+  made.entry.id = id.empty() ? sha256_hex(calibration.to_json()) : id;
+  made.entry.facts = std::move(read.facts);
+  made.quantities = std::move(read.quantities);
+  return made;
+}
+
+std::optional<history::Comparison> since(const std::optional<EarlierCalibration>& earlier,
+                                         const Calibration& calibration,
+                                         const std::string& kept_as) {
+  if (!earlier) return std::nullopt;
+  return history::compare(measured(earlier->calibration, earlier->id),
+                          measured(calibration, kept_as), {}, false);
+}
+
+}  // namespace
+}  // namespace tribolog::api
+
+namespace tribolog {
+
+Report make_report(const Calibration& calibration, const ReportOptions& options,
+                   Renderer* renderer) {
+  return api::guarded([&] {
+    const wording::Language language = api::language_of(options.language);
+    const api::Identified& identified = api::Inside::of(calibration);
+    const joint::Dataset& dataset = api::Inside::of(identified.dataset);
+    const auto since_last = api::since(options.earlier, calibration, options.kept_as);
+    calibration::Provenance provenance = identified.provenance;
+    if (!options.kept_as.empty()) {
+      provenance.configuration.push_back(
+          {{"setting.archived_as"}, Statement::verbatim(options.kept_as)});
+    }
+    std::vector<figures::ReportFigure> figures;
+    std::vector<render::workers::DrawnFigure> drawn;
+    if (render::workers::FigureRenderer* const drawing = api::Inside::of(renderer)) {
+      figures = figures::figures_in(language, [&] {
+        return paper::scenes::with_scene_figures(
+            figures::figure_set(dataset, identified.calibration), dataset.robot.get(),
+            identified.calibration);
+      });
+      drawn = api::draw(*drawing, figures, [&](std::size_t done, std::size_t all) {
+        if (options.progress) options.progress("drawing figures", done, all);
+      });
+      provenance.drawing = api::software_that_drew(drawn);
+    }
+    if (options.progress) options.progress("writing the report", 1, 1);
+    return Report{report::html_report(identified.calibration, figures, drawn, provenance,
+                                      since_last, language),
+                  api::outcomes_of(drawn)};
+  });
+}
+
+}  // namespace tribolog

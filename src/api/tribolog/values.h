@@ -1,0 +1,124 @@
+#pragma once
+// Values that a dataset and a calibration consist of: plain data, owned by whoever holds it.
+//
+// Numbers are SI. Torques, and speeds of the friction, are at the motor unless a name says joint;
+// angles are at the joint.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tribolog/export.h"
+
+namespace tribolog {
+
+/// What is stated: for a machine and for a person.
+struct Message {
+  std::string code;   ///< Stable: "gravity.one_direction"; empty where an older file has none.
+  std::string words;  ///< In the language that was asked for; empty: there is nothing to say.
+};
+
+/// An estimate with its interval: low <= value <= high.
+struct Estimate {
+  double value{};
+  double low{};
+  double high{};
+  double coverage{
+      0.95};  ///< In so many of a hundred experiments, as a share, the interval holds it.
+};
+
+/// How far a result can be relied on, from best to worst.
+enum class Verdict { usable, doubtful, not_identifiable };
+
+/// "usable", "doubtful" or "not_identifiable", as files have it.
+TRIBOLOG_EXPORT std::string code_of(Verdict verdict);
+
+/// A result, with its own verdict.
+struct Quantity {
+  std::string name;   ///< Stable: "coulomb_torque".
+  std::string words;  ///< "Coulomb torque", in the language that was asked for.
+  std::string unit;   ///< "N·m"; empty for a curve. The same on both sides of the gear.
+  /// At the motor; of the joint alone (angle of the centre of gravity, surrogate mass): of it.
+  /// Absent for a curve, and where it was not found.
+  std::optional<Estimate> estimate;
+  /// The same at the joint: torque times the gear ratio, speed divided by it, coefficients of
+  /// torque per speed, angle or acceleration times its square.
+  std::optional<Estimate> at_joint;
+  Verdict verdict{Verdict::not_identifiable};
+  bool decides{};                ///< Takes part in the verdict over all.
+  std::vector<Message> reasons;  ///< The weightiest first; empty only if it is usable.
+  Message experiment;            ///< What to record next; empty only if it is usable.
+};
+
+/// A check on the recordings, before anything is identified.
+struct Check {
+  enum class State { passed, warns, fails, not_applicable };
+  std::string name;  ///< Stable: "speed_scale".
+  std::string words;
+  State state{State::not_applicable};
+  std::string recording;           ///< Of which the number is; empty: of none, or of all.
+  std::optional<double> measured;  ///< In `unit`, as the limits of what passes.
+  std::optional<double> at_least;
+  std::optional<double> at_most;
+  std::string unit;  ///< "1" for a pure number.
+  Message found;
+  Message consequence;  ///< For the results; empty if it passed.
+  Message experiment;   ///< What to record instead; empty if it passed.
+};
+
+/// How far a step of the method came.
+struct Stage {
+  enum class State { done, partial, not_identifiable, skipped };
+  std::string name;  ///< Stable: "surrogate_masses".
+  State state{State::skipped};
+  Message reason;  ///< Empty only if it is done.
+};
+
+/// Rows of a log that were not used.
+struct SkippedRows {
+  Message reason;
+  std::size_t rows{};
+};
+
+/// A file that went into the numbers.
+struct InputFile {
+  std::string name;  ///< As the manifest has it, without the directory of this machine.
+  std::string role;  ///< "manifest", "robot", or the recording's: "rough_sweep".
+  std::uint64_t bytes{};
+  std::string sha256;  ///< 64 hexadecimal digits.
+  std::size_t rows_read{};
+  std::size_t rows_used{};
+  std::vector<SkippedRows> skipped;
+  /// A recording's own log. Not the manifest, nor what stands beside such a log row by row.
+  bool is_recording{};
+};
+
+/// What was measured, as the manifest states it; empty or absent where it does not.
+struct Joint {
+  std::string robot;
+  std::string serial;
+  std::string joint;
+  std::string measured_on;  ///< Free text, or an ISO date.
+  std::string operator_name;
+  std::string note;
+  std::string payload;
+  std::optional<double> payload_kg;
+  std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint's axis.
+  std::optional<double> temperature_C;
+  double gear_ratio{1};  ///< Motor angle / joint angle; may be negative.
+};
+
+/// Called in the caller's thread with what is done next, in English, and (done, all). Must not
+/// throw.
+using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t all)>;
+
+/// Codes of the languages that words can be in, English first: "en", "pl".
+TRIBOLOG_EXPORT std::vector<std::string> languages();
+
+/// "0.1.0", of the library that runs.
+TRIBOLOG_EXPORT std::string version();
+
+}  // namespace tribolog
