@@ -2,7 +2,7 @@
 # Installs what is missing from the distribution's packages, and builds. Called by examples/run.sh
 # and tests/run.sh; not meant to be called by hand.
 #   ./setup.sh program        what the program needs; builds it into build/
-#   ./setup.sh package        the same, and packs it: build/tribolog_*.deb
+#   ./setup.sh package        the same, and packs it: build/tribolog_*.deb, build/libtribolog*.deb
 #   ./setup.sh tests          that and what the tests need; builds them too
 #   ./setup.sh lint           the same and what looks at the source: clang-tidy, a second compiler
 #   ./setup.sh nightly        the same and what tests/nightly.sh needs
@@ -144,7 +144,7 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 rm -f "$build.log"
-target=all
-[[ $goal == program || $goal == package ]] && target=tribolog
-cmake --build "$build" --target "$target"
+targets=(all)
+[[ $goal == program || $goal == package ]] && targets=(tribolog tribolog_shared)
+cmake --build "$build" --target "${targets[@]}"
 if [ "$goal" = package ]; then (cd "$build" && cpack); fi

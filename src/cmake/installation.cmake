@@ -1,5 +1,6 @@
-# What `cmake --install` puts where, and the Debian package that `cpack` makes of it. All of it finds
-# each other by relative ways: the prefix may be chosen, and moved.
+# What `cmake --install` puts where, and the Debian packages that `cpack` makes of it: the program, the
+# shared library, and what it takes to build with that. All of it finds each other by relative ways:
+# the prefix may be chosen, and moved.
 include(GNUInstallDirs)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
@@ -10,21 +11,39 @@ install(FILES templates/calibration.schema.json templates/export.schema.json
 install(FILES src/cli/tribolog.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program library development)
 set(CPACK_PACKAGE_CONTACT "the tribolog authors <tribolog@localhost>")
 set(CPACK_PACKAGE_VENDOR "the tribolog authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tribolog)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 "Finds a joint's centre of gravity, surrogate mass, friction hysteresis and
 viscous curve, says how sure it is of each, draws every figure without a
 display, and writes one HTML report with the numbers beside it as JSON.")
 # Besides the libraries of program and modules, which dpkg-shlibdeps finds.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
 if(TRIBOLOG_GL_NAME STREQUAL "EGL")  # whose drivers are loaded by name
-  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libgl1-mesa-dri")
+  string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", libgl1-mesa-dri")
 endif()
+
+# The library loads the program's modules, which lie in the program's package.
+get_target_property(soversion tribolog_shared SOVERSION)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libtribolog${soversion})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
+"The shared library: reads logs, identifies a joint, and writes report, figures and numbers from
+within another program.")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "tribolog (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtribolog-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+"To build with the shared library: headers, the CMake package and the .pc file of libtribolog.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
 include(CPack)

@@ -12,12 +12,16 @@ endif()
 set(exports ${CMAKE_CURRENT_LIST_DIR}/exported_symbols.map)
 add_library(tribolog_shared SHARED $<TARGET_OBJECTS:tribolog_api>)
 target_link_libraries(tribolog_shared PRIVATE tribolog_api)
+file(MAKE_DIRECTORY ${TRIBOLOG_ROOM_VIEWS}/tribolog_shared)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/api/tribolog
+  ${TRIBOLOG_ROOM_VIEWS}/tribolog_shared/tribolog SYMBOLIC)
 target_include_directories(tribolog_shared INTERFACE
+  $<BUILD_INTERFACE:${TRIBOLOG_ROOM_VIEWS}/tribolog_shared>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(tribolog_shared INTERFACE cxx_std_20)
 target_link_options(tribolog_shared PRIVATE -Wl,--exclude-libs,ALL -Wl,--gc-sections
   -Wl,--version-script=${exports})
-if(NOT TRIBOLOG_SANITIZE)
+if(NOT TRIBOLOG_SANITIZE AND NOT TRIBOLOG_FUZZ)
   target_link_options(tribolog_shared PRIVATE -Wl,--no-undefined)
 endif()
 set_target_properties(tribolog_shared PROPERTIES OUTPUT_NAME tribolog EXPORT_NAME tribolog

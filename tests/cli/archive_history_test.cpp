@@ -1,12 +1,15 @@
 // `tribolog archive diff` and `archive trend`, through the program itself.
 
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sqlite3.h>
 
 #include "cli/small_dataset.h"
 
@@ -108,6 +111,34 @@ TEST_F(ArchiveHistoryTest, DiffTellsTheChangeAndRefusesWhatIsOne) {
   EXPECT_EQ(archive(fmt::format("diff {} {}", id(0), id(0))).status, 2);
   EXPECT_EQ(archive(fmt::format("diff {} ffffffff", id(0))).status, 2);
   EXPECT_EQ(archive(fmt::format("diff {} {} -o /nowhere/x.html", id(0), id(1))).status, 4);
+}
+
+TEST(ReportOfAnArchivedJoint, RefusesADamagedCalibrationBefore) {
+  const SmallDataset data;
+  const auto report = [&](const char* day) {
+    data.scratch().write("dataset.toml",
+                         replaced(small_manifest(), "name = \"test robot\"",
+                                  fmt::format("name = \"test robot\"\nmeasured_on = {}", day)));
+    return run_shell("cd '" + data.scratch().path() + "' && " + program +
+                     "report dataset.toml --no-figures --truth-runs 0 --archive a.tribolog -o " +
+                     day + ".html");
+  };
+  ASSERT_EQ(report("2026-01-01").status, 0);
+  ASSERT_EQ(report("2026-01-02").status, 0);
+  EXPECT_EQ(read_text(data.file("2026-01-01.html")).find("no change seen"), std::string::npos);
+  EXPECT_NE(read_text(data.file("2026-01-02.html")).find("no change seen"), std::string::npos);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(data.file("a.tribolog").c_str(), &database), SQLITE_OK);
+  const std::string damage =
+      "UPDATE document SET sha256 = '" + std::string(64, '0') + "' WHERE kind = 'calibration'";
+  EXPECT_EQ(sqlite3_exec(database, damage.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+  const ProgramRun refused = report("2026-01-03");
+  EXPECT_EQ(refused.status, 6);
+  EXPECT_NE(refused.err.find("is not what was archived; restore a backup; kept: "),
+            std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(data.file("2026-01-03.html")));
 }
 
 }  // namespace
