@@ -18,6 +18,8 @@ struct Outputs {
   std::recursive_mutex guard;
   std::list<std::string> unfinished;
   std::vector<std::string> kept;
+  bool are_told{};  ///< By the program that these rooms are; another one that has them inside asks
+                    ///< for nothing, and may write files for years.
 };
 
 /// Never destroyed: a signal may come at the very end.
@@ -95,6 +97,7 @@ void end_cleanly_on_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
   ask_for_a_warning();
   outputs().kept.clear();
+  outputs().are_told = true;
   const sigset_t signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   if (!start_small_thread()) pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
@@ -122,6 +125,7 @@ Uninterrupted::~Uninterrupted() { outputs().guard.unlock(); }
 
 void note_kept(const std::string& what) {
   const Uninterrupted change;
+  if (!outputs().are_told) return;
   auto& kept = outputs().kept;
   if (std::find(kept.begin(), kept.end(), what) == kept.end()) kept.push_back(what);
 }

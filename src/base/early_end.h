@@ -39,7 +39,7 @@ class Uninterrupted {
 };
 
 /// Something is on the disk to stay, whatever happens from now on. To be said twice is to be said
-/// once.
+/// once. Forgotten at once where end_cleanly_on_signals() was not called.
 /// @param what safe to print: "out/report.html"
 void note_kept(const std::string& what);
 

@@ -60,6 +60,12 @@ Ended ended_by(int signal, int times, const std::function<void()>& work) {
   return ended;
 }
 
+TEST(EarlyEnd, RemembersNothingForAProgramThatDoesNotAsk) {
+  const test::TemporaryDirectory directory;
+  write_file_atomically(directory.path("page"), "new");
+  EXPECT_FALSE(is_something_kept()) << kept_in_words();
+}
+
 TEST(EarlyEnd, RemovesWhatIsUnfinishedAndSaysThatNothingWasChanged) {
   const test::TemporaryDirectory directory;
   ASSERT_NE(directory.file("page", "old"), "");
