@@ -138,6 +138,32 @@ TEST(ACalibration, KeepsWordsThatAreNotOfThisVersion) {
   EXPECT_EQ(read.sentence().code, sentence.code);
 }
 
+TEST(ACalibration, IsNotMisledByCodesThatSayNothing) {
+  const std::string json = identified_example().to_json();
+  const std::string words = Calibration::from_json(json).sentence().words;
+  const std::string key = "\"sentence_code\": ";
+  const std::size_t at = json.find(key) + key.size();
+  const std::size_t end = json.find(",\n", at);
+  ASSERT_LT(at, end);
+  ASSERT_EQ(json.substr(at, end - at).find('{'), std::string::npos) << "a code without values";
+  std::string nested = "null";
+  for (int depth = 0; depth < 200; ++depth) {
+    nested = R"({"code": "general.together", "values": {"parts": [)" + nested + "]}}";
+  }
+  for (const std::string& code :
+       {std::string(R"({"code": "verdict.known_to_angle", "values": {"degrees": "many"}})"),
+        std::string(R"({"code": "verdict.known_to_angle", "values": {"degrees": {}}})"),
+        std::string(R"({"code": "verdict.known_to_angle"})"), std::string(R"({"code": 7})"),
+        std::string(R"("no.such_code")"), std::string("null"), std::string("[1, 2]"), nested}) {
+    std::string other = json;
+    other.replace(at, end - at, code);
+    const Calibration read = Calibration::from_json(other);
+    EXPECT_EQ(read.sentence().words, words) << code;
+    EXPECT_EQ(read.sentence("pl").words, words) << code << ": no language is guessed";
+    EXPECT_EQ(read.to_json(), other);
+  }
+}
+
 TEST(Quantities, StandOnBothSidesOfTheGear) {
   const Calibration found = identified_example();
   const double n = found.joint().gear_ratio;

@@ -11,7 +11,8 @@
 //   that the recordings do not show are no failure, but a verdict with its reasons.
 // Threads: any number at once, on the same Dataset or Calibration too, and in several languages; a
 //   Renderer is for one at a time, and is made before other threads are (figures.h).
-// The process: nothing is printed, no signal handler is set, neither locale nor umask is changed.
+// The process: nothing is printed, but for a file named "-", which is standard output; no signal
+//   handler is set, and neither locale nor umask is changed. Who writes to a pipe ignores SIGPIPE.
 
 #include "tribolog/calibration.h"  // IWYU pragma: export
 #include "tribolog/dataset.h"      // IWYU pragma: export
