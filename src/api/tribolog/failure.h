@@ -24,7 +24,9 @@ class TRIBOLOG_EXPORT Failure : public std::runtime_error {
     internal,  ///< A fault of the library, to be reported with the input.
   };
 
-  /// @param file of the input; empty: of none. @param line @param column from 1; 0: not known.
+  /// @param file of the input; empty: of none.
+  /// @param line from 1; 0: not known.
+  /// @param column from 1; 0: not known.
   Failure(Kind kind, const std::string& message, const std::string& file = "", long line = 0,
           long column = 0);
   Failure(const Failure&) noexcept = default;

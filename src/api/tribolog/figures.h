@@ -36,9 +36,9 @@ struct RendererOptions {
 /// and never the program.
 ///
 /// These are forked from the caller's. Make it as early as can be, while the program has no other
-/// thread: what such a thread holds locked would stay locked in them. They end with the thread that
-/// made it, so that thread has to outlive it. One thread at a time may draw with it; several
-/// renderers draw at once.
+/// thread: what such a thread holds locked would stay locked in them, and files and sockets that
+/// are open stay open in them. They end with the thread that made it, so that thread has to outlive
+/// it. One thread at a time may draw with it; several renderers draw at once.
 class TRIBOLOG_EXPORT Renderer {
  public:
   /// Returns at once: the graphics stack starts beside what the caller does next.
