@@ -26,6 +26,7 @@ struct Written {
 Written write(const std::string& language, const std::string& directory, Renderer* renderer) {
   const Calibration found = identified_example();
   const Report report = make_report(found, {language, {}, "", {}}, renderer);
+  for (const FigureOutcome& figure : report.figures) EXPECT_EQ(figure.error, "") << figure.id;
   write_files({{"report.html", report.html}, {"calibration.json", found.to_json()}}, directory);
   return {read_text(directory + "/calibration.json"), read_text(directory + "/report.html")};
 }
