@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/curves.h"
 #include "calibration/quantity_verdict.h"
 #include "joint/dataset.h"
 #include "method/checks/data_check.h"
@@ -86,6 +87,7 @@ struct Calibration {
       q_peak_rad;             ///< The one of the two with the narrower interval.
   std::string q_peak_source;  ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
   method::hysteresis::HysteresisResult hysteresis;
+  std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
   method::gravity::RunGravityResult run_gravity;
   method::hysteresis::SurrogateMassesResult masses;
   method::viscous::ViscousCurvesResult viscous;
@@ -105,6 +107,7 @@ struct Calibration {
       position_plan;  ///< Where to oscillate next, if ripple asks for it.
   Judgement judgement;
   TruthCheckResult truth_check;
+  Curves curves;
 
   /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
   /// only where there are some.

@@ -44,7 +44,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
                 {"precise", cog(c.precise, n)},
                 {"q_peak_rad", interval(c.q_peak_rad)},
                 {"q_peak_source", text_or_null(c.q_peak_source)}};
-  all["hysteresis"] = hysteresis(c.hysteresis);
+  all["hysteresis"] = hysteresis(c.hysteresis, c.curves);
   all["surrogate"] = {{"distance_m", number(c.manifest.surrogate_distance_m)},
                       {"gravity_m_s2", number(c.manifest.gravity_m_s2)}};
   all["surrogate_masses"] = surrogate_masses(c.masses);

@@ -39,7 +39,7 @@ Json friction(const Calibration& c, double n) {
             {"lugre", nullptr}};
   if (f.waiboer) made["waiboer"] = waiboer(*f.waiboer, n);
   if (f.coulomb_viscous) made["coulomb_viscous"] = coulomb_viscous(*f.coulomb_viscous, n);
-  if (c.hysteresis.lugre) made["lugre"] = lugre(*c.hysteresis.lugre, n);
+  if (c.lugre) made["lugre"] = lugre(*c.lugre, n);
   return made;
 }
 

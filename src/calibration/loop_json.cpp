@@ -34,9 +34,10 @@ std::size_t points_of_each(std::size_t loops) {
   return std::clamp<std::size_t>(600 / std::max<std::size_t>(loops, 1), 40, 200);
 }
 
-Json drawn_loop(const method::hysteresis::HysteresisResult& h, std::size_t k) {
-  if (k >= h.traces.size()) return nullptr;
-  const auto loop = method::hysteresis::steady_loop(h.traces[k], h.oscillations[k],
+Json drawn_loop(const method::hysteresis::HysteresisResult& h, const Curves& curves,
+                std::size_t k) {
+  if (k >= curves.loops.size()) return nullptr;
+  const auto loop = method::hysteresis::steady_loop(curves.loops[k], h.oscillations[k],
                                                     points_of_each(h.oscillations.size()));
   if (!loop) return nullptr;
   return {{"centre_rad", number(loop->centre_rad)},
@@ -46,7 +47,7 @@ Json drawn_loop(const method::hysteresis::HysteresisResult& h, std::size_t k) {
 
 }  // namespace
 
-Json hysteresis(const method::hysteresis::HysteresisResult& h) {
+Json hysteresis(const method::hysteresis::HysteresisResult& h, const Curves& curves) {
   Json oscillations = Json::array();
   for (std::size_t k = 0; k < h.oscillations.size(); ++k) {
     const method::hysteresis::Oscillation& o = h.oscillations[k];
@@ -57,7 +58,7 @@ Json hysteresis(const method::hysteresis::HysteresisResult& h) {
                             {"steady_cycles", number(o.steady_cycles)},
                             {"encoder_step_rad", number(o.encoder_step_rad)},
                             {"step_is_of_print", o.step_is_of_print},
-                            {"steady_loop", drawn_loop(h, k)}});
+                            {"steady_loop", drawn_loop(h, curves, k)}});
   }
   return {{"found", h.found},
           {"bristle_source", words_or_null(h.bristle_source)},

@@ -20,7 +20,7 @@ Json conversions(const std::vector<joint::InputFile>& inputs);
 Json speeds(const std::vector<method::motion::SpeedSource>& sources);
 Json provenance_json(const Provenance& p);
 Json cog(const method::gravity::CogSweepResult& r, double gear_ratio);
-Json hysteresis(const method::hysteresis::HysteresisResult& h);
+Json hysteresis(const method::hysteresis::HysteresisResult& h, const Curves& curves);
 Json surrogate_masses(const method::hysteresis::SurrogateMassesResult& result);
 Json viscous(const method::viscous::ViscousCurvesResult& v);
 Json quality(const method::selection::QualityErrorsResult& q);

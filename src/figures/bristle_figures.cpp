@@ -26,8 +26,7 @@ using wording::tr_count;
 constexpr double model_px = 3.0;
 constexpr double zero_px = 1.5;
 
-render::figure::Panel loop_panel(const LoopView& view, const method::hysteresis::LuGreLoop& loop,
-                                 const wording::AxisScale& torque) {
+render::figure::Panel loop_panel(const LoopView& view, const wording::AxisScale& torque) {
   render::figure::Panel panel;
   panel.x.title = wording::axis_title(tr("joint angle from the loop's centre q − q_{{0}}"),
                                       wording::AxisScale{view.angle.factor, view.angle.unit});
@@ -35,8 +34,9 @@ render::figure::Panel loop_panel(const LoopView& view, const method::hysteresis:
   const method::hysteresis::LoopTrace& trace = *view.trace;
   add_visible(panel, line(tr("measured"), shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));
-  add_visible(panel, line(tr("LuGre fit"), shown(trace.q_rad, view.angle),
-                          shown(loop.torque_Nm, torque), render::figure::palette::blue, model_px));
+  add_visible(panel,
+              line(tr("LuGre fit"), shown(trace.q_rad, view.angle),
+                   shown(*view.model_torque_Nm, torque), render::figure::palette::blue, model_px));
   return panel;
 }
 
@@ -83,10 +83,15 @@ std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
 }  // namespace
 
 std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& calibration) {
-  const auto& fit = calibration.hysteresis.lugre;
+  const auto& fit = calibration.lugre;
   const auto view = loop_view(calibration);
   if (!view || !fit || !fit->converged || view->model_torque_Nm == nullptr) return std::nullopt;
-  const method::hysteresis::LuGreLoop& loop = fit->loops.front();
+  const auto of_view = std::find_if(fit->loops.begin(), fit->loops.end(),
+                                    [&](const method::hysteresis::LuGreLoop& one) {
+                                      return one.recording == view->trace->recording;
+                                    });
+  if (of_view == fit->loops.end()) return std::nullopt;
+  const method::hysteresis::LuGreLoop& loop = *of_view;
   wording::Extent misfit;
   misfit.add(loop.misfit.rising_Nm);
   misfit.add(loop.misfit.falling_Nm);
@@ -98,7 +103,7 @@ std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& ca
       wording::prefixed("N·m", wording::extent_of(view->trace->torque_Nm).largest());
   const wording::AxisScale small =
       wording::prefixed("N·m", std::max(misfit.largest(), loop.residual_Nm));
-  out.figure.panels.push_back(loop_panel(*view, loop, torque));
+  out.figure.panels.push_back(loop_panel(*view, torque));
   if (!misfit.empty) {
     out.figure.panels.push_back(misfit_panel(*view, loop.misfit, loop.residual_Nm, small));
     out.figure.panels_share_x = true;

@@ -42,7 +42,7 @@ std::string points_words(const calibration::Calibration& calibration, LoopSignal
 
 /// What the reader must know of where the curves come from; begins with a space.
 std::string origin_words(const calibration::Calibration& calibration, const LoopView& view) {
-  const std::size_t loops = calibration.hysteresis.traces.size();
+  const std::size_t loops = calibration.curves.loops.size();
   std::string text;
   if (loops > 1) {
     text +=

@@ -42,16 +42,15 @@ wording::AxisScale LoopView::time() const { return {1.0, "s", trace->t_s.front()
 
 std::optional<LoopView> loop_view(const calibration::Calibration& calibration) {
   const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
-  if (!loop.found || loop.traces.empty()) return std::nullopt;
-  const method::hysteresis::LoopTrace& trace = loop.traces.front();
+  if (!loop.found || calibration.curves.loops.empty()) return std::nullopt;
+  const method::hysteresis::LoopTrace& trace = calibration.curves.loops.front();
   if (trace.t_s.empty() || trace.q_rad.empty() || trace.torque_Nm.empty()) return std::nullopt;
 
   LoopView view;
   view.trace = &trace;
   view.modelled = !trace.z_rad.empty() && !loop.bristle_source.is("loop.bristle_recorded");
-  if (loop.lugre && !loop.lugre->loops.empty() &&
-      loop.lugre->loops.front().torque_Nm.size() == trace.t_s.size()) {
-    view.model_torque_Nm = &loop.lugre->loops.front().torque_Nm;
+  if (!trace.t_s.empty() && trace.model_torque_Nm.size() == trace.t_s.size()) {
+    view.model_torque_Nm = &trace.model_torque_Nm;
   }
   view.centre_rad = loop.midline_q_rad;
   const double start = trace.t_s.front();

@@ -208,18 +208,17 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
   add_visible(panel, std::move(series));
 }
 
-void add_fitted_laws(render::figure::Panel& panel,
-                     const method::selection::FrictionParametersResult& friction,
+void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibration& calibration,
                      const wording::AxisScale& scale) {
+  const method::selection::FrictionParametersResult& friction = calibration.friction;
   if (friction.waiboer) {
+    const auto& [speeds, torques] = calibration.curves.friction;
     std::vector<double> x;
     std::vector<double> y;
-    for (std::size_t i = 0; i < std::min(friction.fit_speed_rad_s.size(), friction.fit_Nm.size());
-         ++i) {
-      if (panel.x.logarithmic && !(friction.fit_speed_rad_s[i] >= present(panel.x.minimum)))
-        continue;
-      x.push_back(friction.fit_speed_rad_s[i]);
-      y.push_back(scale(friction.fit_Nm[i]));
+    for (std::size_t i = 0; i < std::min(speeds.size(), torques.size()); ++i) {
+      if (panel.x.logarithmic && !(speeds[i] >= present(panel.x.minimum))) continue;
+      x.push_back(speeds[i]);
+      y.push_back(scale(torques[i]));
     }
     add_visible(panel, line(tr("Waiboer's law, fitted"), std::move(x), std::move(y),
                             render::figure::palette::purple, 3.0, render::figure::LineStyle::dash));

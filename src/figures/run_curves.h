@@ -46,8 +46,7 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
                           const wording::Extent& speeds, const wording::AxisScale& scale);
 
 /// The laws of stage 8, where they were fitted. A logarithmic x axis must have its minimum set.
-void add_fitted_laws(render::figure::Panel& panel,
-                     const method::selection::FrictionParametersResult& friction,
+void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibration& calibration,
                      const wording::AxisScale& scale);
 
 }  // namespace tribolog::figures

@@ -81,7 +81,7 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   const bool bins = calibration.viscous.from_sweep;
   // Lines lie under the markers; where everything is a marker, small ones lie on large ones.
   if (!bins) add_folded_reference(panel, calibration, speeds, scale);
-  add_fitted_laws(panel, calibration.friction, scale);
+  add_fitted_laws(panel, calibration, scale);
   add_folded_curve(panel, calibration, selection.recommended, scale, true);
   if (selection.paper_rule != selection.recommended) {
     add_folded_curve(panel, calibration, selection.paper_rule, scale, false);

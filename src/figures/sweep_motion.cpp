@@ -61,8 +61,7 @@ double largest_in(const std::vector<SweepTrace>& sweeps, Signal signal) {
 
 std::optional<ReportFigure> sweep_motion_figure(const joint::Dataset& dataset,
                                                 const calibration::Calibration& calibration) {
-  const method::gravity::CogSweepResult& rough = calibration.rough;
-  const auto sweeps = sweep_traces(rough, dataset, joint::Role::rough_sweep);
+  const auto sweeps = sweep_traces(calibration.curves.rough, dataset, joint::Role::rough_sweep);
   const wording::Extent angles = wording::extent_of(signal_of(sweeps, &SweepTrace::q_rad));
   const wording::Extent torques = wording::extent_of(signal_of(sweeps, &SweepTrace::torque_Nm));
   if (angles.empty || torques.empty) return std::nullopt;

@@ -101,31 +101,30 @@ constexpr double paleness = 0.6;
 
 struct Direction {
   Stroke stroke;
-  const std::vector<double>& fit_Nm;
+  const std::vector<double>& fit_q_rad;
+  const std::vector<double>& fit_Nm;  // of another length where the direction was not recorded
   std::string label;
   std::string fit_label;
   render::figure::Colour colour;
   render::figure::LineStyle fit_style;
 };
 
-std::vector<Direction> directions_of(const method::gravity::CogSweepResult& sweep) {
-  return {{Stroke::rising, sweep.fit_rising_Nm, tr("q rising"), tr("fit, q rising"), rising_colour,
-           render::figure::LineStyle::solid},
-          {Stroke::falling, sweep.fit_falling_Nm, tr("q falling"), tr("fit, q falling"),
-           falling_colour, render::figure::LineStyle::dash}};
+std::vector<Direction> directions_of(const method::gravity::SweepCurves& sweep) {
+  return {{Stroke::rising, sweep.fit_q_rad, sweep.fit_rising_Nm, tr("q rising"),
+           tr("fit, q rising"), rising_colour, render::figure::LineStyle::solid},
+          {Stroke::falling, sweep.fit_q_rad, sweep.fit_falling_Nm, tr("q falling"),
+           tr("fit, q falling"), falling_colour, render::figure::LineStyle::dash}};
 }
 
-wording::Extent torques_of(const method::gravity::CogSweepResult& sweep,
-                           const std::vector<SweepTrace>& samples, const Direction& direction) {
+wording::Extent torques_of(const std::vector<SweepTrace>& samples, const Direction& direction) {
   wording::Extent extent =
       wording::extent_of(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm));
-  if (direction.fit_Nm.size() == sweep.fit_q_rad.size()) extent.add(direction.fit_Nm);
+  if (direction.fit_Nm.size() == direction.fit_q_rad.size()) extent.add(direction.fit_Nm);
   return extent;
 }
 
-void add_direction(render::figure::Panel& panel, const method::gravity::CogSweepResult& sweep,
-                   const std::vector<SweepTrace>& sweeps, const Direction& direction,
-                   const wording::AxisScale& torque) {
+void add_direction(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
+                   const Direction& direction, const wording::AxisScale& torque) {
   render::figure::Series samples =
       line(direction.label,
            shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), wording::degrees()),
@@ -134,9 +133,9 @@ void add_direction(render::figure::Panel& panel, const method::gravity::CogSweep
   samples.marker = render::figure::Marker::circle;
   samples.marker_size_px = dot_px;
   add_visible(panel, std::move(samples));
-  if (direction.fit_Nm.size() != sweep.fit_q_rad.size()) return;
+  if (direction.fit_Nm.size() != direction.fit_q_rad.size()) return;
   add_visible(panel,
-              line(direction.fit_label, shown(sweep.fit_q_rad, wording::degrees()),
+              line(direction.fit_label, shown(direction.fit_q_rad, wording::degrees()),
                    shown(direction.fit_Nm, torque), direction.colour, 3.5, direction.fit_style));
 }
 
@@ -145,8 +144,8 @@ double distance_to_argmax(const method::gravity::CogSweepResult& sweep,
                           const Direction& direction) {
   double nearest = std::numeric_limits<double>::infinity();
   double distance = nearest;
-  for (std::size_t i = 0; i < sweep.fit_q_rad.size() && i < direction.fit_Nm.size(); ++i) {
-    const double along = std::abs(sweep.fit_q_rad[i] - sweep.argmax_rad);
+  for (std::size_t i = 0; i < direction.fit_q_rad.size() && i < direction.fit_Nm.size(); ++i) {
+    const double along = std::abs(direction.fit_q_rad[i] - sweep.argmax_rad);
     if (!(along < nearest)) continue;
     nearest = along;
     distance = std::abs(direction.fit_Nm[i] - sweep.argmax_torque_Nm);
@@ -204,11 +203,11 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
                                                 const calibration::Calibration& calibration) {
   const method::gravity::CogSweepResult& sweep = calibration.rough;
   if (!sweep.found) return std::nullopt;
-  const auto samples = sweep_traces(sweep, dataset, joint::Role::rough_sweep);
-  const auto directions = directions_of(sweep);
+  const auto samples = sweep_traces(calibration.curves.rough, dataset, joint::Role::rough_sweep);
+  const auto directions = directions_of(calibration.curves.rough);
   wording::Extent torques;
   for (const Direction& direction : directions) {
-    const wording::Extent one = torques_of(sweep, samples, direction);
+    const wording::Extent one = torques_of(samples, direction);
     if (!one.empty) torques.add({one.low, one.high});
   }
   const wording::AxisScale torque = wording::levelled("N·m", torques);
@@ -222,7 +221,7 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
   panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
   for (const Direction& direction : directions) {
-    add_direction(panel, sweep, samples, direction, torque);
+    add_direction(panel, samples, direction, torque);
   }
   add_peak(panel, sweep, torques, torque);
   add_argmax(panel, sweep, torque);
@@ -242,8 +241,9 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
                                                   const calibration::Calibration& calibration) {
   const method::gravity::CogSweepResult& sweep = calibration.precise;
   if (!sweep.found) return std::nullopt;
-  const auto samples = sweep_traces(sweep, dataset, joint::Role::precise_sweep);
-  const auto directions = directions_of(sweep);
+  const auto samples =
+      sweep_traces(calibration.curves.precise, dataset, joint::Role::precise_sweep);
+  const auto directions = directions_of(calibration.curves.precise);
   const bool falling_has_it =
       distance_to_argmax(sweep, directions[1]) < distance_to_argmax(sweep, directions[0]);
 
@@ -253,12 +253,12 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   out.title = tr("Precise sweep: driving torque near its maximum");
   out.stage = "cog_precise";
   for (const Direction& direction : directions) {
-    const wording::Extent torques = torques_of(sweep, samples, direction);
+    const wording::Extent torques = torques_of(samples, direction);
     const wording::AxisScale torque = wording::levelled("N·m", torques);
     render::figure::Panel panel;
     panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
     panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
-    add_direction(panel, sweep, samples, direction, torque);
+    add_direction(panel, samples, direction, torque);
     if (panel.series.empty()) continue;
     add_peak(panel, sweep, torques, torque);
     if ((direction.stroke == Stroke::falling) == falling_has_it) add_argmax(panel, sweep, torque);

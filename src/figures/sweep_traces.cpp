@@ -64,9 +64,9 @@ std::vector<Stretch> joined(const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-std::vector<SweepTrace> sweep_traces(const method::gravity::CogSweepResult& sweep,
+std::vector<SweepTrace> sweep_traces(const method::gravity::SweepCurves& sweep,
                                      const joint::Dataset& dataset, joint::Role role) {
-  const auto recordings = sweep.recordings.empty() ? dataset.with_role(role) : sweep.recordings;
+  const std::vector<const joint::Recording*> recordings = dataset.with_role(role);
   std::vector<SweepTrace> all;
   double start_s = 0.0;
   for (std::size_t i = 0; i < recordings.size(); ++i) {

@@ -20,9 +20,9 @@ struct SweepTrace {
   std::vector<Stroke> stroke;  ///< left_out also where the slope is zero.
 };
 
-/// The recordings that the stage was given, in its order; those of `role` if the result names none.
-/// Recordings without a sample are passed over. A mask of another length counts as "all left out".
-std::vector<SweepTrace> sweep_traces(const method::gravity::CogSweepResult& sweep,
+/// The recordings of the role. Those without a sample are passed over. A mask of another length
+/// counts as "all left out".
+std::vector<SweepTrace> sweep_traces(const method::gravity::SweepCurves& sweep,
                                      const joint::Dataset& dataset, joint::Role role);
 
 std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke);

@@ -1,5 +1,8 @@
 #include "identify/identify.h"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "calibration/calibration.h"
@@ -12,52 +15,53 @@
 #include "verdict/judge.h"
 
 namespace tribolog::identify {
-
-// What is left of a calibration where no torque was recorded.
-
 namespace {
 
-/// Sets every stage's report: not identifiable, for want of torque, and what to record.
-void refuse_for_want_of_torque(calibration::Calibration& c) {
-  const auto refuse = [](statistics::StageReport& stage, const char* name, Code needed) {
-    stage = {name, statistics::StageState::not_identifiable, needed};
-  };
-  constexpr Code column{"no_torque.log_a_column"};
-  refuse(c.rough.stage, "cog_rough", column);
-  refuse(c.precise.stage, "cog_precise", column);
-  refuse(c.hysteresis.stage, "hysteresis", "no_torque.no_loop");
-  refuse(c.masses.stage, "surrogate_masses", "no_torque.no_mass");
-  refuse(c.viscous.stage, "viscous_curves", "no_torque.no_curve");
-  refuse(c.quality.stage, "quality_errors", "no_torque.no_curve_to_check");
-  refuse(c.selection.stage, "selection", "no_torque.no_mass_to_select");
-  refuse(c.friction.stage, "friction_parameters", "no_torque.no_curve_to_fit");
-}
+using calibration::Calibration;
+using joint::Role;
 
-/// What the earlier stages know of gravity.
-std::optional<method::hysteresis::KnownGravity> known_gravity(const calibration::Calibration& c) {
-  const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
-  if (mass == nullptr || !c.q_peak_rad) return std::nullopt;
-  return method::hysteresis::KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
-}
+/// What the steps hand on: the calibration as it grows, and what no calibration holds.
+struct Progress {
+  Progress(const joint::Dataset& of, const IdentifyOptions& with) : dataset(of), options(with) {
+    c.manifest = dataset.manifest;
+  }
 
-using StageBegins = std::function<void(const char* stage)>;
+  const joint::Dataset& dataset;
+  const IdentifyOptions& options;
+  std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
 
-/// The stages from the sweeps to the friction parameters: every number that can be held against a
-/// known truth, and what later stages start from. Needs a torque.
-void identify_quantities(const joint::Dataset& dataset, const StageBegins& begin,
-                         calibration::Calibration& c) {
-  const joint::Manifest& m = dataset.manifest;
-  const double n = m.drive.gear_ratio();
+  const double n = dataset.manifest.drive.gear_ratio();
+  method::motion::Sweep rough_sweep;
+  method::motion::Sweep precise_sweep;
+  method::gravity::CogSweep rough;
+  method::gravity::CogSweep precise;
+  method::hysteresis::Hysteresis loop;
+  method::viscous::ViscousCurves curves;
+  method::selection::FrictionParametersResult friction;  ///< With intervals in closed form.
+  method::selection::OtherWays other_ways;
+  Calibration c;
 
-  begin("centre of gravity, rough sweep");
-  c.rough = method::gravity::identify_cog_sweep("cog_rough",
-                                                dataset.with_role(joint::Role::rough_sweep), n);
+  [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
+    return dataset.with_role(role);
+  }
+  [[nodiscard]] const method::hysteresis::SurrogateMass* recommended_mass() const {
+    return c.masses.find(c.selection.recommended);
+  }
+  [[nodiscard]] method::intervals::ChainResults chain() const {
+    return {rough,  precise,   c.q_peak_rad, c.q_peak_source, loop,       c.lugre, c.masses,
+            curves, c.quality, c.selection,  friction,        other_ways, n};
+  }
+};
 
-  begin("centre of gravity, precise sweep");
-  std::optional<statistics::Estimate> amplitude;
-  if (c.rough.found) amplitude = c.rough.gravity_Nm;
-  c.precise = method::gravity::identify_cog_sweep(
-      "cog_precise", dataset.with_role(joint::Role::precise_sweep), n, amplitude, c.rough.ripple);
+/// A step of the method: one result, made from the recordings and from what earlier steps found.
+/// None changes what an earlier one has said.
+struct Step {
+  const char* name;  ///< Told before it; empty: a small one, of the step before.
+  void (*run)(Progress& p);
+};
+
+/// The gravity peak: of the sweeps the one with the narrower interval; without any, the runs'.
+void choose_gravity_peak(Calibration& c) {
   for (const method::gravity::CogSweepResult* sweep : {&c.rough, &c.precise}) {
     if (!sweep->found) continue;
     if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
@@ -65,129 +69,234 @@ void identify_quantities(const joint::Dataset& dataset, const StageBegins& begin
       c.q_peak_source = sweep->stage.name;
     }
   }
-
-  c.run_gravity =
-      method::gravity::identify_run_gravity(dataset.with_role(joint::Role::constant_speed), n);
   if (!c.q_peak_rad && c.run_gravity.found) {
     c.q_peak_rad = c.run_gravity.q_peak_rad;
     c.q_peak_source = "runs";
   }
-
-  begin("hysteresis loop");
-  c.hysteresis = method::hysteresis::identify_hysteresis(
-      dataset.with_role(joint::Role::oscillation), c.rough, n, c.q_peak_rad);
-
-  begin("surrogate masses");
-  c.masses = method::hysteresis::identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n,
-                                                           m.surrogate_distance_m, m.gravity_m_s2,
-                                                           {&c.run_gravity, m.known_gravity});
-
-  begin("viscous curves");
-  c.viscous =
-      method::viscous::identify_viscous_curves(dataset.with_role(joint::Role::constant_speed),
-                                               c.rough, c.masses, c.q_peak_rad, n, m.known_gravity);
-
-  begin("quality errors");
-  c.quality = method::selection::identify_quality_errors(c.viscous, m.reference.get());
-
-  begin("selection");
-  c.selection =
-      method::selection::select_estimator(c.masses, c.quality, c.hysteresis, c.q_peak_rad);
-
-  begin("friction parameters");
-  c.friction = method::selection::fit_friction_parameters(c.viscous, c.selection);
 }
+
+std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
+  return p.loop.lugre ? p.loop.lugre->fit.gravity_Nm : std::nullopt;
+}
+
+/// What the loops' fit shows once curve and ramps are known: the experiments that would show the
+/// rest, and no static torque that a ramp has exceeded.
+std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
+  if (!p.loop.lugre) return std::nullopt;
+  method::hysteresis::LuGreFit fit = p.loop.lugre->fit;
+  if (p.friction.waiboer && p.friction.waiboer->converged) {
+    fit = method::hysteresis::with_experiments(std::move(fit), p.n,
+                                               p.friction.waiboer->stribeck_speed_rad_s.value);
+  }
+  return method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
+}
+
+std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p) {
+  const method::hysteresis::SurrogateMass* mass = p.recommended_mass();
+  if (mass == nullptr || !p.c.q_peak_rad) return std::nullopt;
+  return method::hysteresis::KnownGravity{mass->gravity_Nm, p.c.q_peak_rad->value};
+}
+
+/// The paper's chain, from the sweeps to the friction parameters: every number that can be held
+/// against a known truth, and what later steps start from.
+constexpr Step papers_chain[] = {
+    {"centre of gravity, rough sweep",
+     [](Progress& p) {
+       p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
+       p.rough = method::gravity::identify_cog_sweep("cog_rough", p.rough_sweep, p.n);
+       p.c.rough = p.rough.result;
+     }},
+    {"centre of gravity, precise sweep",
+     [](Progress& p) {
+       std::optional<statistics::Estimate> amplitude;
+       if (p.c.rough.found) amplitude = p.c.rough.gravity_Nm;
+       p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
+       p.precise = method::gravity::identify_cog_sweep("cog_precise", p.precise_sweep, p.n,
+                                                       amplitude, p.c.rough.ripple);
+       p.c.precise = p.precise.result;
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.run_gravity =
+           method::gravity::identify_run_gravity(p.recordings(Role::constant_speed), p.n);
+     }},
+    {"", [](Progress& p) { choose_gravity_peak(p.c); }},
+    {"hysteresis loop",
+     [](Progress& p) {
+       p.loop = method::hysteresis::identify_hysteresis(
+           p.recordings(Role::oscillation), p.rough_sweep, p.c.rough, p.n, p.c.q_peak_rad);
+       p.c.hysteresis = p.loop.result;
+     }},
+    {"surrogate masses",
+     [](Progress& p) {
+       const joint::Manifest& m = p.dataset.manifest;
+       p.c.masses = method::hysteresis::identify_surrogate_masses(
+           p.c.rough, p.c.hysteresis, p.c.q_peak_rad, p.n, m.surrogate_distance_m, m.gravity_m_s2,
+           {gravity_of_loop_fit(p), &p.c.run_gravity, m.known_gravity});
+     }},
+    {"viscous curves",
+     [](Progress& p) {
+       p.curves = method::viscous::identify_viscous_curves(
+           p.recordings(Role::constant_speed), p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
+           p.n, p.dataset.manifest.known_gravity);
+       p.c.viscous = p.curves.result;
+     }},
+    {"quality errors",
+     [](Progress& p) {
+       p.c.quality = method::selection::identify_quality_errors(p.c.viscous,
+                                                                p.dataset.manifest.reference.get());
+     }},
+    {"selection",
+     [](Progress& p) {
+       p.c.selection = method::selection::select_estimator(p.c.masses, p.c.quality, p.c.hysteresis,
+                                                           p.c.q_peak_rad);
+     }},
+    {"friction parameters",
+     [](Progress& p) {
+       p.friction = method::selection::fit_friction_parameters(p.c.viscous, p.c.selection);
+     }},
+};
+
+/// Whether the data can carry the chain, what the paper has not, and how sure all of it is.
+constexpr Step further_steps[] = {
+    {"checks on the data",
+     [](Progress& p) {
+       p.c.data_checks = method::checks::check_recordings(
+           p.dataset, {p.c.rough, p.c.run_gravity, p.c.q_peak_rad});
+     }},
+    {"laws of the friction curve",
+     [](Progress& p) {
+       p.c.load_dependence =
+           method::viscous::identify_load_dependence(p.rough_sweep, p.c.rough, p.c.q_peak_rad, p.n);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
+           p.c.viscous, p.recommended_mass(), p.c.rough.offset_Nm);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.curve_model =
+           method::viscous::choose_curve_model(p.c.viscous, p.c.selection.recommended);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.direction_lines =
+           method::viscous::fit_direction_lines(p.c.viscous, p.c.selection.recommended);
+     }},
+    {"break-away ramps and loop shapes",
+     [](Progress& p) {
+       p.c.break_away = method::hysteresis::identify_break_away(p.recordings(Role::break_away),
+                                                                known_gravity(p));
+     }},
+    {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
+    {"",
+     [](Progress& p) {
+       p.c.loop_shapes = method::hysteresis::describe_loops(p.recordings(Role::oscillation), p.n);
+     }},
+    {"gravity by other ways",
+     [](Progress& p) {
+       p.other_ways = method::selection::gravity_by_other_ways(
+           p.rough_sweep, p.recordings(Role::constant_speed), p.c.rough, p.c.viscous,
+           p.c.q_peak_rad, p.n);
+     }},
+    {"intervals",
+     [](Progress& p) {
+       p.c.intervals = method::intervals::resample_chain(
+           p.chain(), {p.options.resamples, p.options.seed, p.options.threads}, p.resampled);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.cross_checks = method::intervals::cross_check(p.chain(), p.c.intervals);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.position_plan = method::hysteresis::plan_positions(p.c.rough, p.c.hysteresis,
+                                                              p.loop.cycles.means_Nm.size(), p.n);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.friction = method::intervals::with_stated_intervals(p.friction, p.c.intervals);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.curves = {std::move(p.rough.curves), std::move(p.precise.curves),
+                     std::move(p.loop.traces), method::selection::fitted_curve(p.friction)};
+     }},
+};
 
 /// Simulates what was identified and identifies it again: of the simulations the numbers alone, for
 /// nothing else of them is compared.
-calibration::TruthCheckResult known_truth_check(const joint::Dataset& dataset,
-                                                const calibration::Calibration& calibration,
-                                                const IdentifyOptions& options) {
-  const auto quantities = [](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
-    calibration::Calibration c;
-    c.manifest = simulated.manifest;
-    identify_quantities(simulated, [](const char*) {}, c);
-    return c;
+void check_known_truth(Progress& p) {
+  const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
+    Progress chain(simulated, p.options);
+    for (const Step& step : papers_chain) step.run(chain);
+    if (chain.loop.lugre) chain.c.lugre = std::move(chain.loop.lugre->fit);
+    chain.c.friction = std::move(chain.friction);
+    return std::move(chain.c);
   };
-  return truth::check_known_truth(dataset, calibration, quantities,
-                                  {options.truth_runs, options.seed, options.threads});
+  p.c.truth_check = truth::check_known_truth(
+      p.dataset, p.c, numbers_of, {p.options.truth_runs, p.options.seed, p.options.threads});
+}
+
+constexpr Step truth_step{"known-truth check", check_known_truth};
+
+/// All there is to do where no torque was recorded: each stage's report says so, and what to
+/// record.
+constexpr Step without_torque{
+    "checks on the data", [](Progress& p) {
+      Calibration& c = p.c;
+      const auto refuse = [](statistics::StageReport& stage, const char* name, Code needed) {
+        stage = {name, statistics::StageState::not_identifiable, needed};
+      };
+      c.data_checks = method::checks::check_recordings(p.dataset);
+      constexpr Code column{"no_torque.log_a_column"};
+      refuse(c.rough.stage, "cog_rough", column);
+      refuse(c.precise.stage, "cog_precise", column);
+      refuse(c.hysteresis.stage, "hysteresis", "no_torque.no_loop");
+      refuse(c.masses.stage, "surrogate_masses", "no_torque.no_mass");
+      refuse(c.viscous.stage, "viscous_curves", "no_torque.no_curve");
+      refuse(c.quality.stage, "quality_errors", "no_torque.no_curve_to_check");
+      refuse(c.selection.stage, "selection", "no_torque.no_mass_to_select");
+      refuse(c.friction.stage, "friction_parameters", "no_torque.no_curve_to_fit");
+    }};
+
+std::vector<Step> steps_for(const joint::Dataset& dataset, const IdentifyOptions& options) {
+  if (dataset.manifest.drive.kind() == joint::EffortKind::none) return {without_torque};
+  std::vector<Step> steps(std::begin(papers_chain), std::end(papers_chain));
+  steps.insert(steps.end(), std::begin(further_steps), std::end(further_steps));
+  if (options.truth_runs > 0) steps.push_back(truth_step);
+  return steps;
 }
 
 }  // namespace
 
-calibration::Calibration identify(const joint::Dataset& dataset, const IdentifyOptions& options,
-                                  const StageProgress& progress) {
-  const int all = options.truth_runs > 0 ? 13 : 12;
+Calibration identify(const joint::Dataset& dataset, const IdentifyOptions& options,
+                     const StageProgress& progress) {
+  Progress p(dataset, options);
+  p.c.inputs = dataset.inputs;
+  p.c.notes = dataset.notes;
+  p.c.speed_sources = method::motion::speed_sources(dataset.recordings);
+
+  const std::vector<Step> steps = steps_for(dataset, options);
+  const auto all = static_cast<int>(
+      std::count_if(steps.begin(), steps.end(), [](const Step& step) { return *step.name != 0; }));
   int done = 0;
-  const auto begin = [&](const char* stage) {
-    if (progress) progress(stage, done, all);
-    ++done;
+  const auto tell = [&](const std::string& step, int before) {
+    if (progress) progress(step, before, all);
   };
-  const joint::Manifest& m = dataset.manifest;
-  const double n = m.drive.gear_ratio();
-  calibration::Calibration c;
-  c.manifest = m;
-  c.inputs = dataset.inputs;
-  c.notes = dataset.notes;
-  c.speed_sources = method::motion::speed_sources(dataset.recordings);
-
-  begin("checks on the data");
-  c.data_checks = method::checks::check_recordings(dataset);
-  if (m.drive.kind() == joint::EffortKind::none) {
-    refuse_for_want_of_torque(c);
-    c.judgement = verdict::judge(c);
-    if (progress) progress("identified", all, all);
-    return c;
+  p.resampled = [&](std::size_t resamples) {
+    tell("intervals, resample " + std::to_string(resamples) + " of " +
+             std::to_string(options.resamples),
+         done - 1);
+  };
+  for (const Step& step : steps) {
+    if (*step.name != 0) tell(step.name, done++);
+    step.run(p);
   }
-
-  identify_quantities(dataset, begin, c);
-  method::checks::add_gravity_checks(dataset, c.rough, c.run_gravity, c.q_peak_rad, c.data_checks);
-  if (c.hysteresis.lugre && c.friction.waiboer && c.friction.waiboer->converged) {
-    c.hysteresis.lugre = method::hysteresis::with_experiments(
-        std::move(*c.hysteresis.lugre), n, c.friction.waiboer->stribeck_speed_rad_s.value);
-  }
-  c.load_dependence = method::viscous::identify_load_dependence(c.rough, c.q_peak_rad, n);
-  c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
-      c.viscous, c.masses.find(c.selection.recommended), c.rough.offset_Nm);
-  c.curve_model = method::viscous::choose_curve_model(c.viscous, c.selection.recommended);
-  c.direction_lines = method::viscous::fit_direction_lines(c.viscous, c.selection.recommended);
-
-  begin("break-away ramps and loop shapes");
-  c.loop_shapes =
-      method::hysteresis::describe_loops(dataset.with_role(joint::Role::oscillation), n);
-  c.break_away = method::hysteresis::identify_break_away(dataset.with_role(joint::Role::break_away),
-                                                         known_gravity(c));
-  if (c.hysteresis.lugre) {
-    c.hysteresis.lugre =
-        method::hysteresis::against_ramps(std::move(*c.hysteresis.lugre), c.break_away);
-  }
-
-  begin("gravity by other ways");
-  const method::selection::OtherWays other_ways = method::selection::gravity_by_other_ways(
-      dataset.with_role(joint::Role::rough_sweep), dataset.with_role(joint::Role::constant_speed),
-      c.rough, c.viscous, c.q_peak_rad, n);
-  const method::intervals::ChainResults results{
-      c.rough,   c.precise, c.q_peak_rad, c.q_peak_source, c.hysteresis, c.masses,
-      c.viscous, c.quality, c.selection,  c.friction,      other_ways,   n};
-
-  begin("intervals");
-  c.intervals = method::intervals::resample_chain(
-      results, {options.resamples, options.seed, options.threads}, [&](std::size_t resamples) {
-        const std::string words = "intervals, resample " + std::to_string(resamples) + " of " +
-                                  std::to_string(options.resamples);
-        if (progress) progress(words, done - 1, all);
-      });
-  c.cross_checks = method::intervals::cross_check(results, c.intervals);
-  c.position_plan = method::hysteresis::plan_positions(c.rough, c.hysteresis, n);
-  method::intervals::state_intervals(c.intervals, c.friction);
-
-  if (options.truth_runs > 0) {
-    begin("known-truth check");
-    c.truth_check = known_truth_check(dataset, c, options);
-  }
-  c.judgement = verdict::judge(c);
-  if (progress) progress("identified", all, all);
-  return c;
+  p.c.judgement = verdict::judge(p.c);
+  tell("identified", all);
+  return std::move(p.c);
 }
 
 }  // namespace tribolog::identify

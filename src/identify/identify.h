@@ -1,5 +1,5 @@
 #pragma once
-// The method's table of contents: a dataset to a calibration, one call per stage.
+// The method's table of contents, a list of steps: a dataset to a calibration.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +22,8 @@ struct IdentifyOptions {
 /// Called before each stage with its name in words and (done, all).
 using StageProgress = std::function<void(const std::string& stage, int done, int all)>;
 
-/// Runs every stage. Stages without data say so in their report; the rest still runs.
-/// The dataset must outlive the calibration (figures refer to its recordings).
+/// Runs every stage. Stages without data say so in their report; the rest still runs. The
+/// calibration keeps nothing of the dataset but what it copies; figures take both.
 calibration::Calibration identify(const joint::Dataset& dataset,
                                   const IdentifyOptions& options = {},
                                   const StageProgress& progress = {});

@@ -220,7 +220,7 @@ class KeyNumbers {
   void friction() {
     const method::hysteresis::HysteresisResult& loop = c_.hysteresis;
     const auto shown = [&](const char* name) {
-      return loop.lugre ? loop.lugre->shown(name) : std::nullopt;
+      return c_.lugre ? c_.lugre->shown(name) : std::nullopt;
     };
     const std::string from_loop =
         tr("stage {stage}, LuGre fit of the loops", {{"stage", stage_number(StageId::parameters)}});

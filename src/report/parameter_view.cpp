@@ -63,7 +63,7 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
   describe_curve_models(c, section);
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));
   if (f.coulomb_viscous) section.tables.push_back(line_table(*f.coulomb_viscous, n, section));
-  if (c.hysteresis.lugre) describe_lugre(*c.hysteresis.lugre, n, section);
+  if (c.lugre) describe_lugre(*c.lugre, n, section);
 }
 
 // Stage 8: the ladder of models, each direction by itself, and load.

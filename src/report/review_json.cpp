@@ -39,8 +39,8 @@ Json script_texts() {
 
 std::string review_json(const calibration::Calibration& c) {
   const method::hysteresis::HysteresisResult& h = c.hysteresis;
-  const LoopScales scales = loop_scales(h);
-  Json drawn = h.found ? loops(h, scales, c.q_peak_rad) : Json::array();
+  const LoopScales scales = loop_scales(c);
+  Json drawn = h.found ? loops(c, scales) : Json::array();
   const bool has_curves = !c.viscous.runs.empty() && !c.viscous.curves.empty();
   if (drawn.empty() && !has_curves) return {};
 
@@ -55,7 +55,7 @@ std::string review_json(const calibration::Calibration& c) {
   all["quantities"] = std::move(quantities);
   const figures::SeriesStyle fit = figures::estimator_style("fit");
   all["fit_style"] = style(fit.colour, fit.line);
-  all["points"] = points(h, scales);
+  all["points"] = points(c, scales);
   all["midline"] = midline(h, scales);
   all["loops"] = std::move(drawn);
   all["runs"] = has_curves ? runs(c) : Json(nullptr);

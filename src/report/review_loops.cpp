@@ -48,11 +48,8 @@ std::size_t samples_of_each(std::size_t loops) {
 }
 
 /// The fitted torque on the trace's samples; null: none.
-const std::vector<double>* fitted_torque(const method::hysteresis::HysteresisResult& r,
-                                         std::size_t k) {
-  if (!r.lugre || !r.lugre->converged || k >= r.lugre->loops.size()) return nullptr;
-  const method::hysteresis::LuGreLoop& loop = r.lugre->loops[k];
-  return loop.torque_Nm.size() == r.traces[k].t_s.size() ? &loop.torque_Nm : nullptr;
+const std::vector<double>* fitted_torque(const method::hysteresis::LoopTrace& trace) {
+  return trace.model_torque_Nm.size() == trace.t_s.size() ? &trace.model_torque_Nm : nullptr;
 }
 
 /// Evenly spread samples over the whole trace, more closely over the first strokes: however noisy
@@ -105,9 +102,9 @@ double centre_of(const method::hysteresis::HysteresisResult& r, std::size_t k) {
   return std::isfinite(centre) ? centre : 0.0;
 }
 
-Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const LoopScales& scales,
-          const std::optional<statistics::Estimate>& q_peak_rad) {
-  const method::hysteresis::LoopTrace& trace = r.traces[k];
+Json loop(const calibration::Calibration& c, std::size_t k, const LoopScales& scales) {
+  const method::hysteresis::HysteresisResult& r = c.hysteresis;
+  const method::hysteresis::LoopTrace& trace = c.curves.loops[k];
   const std::size_t size = trace.t_s.size();
   wording::AxisScale angle = scales.angle;
   angle.offset = centre_of(r, k);
@@ -120,11 +117,11 @@ Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const Lo
   if (!trace.z_rad.empty()) columns.push_back({"z", &trace.z_rad, &scales.deflection});
   if (!trace.dz_rad_s.empty()) columns.push_back({"dz", &trace.dz_rad_s, &scales.rate});
   const std::vector<double>* fit =
-      r.bristle_source.is("loop.bristle_recorded") ? nullptr : fitted_torque(r, k);
+      r.bristle_source.is("loop.bristle_recorded") ? nullptr : fitted_torque(trace);
   if (fit != nullptr) columns.push_back({"fit", fit, &scales.torque});
 
   std::vector<const std::vector<double>*> signals;
-  for (const Column& c : columns) signals.push_back(c.signal);
+  for (const Column& one : columns) signals.push_back(one.signal);
   std::vector<std::size_t> needed;
   if (k == 0) {
     for (const auto* points : {&r.points, &r.steady_points}) {
@@ -132,7 +129,7 @@ Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const Lo
         add_neighbours(trace.t_s, p.t_s, needed);
     }
   }
-  const std::size_t most = samples_of_each(r.traces.size());
+  const std::size_t most = samples_of_each(c.curves.loops.size());
   const double frequency = k < r.oscillations.size() ? r.oscillations[k].frequency_Hz : 0.0;
   if (size > most) {
     add_even(trace.t_s, frequency > 0.0 ? first_strokes / frequency : 0.0, most, needed);
@@ -152,10 +149,12 @@ Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const Lo
     out["amplitude"] = wording::with_unit(
         wording::significant(r.oscillations[k].amplitude_rad * angle.factor, 4), angle.unit);
   }
-  const bool has_peak = q_peak_rad && std::isfinite(q_peak_rad->value);
-  out["q_peak"] = has_peak ? entry(q_peak_rad->value, angle) : Json(nullptr);
+  const bool has_peak = c.q_peak_rad && std::isfinite(c.q_peak_rad->value);
+  out["q_peak"] = has_peak ? entry(c.q_peak_rad->value, angle) : Json(nullptr);
   out["t"] = column(picked(trace.t_s, kept), time);
-  for (const Column& c : columns) out[c.name] = column(picked(*c.signal, kept), *c.scale);
+  for (const Column& one : columns) {
+    out[one.name] = column(picked(*one.signal, kept), *one.scale);
+  }
   out["midline"] = midline_curve(trace, angle, scales.torque);
   return out;
 }
@@ -169,10 +168,10 @@ bool is_drawable(const method::hysteresis::LoopTrace& trace) {
          fits(trace.z_rad) && fits(trace.dz_rad_s);
 }
 
-double largest_of(const method::hysteresis::HysteresisResult& r,
+double largest_of(const std::vector<method::hysteresis::LoopTrace>& traces,
                   std::vector<double> method::hysteresis::LoopTrace::* signal) {
   wording::Extent all;
-  for (const method::hysteresis::LoopTrace& trace : r.traces) all.add(trace.*signal);
+  for (const method::hysteresis::LoopTrace& trace : traces) all.add(trace.*signal);
   return all.largest();
 }
 
@@ -188,11 +187,12 @@ Json table_texts(const Table& table, std::size_t row) {
 }
 
 Json point_list(const std::vector<method::hysteresis::LoopPoint>& list,
-                const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {
-  if (r.traces.empty() || !is_drawable(r.traces.front())) return Json::array();
+                const calibration::Calibration& c, const LoopScales& scales) {
+  const std::vector<method::hysteresis::LoopTrace>& traces = c.curves.loops;
+  if (traces.empty() || !is_drawable(traces.front())) return Json::array();
   wording::AxisScale angle = scales.angle;
-  angle.offset = centre_of(r, 0);
-  const wording::AxisScale time{1.0, "s", r.traces.front().t_s.front()};
+  angle.offset = centre_of(c.hysteresis, 0);
+  const wording::AxisScale time{1.0, "s", traces.front().t_s.front()};
   const Table table = loop_points_table(list, "points", "points");
   Json out = Json::array();
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -211,17 +211,18 @@ Json point_list(const std::vector<method::hysteresis::LoopPoint>& list,
 
 }  // namespace
 
-LoopScales loop_scales(const method::hysteresis::HysteresisResult& r) {
+LoopScales loop_scales(const calibration::Calibration& c) {
+  const std::vector<method::hysteresis::LoopTrace>& traces = c.curves.loops;
   double largest = 0.0;
-  for (std::size_t k = 0; k < r.traces.size(); ++k) {
-    for (const double q : r.traces[k].q_rad) {
-      if (std::isfinite(q)) largest = std::max(largest, std::abs(q - centre_of(r, k)));
+  for (std::size_t k = 0; k < traces.size(); ++k) {
+    for (const double q : traces[k].q_rad) {
+      if (std::isfinite(q)) largest = std::max(largest, std::abs(q - centre_of(c.hysteresis, k)));
     }
   }
   return {wording::prefixed("rad", largest),
-          wording::prefixed("N·m", largest_of(r, &method::hysteresis::LoopTrace::torque_Nm)),
-          wording::prefixed("rad", largest_of(r, &method::hysteresis::LoopTrace::z_rad)),
-          wording::prefixed("rad/s", largest_of(r, &method::hysteresis::LoopTrace::dz_rad_s))};
+          wording::prefixed("N·m", largest_of(traces, &method::hysteresis::LoopTrace::torque_Nm)),
+          wording::prefixed("rad", largest_of(traces, &method::hysteresis::LoopTrace::z_rad)),
+          wording::prefixed("rad/s", largest_of(traces, &method::hysteresis::LoopTrace::dz_rad_s))};
 }
 
 void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities) {
@@ -236,18 +237,17 @@ void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json&
   quantities["dz"] = quantity(wording::tr("bristle rate"), "dz/dt", scales.rate.unit);
 }
 
-Json loops(const method::hysteresis::HysteresisResult& r, const LoopScales& scales,
-           const std::optional<statistics::Estimate>& q_peak_rad) {
+Json loops(const calibration::Calibration& c, const LoopScales& scales) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < r.traces.size(); ++k) {
-    if (is_drawable(r.traces[k])) list.push_back(loop(r, k, scales, q_peak_rad));
+  for (std::size_t k = 0; k < c.curves.loops.size(); ++k) {
+    if (is_drawable(c.curves.loops[k])) list.push_back(loop(c, k, scales));
   }
   return list;
 }
 
-Json points(const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {
-  return {{"first", point_list(r.points, r, scales)},
-          {"steady", point_list(r.steady_points, r, scales)}};
+Json points(const calibration::Calibration& c, const LoopScales& scales) {
+  return {{"first", point_list(c.hysteresis.points, c, scales)},
+          {"steady", point_list(c.hysteresis.steady_points, c, scales)}};
 }
 
 Json midline(const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {

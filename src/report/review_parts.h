@@ -21,12 +21,11 @@ struct LoopScales {
   wording::AxisScale rate;
 };
 
-LoopScales loop_scales(const method::hysteresis::HysteresisResult& loops);
+LoopScales loop_scales(const calibration::Calibration& calibration);
 /// Words, symbol and unit by column name.
 void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities);
-Json loops(const method::hysteresis::HysteresisResult& result, const LoopScales& scales,
-           const std::optional<statistics::Estimate>& q_peak_rad);
-Json points(const method::hysteresis::HysteresisResult& result, const LoopScales& scales);
+Json loops(const calibration::Calibration& calibration, const LoopScales& scales);
+Json points(const calibration::Calibration& calibration, const LoopScales& scales);
 Json midline(const method::hysteresis::HysteresisResult& result, const LoopScales& scales);
 
 void add_run_quantities(const calibration::Calibration& calibration, Json& quantities);

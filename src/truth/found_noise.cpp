@@ -16,7 +16,8 @@ struct Leftover {
 };
 
 /// Torque less the fitted curve of its direction, the curve being tabled over the angle.
-Leftover leftover_of(const method::gravity::CogSweepResult& rough, double gear_ratio) {
+Leftover leftover_of(const std::vector<const joint::Recording*>& recordings,
+                     const method::gravity::SweepCurves& rough, double gear_ratio) {
   Leftover out;
   const std::vector<double>& grid = rough.fit_q_rad;
   if (grid.size() < 2) return out;
@@ -28,8 +29,8 @@ Leftover leftover_of(const method::gravity::CogSweepResult& rough, double gear_r
     const double x = (q - grid[i]) / (grid[i + 1] - grid[i]);
     return curve[i] + x * (curve[i + 1] - curve[i]);
   };
-  for (std::size_t k = 0; k < rough.recordings.size(); ++k) {
-    const joint::Recording& r = *rough.recordings[k];
+  for (std::size_t k = 0; k < std::min(recordings.size(), rough.used.size()); ++k) {
+    const joint::Recording& r = *recordings[k];
     constexpr std::size_t reach = 5;  // over which the direction is seen through encoder steps
     for (std::size_t i = reach; i + reach < r.size(); ++i) {
       if (!rough.used[k][i]) continue;
@@ -66,12 +67,15 @@ double white_torque_Nm(const std::vector<double>& torque_Nm) {
   return std::min(root_mean_square, statistics::white_sd_beside_jumps(std::move(third)));
 }
 
-std::vector<simulate::Noise::Ripple> ripple_of(const method::gravity::CogSweepResult& rough,
-                                               double gear_ratio) {
+std::vector<simulate::Noise::Ripple> ripple_of(const joint::Dataset& dataset,
+                                               const method::gravity::CogSweepResult& rough,
+                                               const method::gravity::SweepCurves& curves) {
   constexpr std::size_t most_periods = 4;
   constexpr double least_share = 0.1;  // of the ripple's variance, for a period to be put in
   if (!rough.found || !(rough.ripple_Nm > 0) || !(rough.highest_rad > rough.lowest_rad)) return {};
-  const Leftover rest = leftover_of(rough, gear_ratio);
+  const double gear_ratio = dataset.manifest.drive.gear_ratio();
+  const Leftover rest =
+      leftover_of(dataset.with_role(joint::Role::rough_sweep), curves, gear_ratio);
   const double wanted = rough.ripple_Nm * rough.ripple_Nm;
   const double white_variance = rough.residual_Nm * rough.residual_Nm - wanted;
   const method::gravity::Ripple found =

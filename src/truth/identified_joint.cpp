@@ -132,7 +132,7 @@ class Maker {
 
   [[nodiscard]] std::vector<double> loop_torque(const joint::Recording& r,
                                                 Statement& why_not) const {
-    if (!c_.hysteresis.lugre || !c_.hysteresis.lugre->converged) {
+    if (!c_.lugre || !c_.lugre->converged) {
       why_not = {"truth.no_loop_model"};
       return {};
     }
@@ -145,7 +145,7 @@ class Maker {
       why_not = {"truth.no_whole_cycle", {{"why", trace.refusal}}};
       return {};
     }
-    const method::hysteresis::LuGreFit& fit = *c_.hysteresis.lugre;
+    const method::hysteresis::LuGreFit& fit = *c_.lugre;
     const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
     const auto level = fit.shown("static_Nm");
     if (!stiffness || !level) {
@@ -188,7 +188,7 @@ class Maker {
 
   /// Of the loop's own bristle where it was observed, else of an unloaded contact.
   [[nodiscard]] double start_deflection(const joint::Recording& r) const {
-    for (const method::hysteresis::LoopTrace& trace : c_.hysteresis.traces) {
+    for (const method::hysteresis::LoopTrace& trace : c_.curves.loops) {
       if (trace.recording == r.name && !trace.z_rad.empty()) return trace.z_rad.front();
     }
     return 0;
@@ -308,7 +308,7 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
     r.dz_rad_s.clear();
     out.dataset.recordings.push_back(std::move(r));
   }
-  out.ripple = ripple_of(c.rough, c.manifest.drive.gear_ratio());
+  out.ripple = ripple_of(dataset, c.rough, c.curves.rough);
   out.put_in = put_in(c, gravity, out.dataset.recordings);
   const method::selection::FrictionParametersResult& f = c.friction;
   if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {

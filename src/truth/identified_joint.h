@@ -24,8 +24,10 @@ double white_torque_Nm(const std::vector<double>& torque_Nm);
 /// to four, so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm.
 /// Periods of which the sweep holds fewer than three are none: they cannot be told from gravity.
 /// Empty where no line carries a tenth of the ripple's variance. Phases are as found.
-std::vector<simulate::Noise::Ripple> ripple_of(const method::gravity::CogSweepResult& rough,
-                                               double gear_ratio);
+/// @param dataset that the sweep belongs to, `curves` those of its rough sweep.
+std::vector<simulate::Noise::Ripple> ripple_of(const joint::Dataset& dataset,
+                                               const method::gravity::CogSweepResult& rough,
+                                               const method::gravity::SweepCurves& curves);
 
 // What was identified, as a simulation: its torque along the recorded motions.
 //

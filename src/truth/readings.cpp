@@ -101,7 +101,7 @@ std::vector<Reading> readings_of(const calibration::Calibration& c) {
   read_masses(c, points.data(), points.data() + points.size(), out);
   read_steady_points(c, out);
   read_masses(c, averages.data(), averages.data() + averages.size(), out);
-  if (c.hysteresis.lugre) read_loop_fit(*c.hysteresis.lugre, out);
+  if (c.lugre) read_loop_fit(*c.lugre, out);
   out.add("q_peak", ReadingKind::peak_angle, c.q_peak_rad);
   if (c.rough.found) out.add("sweep_friction", ReadingKind::sweep_friction, c.rough.coulomb_Nm);
   read_curve(c.friction, out);

@@ -73,7 +73,7 @@ namespace {
 
 /// Why the loop gave no parameters: the fit's own words, or the stage's.
 Statement why_no_fit(const calibration::Calibration& c) {
-  const auto& fit = c.hysteresis.lugre;
+  const auto& fit = c.lugre;
   if (fit && !fit->reason.empty()) return fit->reason;
   if (!c.hysteresis.stage.reason.empty()) return c.hysteresis.stage.reason;
   return {"verdict.no_loop_model"};
@@ -126,7 +126,7 @@ void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::Quant
 }  // namespace
 
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
-  const auto& fit = c.hysteresis.lugre;
+  const auto& fit = c.lugre;
   // A parameter that the loops do not show says why, and what would show it.
   const auto of_fit = [&](const std::string& key, const std::string& unit, const char* name,
                           const std::optional<statistics::Estimate>& instead) {

@@ -35,8 +35,8 @@ TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
   calibration::Calibration calibration = test::hand_made_calibration(dataset);
   calibration.hysteresis.bristle_source = {};
   calibration.hysteresis.points.clear();
-  calibration.hysteresis.traces.front().z_rad.clear();
-  calibration.hysteresis.traces.front().dz_rad_s.clear();
+  calibration.curves.loops.front().z_rad.clear();
+  calibration.curves.loops.front().dz_rad_s.clear();
   calibration.selection.paper_rule.clear();
   EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
             (std::vector<int>{11, 13, 14, 15, 18, 19, 20, 21, 22}));

@@ -50,6 +50,26 @@ joint::Recording oscillation() {
   return recording;
 }
 
+/// The strokes of a sweep, and the cosine that it was made of.
+method::gravity::SweepCurves sweep_curves(const joint::Recording& recording) {
+  method::gravity::SweepCurves curves;
+  std::vector<bool> used;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    used.push_back((i >= 35 && i < 425) || (i >= 465 && i < 855));
+  }
+  curves.used = {used};
+  curves.lowest_rad = recording.q_rad.front();
+  curves.highest_rad = recording.q_rad[430];
+  for (int i = 0; i <= 50; ++i) {
+    const double q = curves.lowest_rad + (curves.highest_rad - curves.lowest_rad) * i / 50;
+    const double gravity = known::gravity_Nm * std::cos(q - known::q_peak_rad);
+    curves.fit_q_rad.push_back(q);
+    curves.fit_rising_Nm.push_back(gravity + known::friction_Nm);
+    curves.fit_falling_Nm.push_back(gravity - known::friction_Nm);
+  }
+  return curves;
+}
+
 method::gravity::CogSweepResult sweep_result(const std::string& name,
                                              const joint::Recording* recording, double half_rad) {
   method::gravity::CogSweepResult result;
@@ -70,21 +90,8 @@ method::gravity::CogSweepResult sweep_result(const std::string& name,
   result.constant_speed = true;
   result.lowest_rad = recording->q_rad.front();
   result.highest_rad = recording->q_rad[430];
-  result.recordings = {recording};
-  std::vector<bool> used;
-  for (std::size_t i = 0; i < recording->size(); ++i) {
-    used.push_back((i >= 35 && i < 425) || (i >= 465 && i < 855));
-  }
   result.samples_used = 780;
   result.samples_left_out = recording->size() - result.samples_used;
-  result.used = {used};
-  for (int i = 0; i <= 50; ++i) {
-    const double q = result.lowest_rad + (result.highest_rad - result.lowest_rad) * i / 50;
-    const double gravity = known::gravity_Nm * std::cos(q - known::q_peak_rad);
-    result.fit_q_rad.push_back(q);
-    result.fit_rising_Nm.push_back(gravity + known::friction_Nm);
-    result.fit_falling_Nm.push_back(gravity - known::friction_Nm);
-  }
   return result;
 }
 
@@ -100,13 +107,7 @@ method::hysteresis::LoopPoint reading(char name, const joint::Recording& recordi
           recording.dz_rad_s[at]};
 }
 
-method::hysteresis::HysteresisResult loop_result(const joint::Recording& recording) {
-  method::hysteresis::HysteresisResult loop;
-  loop.stage = {"hysteresis", statistics::StageState::done, {}};
-  loop.found = true;
-  loop.bristle_source = {"loop.bristle_recorded"};
-  loop.oscillations.push_back({known::centre_rad, known::amplitude_rad, known::frequency_Hz,
-                               known::cycles, known::cycles - 1.0, 0.0});
+method::hysteresis::LoopTrace trace_of(const joint::Recording& recording) {
   method::hysteresis::LoopTrace trace;
   trace.recording = recording.name;
   trace.t_s = recording.t_s;
@@ -116,7 +117,16 @@ method::hysteresis::HysteresisResult loop_result(const joint::Recording& recordi
   trace.dz_rad_s = recording.dz_rad_s;
   trace.midline_q_rad = {known::centre_rad - 80e-6, known::centre_rad + 80e-6};
   trace.midline_Nm = {known::gravity_Nm, known::gravity_Nm};
-  loop.traces.push_back(std::move(trace));
+  return trace;
+}
+
+method::hysteresis::HysteresisResult loop_result(const joint::Recording& recording) {
+  method::hysteresis::HysteresisResult loop;
+  loop.stage = {"hysteresis", statistics::StageState::done, {}};
+  loop.found = true;
+  loop.bristle_source = {"loop.bristle_recorded"};
+  loop.oscillations.push_back({known::centre_rad, known::amplitude_rad, known::frequency_Hz,
+                               known::cycles, known::cycles - 1.0, 0.0});
   loop.points = {reading('A', recording, 0),   reading('C', recording, 50),
                  reading('F', recording, 80),  reading('B', recording, 105),
                  reading('D', recording, 150), reading('E', recording, 180)};
@@ -185,8 +195,7 @@ void add_laws(calibration::Calibration& calibration) {
   friction.waiboer = method::viscous::WaiboerFit{};
   friction.waiboer->converged = true;
   friction.waiboer->residual_Nm = 0.0031;
-  friction.fit_speed_rad_s = {0.0, 10.0, 100.0, 300.0};
-  friction.fit_Nm = {0.5, 0.52, 0.7, 1.1};
+  calibration.curves.friction = {{0.0, 10.0, 100.0, 300.0}, {0.5, 0.52, 0.7, 1.1}};
 }
 
 }  // namespace
@@ -206,6 +215,9 @@ calibration::Calibration hand_made_calibration(const joint::Dataset& dataset) {
   calibration.manifest = dataset.manifest;
   calibration.rough = sweep_result("cog_rough", &dataset.recordings[0], 0.003);
   calibration.precise = sweep_result("cog_precise", &dataset.recordings[1], 0.0005);
+  calibration.curves.rough = sweep_curves(dataset.recordings[0]);
+  calibration.curves.precise = sweep_curves(dataset.recordings[1]);
+  calibration.curves.loops = {trace_of(dataset.recordings[2])};
   calibration.q_peak_rad = calibration.precise.q_peak_rad;
   calibration.q_peak_source = "cog_precise";
   calibration.hysteresis = loop_result(dataset.recordings[2]);
@@ -231,6 +243,7 @@ calibration::Calibration sweep_only_calibration(const joint::Dataset& dataset) {
   calibration.manifest = dataset.manifest;
   calibration.rough = sweep_result("cog_rough", &dataset.recordings[0], 0.003);
   calibration.rough.constant_speed = false;
+  calibration.curves.rough = sweep_curves(dataset.recordings[0]);
   calibration.q_peak_rad = calibration.rough.q_peak_rad;
   calibration.q_peak_source = "cog_rough";
   calibration.precise.stage = {"cog_precise", statistics::StageState::skipped,

@@ -58,13 +58,14 @@ TEST_F(HostileCalibration, OneSampleEverywhere) {
     recording.torque_Nm.resize(1);
     recording.z_rad.clear();
   }
-  for (method::gravity::CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
+  for (method::gravity::SweepCurves* sweep :
+       {&calibration_.curves.rough, &calibration_.curves.precise}) {
     sweep->used = {{true}};
     sweep->fit_q_rad.resize(1);
     sweep->fit_rising_Nm.resize(1);
     sweep->fit_falling_Nm.resize(1);
   }
-  method::hysteresis::LoopTrace& trace = calibration_.hysteresis.traces.front();
+  method::hysteresis::LoopTrace& trace = calibration_.curves.loops.front();
   for (auto* signal : {&trace.t_s, &trace.q_rad, &trace.torque_Nm, &trace.z_rad, &trace.dz_rad_s,
                        &trace.midline_q_rad, &trace.midline_Nm}) {
     signal->resize(1);
@@ -75,9 +76,8 @@ TEST_F(HostileCalibration, OneSampleEverywhere) {
 
 TEST_F(HostileCalibration, RecordingsWithoutASample) {
   dataset_.recordings.assign(3, joint::Recording{});
-  calibration_.rough.recordings = {&dataset_.recordings[0], nullptr};
-  calibration_.rough.used.clear();
-  calibration_.hysteresis.traces.front() = method::hysteresis::LoopTrace{};
+  calibration_.curves.rough.used.clear();
+  calibration_.curves.loops.front() = method::hysteresis::LoopTrace{};
   expect_figures_survive();
 }
 
@@ -98,7 +98,7 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
     for (method::hysteresis::LoopPoint& point : calibration_.hysteresis.points) {
       point = {point.name, poison, poison, poison, poison, poison, poison, poison};
     }
-    calibration_.hysteresis.traces.front().midline_Nm.front() = poison;
+    calibration_.curves.loops.front().midline_Nm.front() = poison;
     for (method::viscous::ConstantSpeedRun& run : calibration_.viscous.runs)
       run.torque_half_width_Nm = poison;
     calibration_.viscous.runs.front().speed_rad_s = poison;
@@ -106,7 +106,7 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
     calibration_.quality.reference_Nm.front() = poison;
     calibration_.quality.errors.front().percent.front() = poison;
     calibration_.friction.coulomb_viscous->fastest_rad_s = poison;
-    calibration_.friction.fit_Nm.front() = poison;
+    calibration_.curves.friction.torque_Nm.front() = poison;
     for (method::hysteresis::SurrogateMass& mass : calibration_.masses.masses) mass.mass_kg = bad;
     expect_figures_survive();
   }
@@ -117,22 +117,22 @@ TEST_F(HostileCalibration, SamplesThatAreNotNumbersLeaveGaps) {
     recording.torque_Nm[100] = nan;
     recording.q_rad[200] = nan;
   }
-  calibration_.hysteresis.traces.front().torque_Nm[10] = nan;
+  calibration_.curves.loops.front().torque_Nm[10] = nan;
   expect_figures_survive();
 }
 
 TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
-  calibration_.rough.used.front() = std::vector<bool>(10, true);
-  calibration_.rough.fit_rising_Nm.resize(3);
-  calibration_.precise.used.clear();
-  calibration_.hysteresis.traces.front().z_rad.resize(7);
-  calibration_.hysteresis.traces.front().torque_Nm.resize(20);
-  calibration_.hysteresis.traces.front().midline_Nm.push_back(1.0);
+  calibration_.curves.rough.used.front() = std::vector<bool>(10, true);
+  calibration_.curves.rough.fit_rising_Nm.resize(3);
+  calibration_.curves.precise.used.clear();
+  calibration_.curves.loops.front().z_rad.resize(7);
+  calibration_.curves.loops.front().torque_Nm.resize(20);
+  calibration_.curves.loops.front().midline_Nm.push_back(1.0);
   calibration_.viscous.curves.front().friction_Nm.resize(1);
   calibration_.viscous.curves.back().friction_Nm.resize(50, 1.0);
   calibration_.quality.reference_Nm.resize(2);
   calibration_.quality.errors.front().percent.clear();
-  calibration_.friction.fit_Nm.resize(1);
+  calibration_.curves.friction.torque_Nm.resize(1);
   expect_figures_survive();
 }
 

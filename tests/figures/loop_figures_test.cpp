@@ -68,7 +68,7 @@ TEST_F(LoopFigures, FirstStrokesRunFromTheStartPastTheLastReading) {
   const render::figure::Series& strokes = panel.series[1];
   EXPECT_EQ(strokes.x.size(), 251U);  // one and a quarter of 200 samples, both ends counted
   EXPECT_FALSE(strokes.direction_arrows_at.empty());
-  EXPECT_EQ(panel.series[0].x.size(), calibration_.hysteresis.traces[0].t_s.size());
+  EXPECT_EQ(panel.series[0].x.size(), calibration_.curves.loops[0].t_s.size());
 }
 
 TEST_F(LoopFigures, AxesSayMicroradiansAndMilliradians) {
@@ -81,9 +81,8 @@ TEST_F(LoopFigures, AxesSayMicroradiansAndMilliradians) {
 TEST_F(LoopFigures, FittedBristleIsCalledAModel) {
   calibration_.hysteresis.bristle_source = {"loop.bristle_fitted"};
   method::hysteresis::LuGreFit fit;
-  fit.loops.emplace_back();
-  fit.loops.front().torque_Nm = calibration_.hysteresis.traces[0].torque_Nm;
-  calibration_.hysteresis.lugre = fit;
+  calibration_.curves.loops[0].model_torque_Nm = calibration_.curves.loops[0].torque_Nm;
+  calibration_.lugre = fit;
   for (const auto& figure : {torque_loop_figure(calibration_), bristle_loop_figure(calibration_),
                              bristle_rate_loop_figure(calibration_)}) {
     ASSERT_TRUE(figure);
@@ -136,7 +135,7 @@ TEST_F(LoopFigures, CloseUpHoldsAllItsReadings) {
 
 TEST_F(LoopFigures, FurtherOscillationsAreMentioned) {
   EXPECT_EQ(torque_loop_figure(calibration_)->caption.find("oscillations"), std::string::npos);
-  calibration_.hysteresis.traces.push_back(calibration_.hysteresis.traces.front());
+  calibration_.curves.loops.push_back(calibration_.curves.loops.front());
   EXPECT_NE(torque_loop_figure(calibration_)->caption.find("first of 2 oscillations"),
             std::string::npos);
 }

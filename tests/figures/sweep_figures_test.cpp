@@ -46,9 +46,9 @@ TEST_F(SweepFigures, StrokesAreSeparateLinesUnlessTheMaskFlickers) {
   const auto lines = [&] {
     return sweep_motion_figure(dataset_, calibration_)->figure.panels[0].series.size();
   };
-  for (const std::size_t i : {100U, 200U, 300U}) calibration_.rough.used[0][i] = false;
+  for (const std::size_t i : {100U, 200U, 300U}) calibration_.curves.rough.used[0][i] = false;
   EXPECT_EQ(lines(), 3U + 3U);
-  for (std::size_t i = 0; i < 890; i += 3) calibration_.rough.used[0][i] = false;
+  for (std::size_t i = 0; i < 890; i += 3) calibration_.curves.rough.used[0][i] = false;
   EXPECT_EQ(lines(), 3U);
 }
 
@@ -64,8 +64,8 @@ TEST_F(SweepFigures, MotorSpeedIsTheGearRatioTimesTheSlope) {
 }
 
 TEST_F(SweepFigures, RecordingsFollowEachOtherInTime) {
-  calibration_.rough.recordings = {&dataset_.recordings[0], &dataset_.recordings[1]};
-  calibration_.rough.used.push_back(calibration_.rough.used.front());
+  dataset_.recordings[1].role = joint::Role::rough_sweep;
+  calibration_.curves.rough.used.push_back(calibration_.curves.rough.used.front());
   const auto figure = sweep_motion_figure(dataset_, calibration_);
   ASSERT_TRUE(figure);
   double before = -1.0;
@@ -103,9 +103,9 @@ TEST_F(SweepFigures, PreciseTorqueGivesEachDirectionItsPanelAndTheArgmaxToTheRis
 }
 
 TEST_F(SweepFigures, OneDirectionNeedsOnePanel) {
-  calibration_.precise.fit_falling_Nm.clear();
-  for (std::size_t i = 430; i < calibration_.precise.used[0].size(); ++i) {
-    calibration_.precise.used[0][i] = false;
+  calibration_.curves.precise.fit_falling_Nm.clear();
+  for (std::size_t i = 430; i < calibration_.curves.precise.used[0].size(); ++i) {
+    calibration_.curves.precise.used[0][i] = false;
   }
   const auto figure = precise_torque_figure(dataset_, calibration_);
   ASSERT_TRUE(figure);

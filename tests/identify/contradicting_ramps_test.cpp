@@ -59,11 +59,11 @@ const calibration::QuantityVerdict& break_away_verdict(const calibration::Calibr
 
 TEST(ContradictingRamps, TheLevelHasNoNumberNoIntervalAndAReason) {
   const calibration::Calibration c = identified(loops_and_contradicting_ramps(2.5));
-  ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
-  EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
+  ASSERT_TRUE(c.lugre && c.lugre->converged);
+  EXPECT_FALSE(c.lugre->shown("static_Nm"));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
   // What they do not contradict stays, resampled, with numbers of its own.
-  const auto stiffness = c.hysteresis.lugre->shown("bristle_stiffness_Nm_rad");
+  const auto stiffness = c.lugre->shown("bristle_stiffness_Nm_rad");
   ASSERT_TRUE(stiffness);
   EXPECT_LE(stiffness->low, 465.42);
   EXPECT_GE(stiffness->high, 465.42);
@@ -95,7 +95,7 @@ TEST(ContradictingRamps, TheJsonSaysWhy) {
 TEST(ContradictingRamps, RampsThatNeverSlideLeaveNoNumberAtAll) {
   const calibration::Calibration c = identified(loops_and_contradicting_ramps(1.6));
   ASSERT_EQ(c.break_away.censored, c.break_away.ramps.size());
-  EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
+  EXPECT_FALSE(c.lugre->shown("static_Nm"));
   const calibration::QuantityVerdict& q = break_away_verdict(c);
   EXPECT_FALSE(q.estimate);
   EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);

@@ -69,7 +69,7 @@ TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
   simulate::Scenario scenario = test::noisy_paper_joint(7);
   scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
-  const auto stiffness = c.hysteresis.lugre->shown("bristle_stiffness_Nm_rad");
+  const auto stiffness = c.lugre->shown("bristle_stiffness_Nm_rad");
   ASSERT_TRUE(stiffness);
   const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
   constexpr double small = 0.05;

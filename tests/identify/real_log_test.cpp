@@ -173,8 +173,8 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
-  ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
-  const method::hysteresis::LuGreFit& f = *c.hysteresis.lugre;
+  ASSERT_TRUE(c.lugre && c.lugre->converged);
+  const method::hysteresis::LuGreFit& f = *c.lugre;
   const auto stiffness = f.shown("bristle_stiffness_Nm_rad");
   ASSERT_TRUE(stiffness);
   ASSERT_EQ(f.loops.size(), 3U);
@@ -188,9 +188,11 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
         overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
     // The same by the other way: the shape of the loop that the model's torque makes.
     joint::Recording model = *whole;
+    const method::hysteresis::LoopTrace& trace = c.curves.loops[k];
     const auto offset = static_cast<std::ptrdiff_t>(
-        std::find(whole->t_s.begin(), whole->t_s.end(), loop.t_s.front()) - whole->t_s.begin());
-    std::copy(loop.torque_Nm.begin(), loop.torque_Nm.end(), model.torque_Nm.begin() + offset);
+        std::find(whole->t_s.begin(), whole->t_s.end(), trace.t_s.front()) - whole->t_s.begin());
+    std::copy(trace.model_torque_Nm.begin(), trace.model_torque_Nm.end(),
+              model.torque_Nm.begin() + offset);
     const auto shapes = method::hysteresis::describe_loops({&model}, 1);
     ASSERT_TRUE(shapes.size() == 1 && shapes[0].stiffness_Nm_rad);
     RecordProperty("measured_" + std::to_string(k),
@@ -224,8 +226,8 @@ const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
 /// Of the quantity's break-away torque: the ramps', while the loops' own level is withdrawn, and
 /// nothing of it is left among the intervals.
 void expect_level_by_ramps_alone(const calibration::Calibration& c) {
-  ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
-  EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
+  ASSERT_TRUE(c.lugre && c.lugre->converged);
+  EXPECT_FALSE(c.lugre->shown("static_Nm"));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
   ASSERT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
   for (const method::intervals::TwoIntervals& q : c.intervals.quantities) {
@@ -259,7 +261,7 @@ TEST(RealLog, CiceseRampsContradictTheSinesOfJoint2) {
     EXPECT_NEAR(ramp.friction_Nm, 1.64, 0.22) << ramp.recording;  // 1.43 to 1.82 N·m by hand
   }
   // The sines of 0.8 N·m never slide: nothing above them can be read from them.
-  EXPECT_FALSE(c.hysteresis.lugre->shown("coulomb_Nm"));
+  EXPECT_FALSE(c.lugre->shown("coulomb_Nm"));
   EXPECT_NE(quantity(c, "bristle_stiffness").verdict, calibration::Verdict::usable);
 }
 

@@ -16,8 +16,17 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 method::gravity::CogSweepResult rough_of(const joint::Dataset& d) {
-  return method::gravity::identify_cog_sweep("cog_rough", d.with_role(joint::Role::rough_sweep),
-                                             100);
+  return method::gravity::identify_cog_sweep(
+             "cog_rough", method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), 100)
+      .result;
+}
+
+method::gravity::CogSweepResult precise_of(
+    const joint::Dataset& d, const std::optional<statistics::Estimate>& gravity_Nm = {}) {
+  return method::gravity::identify_cog_sweep(
+             "cog_precise", method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100,
+             gravity_Nm)
+      .result;
 }
 
 /// A robot's slow sine at the joint, with Coulomb, viscous, inertia, noise and a coarse encoder.
@@ -53,16 +62,14 @@ TEST(CogSweep, NoiseFreeSweepsGiveTheExactAngle) {
   EXPECT_NEAR(rough.argmax_rad, test::true_q_peak_rad(), 2 * degree / 1000);
   EXPECT_EQ(rough.samples_used + rough.samples_left_out, d.recordings.front().size());
 
-  const method::gravity::CogSweepResult precise = method::gravity::identify_cog_sweep(
-      "cog_precise", d.with_role(joint::Role::precise_sweep), 100, rough.gravity_Nm);
+  const method::gravity::CogSweepResult precise = precise_of(d, rough.gravity_Nm);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
 }
 
 TEST(CogSweep, PreciseSweepAloneGivesTheAngleToo) {
   const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
-  const method::gravity::CogSweepResult precise = method::gravity::identify_cog_sweep(
-      "cog_precise", d.with_role(joint::Role::precise_sweep), 100);
+  const method::gravity::CogSweepResult precise = precise_of(d);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
 }
@@ -118,7 +125,7 @@ TEST(CogSweep, SlowSinesInBothDirectionsGiveAngleGravityAndFriction) {
   for (const double q_peak : {-1.6, 0.3, -3.13}) {
     const joint::Recording r = slow_sine(q_peak, 109, 11);
     const method::gravity::CogSweepResult sweep =
-        method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
+        method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
     ASSERT_TRUE(sweep.found) << q_peak;
     EXPECT_FALSE(sweep.constant_speed);
     EXPECT_NEAR(sweep.q_peak_rad.value, q_peak, 0.02);
@@ -133,7 +140,7 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const joint::Recording r = slow_sine(0.3, 0.0, seed);
     const method::gravity::CogSweepResult sweep =
-        method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
+        method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
     EXPECT_FALSE(sweep.found) << "seed " << seed << ": " << sweep.gravity_Nm.value << " N·m";
     EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
   }
@@ -141,7 +148,7 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
   const method::gravity::CogSweepResult none =
-      method::gravity::identify_cog_sweep("cog_rough", {}, 1.0);
+      method::gravity::identify_cog_sweep("cog_rough", {}, 1.0).result;
   EXPECT_FALSE(none.found);
   EXPECT_EQ(none.stage.state, statistics::StageState::skipped);
   EXPECT_NE(wording::words(none.stage.reason).find("slow sweep"), std::string::npos);
@@ -155,7 +162,7 @@ TEST(CogSweep, AStandingJointIsNotIdentifiable) {
     r.torque_Nm.push_back(3);
   }
   const method::gravity::CogSweepResult sweep =
-      method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
+      method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
   EXPECT_FALSE(sweep.found);
   EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
 }

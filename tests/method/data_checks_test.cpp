@@ -95,8 +95,10 @@ TEST(TorqueRipple, IsFoundAtItsPeriodsAndAmplitudes) {
   s.constant_speed.reset();
   s.noise.ripple = {{0.03, 2, 0.4}, {0.015, 7, 1.1}};
   const joint::Dataset d = simulate::simulated_dataset(s);
-  const method::gravity::CogSweepResult sweep = method::gravity::identify_cog_sweep(
-      "cog_rough", d.with_role(joint::Role::rough_sweep), s.gear_ratio);
+  const method::gravity::CogSweepResult sweep =
+      method::gravity::identify_cog_sweep(
+          "cog_rough", method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), s.gear_ratio)
+          .result;
   const std::vector<method::gravity::RippleLine>& lines = sweep.ripple.lines;
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_NEAR(lines[0].periods_per_turn, 2, 0.01);

@@ -12,8 +12,8 @@ namespace {
 
 const statistics::Estimate peak = statistics::symmetric_estimate(test::true_q_peak_rad(), 1e-6);
 
-method::hysteresis::HysteresisResult hysteresis_of(const joint::Dataset& d) {
-  return method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), {}, 100,
+method::hysteresis::Hysteresis hysteresis_of(const joint::Dataset& d) {
+  return method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), {}, {}, 100,
                                                  peak);
 }
 
@@ -21,7 +21,7 @@ TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
   // The reconstructed joint solved by an implicit method, in the order A..F.
   constexpr double solved_Nm[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883};
   const method::hysteresis::HysteresisResult h =
-      hysteresis_of(simulate::simulated_dataset(test::paper_joint()));
+      hysteresis_of(simulate::simulated_dataset(test::paper_joint())).result;
   ASSERT_EQ(h.points.size(), 6U);
   EXPECT_TRUE(h.bristle_source.is("loop.bristle_recorded"));
   for (std::size_t k = 0; k < 6; ++k) {
@@ -39,9 +39,9 @@ TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
 }
 
 TEST(Hysteresis, PointsMeanWhatTheyAreDefinedAs) {
-  const method::hysteresis::HysteresisResult h =
+  const method::hysteresis::Hysteresis h =
       hysteresis_of(simulate::simulated_dataset(test::paper_joint()));
-  const auto& p = h.points;
+  const auto& p = h.result.points;
   const double z_max = p[2].z_rad;
   EXPECT_NEAR(p[0].z_rad, 0, 1e-12);
   EXPECT_GT(p[0].dz_rad_s, 0);
@@ -57,7 +57,7 @@ TEST(Hysteresis, PointsMeanWhatTheyAreDefinedAs) {
 
 TEST(Hysteresis, MidlineAndPairMeansAreFreeOfFriction) {
   const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
-  const method::hysteresis::HysteresisResult h = hysteresis_of(d);
+  const method::hysteresis::HysteresisResult h = hysteresis_of(d).result;
   const auto m = method::hysteresis::identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
   for (const char* estimator : {"midline", "AB", "CD", "EF"}) {
     ASSERT_NE(m.find(estimator), nullptr) << estimator;
@@ -75,7 +75,8 @@ TEST(Hysteresis, MidlineHoldsForAnyAmplitudeAndFrequency) {
       s.oscillation->amplitude_rad = amplitude;
       s.oscillation->frequency_Hz = frequency;
       s.oscillation->cycles = 12;
-      const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
+      const method::hysteresis::HysteresisResult h =
+          hysteresis_of(simulate::simulated_dataset(s)).result;
       ASSERT_TRUE(h.midline_Nm) << amplitude << " rad at " << frequency << " Hz";
       EXPECT_NEAR(h.midline_Nm->value / h.midline_mean_cos, test::true_gravity_Nm,
                   1e-4 * test::true_gravity_Nm)
@@ -102,7 +103,7 @@ TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
   for (std::size_t i = 0; i < padded.q_rad.size(); ++i)
     padded.t_s.push_back(1e-3 * static_cast<double>(i));
   r = padded;
-  const method::hysteresis::HysteresisResult h = hysteresis_of(d);
+  const method::hysteresis::HysteresisResult h = hysteresis_of(d).result;
   ASSERT_TRUE(h.midline_Nm);
   EXPECT_NEAR(h.midline_Nm->value, test::true_gravity_Nm, 1e-4 * test::true_gravity_Nm);
   EXPECT_GT(h.samples_at_rest, 600U);
@@ -111,10 +112,13 @@ TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
 TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
   const auto midline_of = [](const simulate::Scenario& s) {
     const joint::Dataset d = simulate::simulated_dataset(s);
-    const method::gravity::CogSweepResult rough = method::gravity::identify_cog_sweep(
-        "cog_rough", d.with_role(joint::Role::rough_sweep), 100);
-    const method::hysteresis::HysteresisResult h = method::hysteresis::identify_hysteresis(
-        d.with_role(joint::Role::oscillation), rough, 100, rough.q_peak_rad);
+    const method::motion::Sweep sweep(d.with_role(joint::Role::rough_sweep));
+    const method::gravity::CogSweepResult rough =
+        method::gravity::identify_cog_sweep("cog_rough", sweep, 100).result;
+    const method::hysteresis::HysteresisResult h =
+        method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), sweep, rough,
+                                                100, rough.q_peak_rad)
+            .result;
     return method::hysteresis::identify_surrogate_masses(rough, h, rough.q_peak_rad, 100, 0.5, 9.81)
         .find("midline")
         ->gravity_Nm;
@@ -134,7 +138,8 @@ TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
 TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
   simulate::Scenario s = test::noisy_paper_joint(1);
   s.noise.encoder_counts_per_turn = 4096;  // 1.5e-5 rad at the joint: 13 steps in the loop
-  const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
+  const method::hysteresis::HysteresisResult h =
+      hysteresis_of(simulate::simulated_dataset(s)).result;
   EXPECT_FALSE(h.found);
   EXPECT_EQ(h.stage.state, statistics::StageState::not_identifiable);
   EXPECT_NE(wording::words(h.stage.reason).find("at least 50"), std::string::npos)
@@ -146,13 +151,14 @@ TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
   simulate::OscillationExperiment further = *s.oscillation;
   further.centre_rad += 0.01;
   s.further_oscillations = {further};
-  const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
+  const method::hysteresis::Hysteresis h = hysteresis_of(simulate::simulated_dataset(s));
   ASSERT_EQ(h.traces.size(), 2U);
   for (const method::hysteresis::LoopTrace& trace : h.traces)
     EXPECT_EQ(trace.z_rad.size(), trace.t_s.size());
   ASSERT_TRUE(h.lugre);
-  EXPECT_EQ(h.lugre->loops.size(), 2U);
-  const auto m = method::hysteresis::identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
+  EXPECT_EQ(h.lugre->fit.loops.size(), 2U);
+  const auto m = method::hysteresis::identify_surrogate_masses(
+      {}, h.result, peak, 100, 0.5, 9.81, {h.lugre->fit.gravity_Nm, nullptr, {}});
   ASSERT_NE(m.find("fit"), nullptr);
   EXPECT_NEAR(m.find("fit")->mass_kg.value, test::true_surrogate_mass_kg,
               1e-3 * test::true_surrogate_mass_kg);
@@ -172,25 +178,26 @@ joint::Dataset drifting(double shaking_rad) {
 }
 
 TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsFittedAlongASpline) {
-  const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(0));
+  const method::hysteresis::Hysteresis h = hysteresis_of(drifting(0));
   ASSERT_TRUE(h.lugre);
-  ASSERT_TRUE(h.lugre->converged) << wording::words(h.lugre->reason);
-  EXPECT_EQ(h.lugre->loops.front().motion, "spline");
+  ASSERT_TRUE(h.lugre->fit.converged) << wording::words(h.lugre->fit.reason);
+  EXPECT_EQ(h.lugre->fit.loops.front().motion, "spline");
 }
 
 TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
-  const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(1e-5));
+  const method::hysteresis::Hysteresis h = hysteresis_of(drifting(1e-5));
   ASSERT_TRUE(h.lugre);
-  EXPECT_FALSE(h.lugre->converged);
-  EXPECT_NE(wording::words(h.lugre->reason).find("no periodic motion"), std::string::npos)
-      << wording::words(h.lugre->reason);
-  EXPECT_NE(wording::words(h.lugre->reason).find("too rough to give a speed"), std::string::npos);
-  EXPECT_TRUE(h.bristle_source.empty());
+  EXPECT_FALSE(h.lugre->fit.converged);
+  EXPECT_NE(wording::words(h.lugre->fit.reason).find("no periodic motion"), std::string::npos)
+      << wording::words(h.lugre->fit.reason);
+  EXPECT_NE(wording::words(h.lugre->fit.reason).find("too rough to give a speed"),
+            std::string::npos);
+  EXPECT_TRUE(h.result.bristle_source.empty());
 }
 
 TEST(Hysteresis, NothingRecordedIsSkippedWithAnInstruction) {
   const method::hysteresis::HysteresisResult h =
-      method::hysteresis::identify_hysteresis({}, {}, 100, peak);
+      method::hysteresis::identify_hysteresis({}, {}, {}, 100, peak).result;
   EXPECT_EQ(h.stage.state, statistics::StageState::skipped);
   EXPECT_NE(wording::words(h.stage.reason).find("a sine of about ten cycles"), std::string::npos);
 }

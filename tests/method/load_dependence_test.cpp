@@ -48,8 +48,9 @@ struct Result {
 
 Result identify(const joint::Recording& r) {
   Result out;
-  out.sweep = method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
-  out.load = method::viscous::identify_load_dependence(out.sweep, out.sweep.q_peak_rad, 1.0);
+  const method::motion::Sweep sweep({&r});
+  out.sweep = method::gravity::identify_cog_sweep("cog_rough", sweep, 1.0).result;
+  out.load = method::viscous::identify_load_dependence(sweep, out.sweep, out.sweep.q_peak_rad, 1.0);
   return out;
 }
 
@@ -119,7 +120,7 @@ TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
     r.torque_Nm.push_back(i < 8 ? -300.0 : gravity_Nm * std::cos(q_end));
   }
   const method::gravity::CogSweepResult sweep =
-      method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
+      method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
   EXPECT_NEAR(sweep.gravity_Nm.value, gravity_Nm, 1.0);
   EXPECT_NEAR(sweep.q_peak_rad.value, q_peak_rad, 0.01);
 }

@@ -41,7 +41,8 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
   ASSERT_FALSE(z.empty());
   loops[0].z_rad.clear();
   loops[0].dz_rad_s.clear();
-  const method::hysteresis::LuGreFit f = test::fit_loops(loops);
+  const method::hysteresis::FittedLuGre made = test::fitted_loops(loops);
+  const method::hysteresis::LuGreFit& f = made.fit;
   ASSERT_TRUE(f.converged) << wording::words(f.reason);
   ASSERT_TRUE(f.gravity_Nm);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-4);
@@ -51,7 +52,7 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
   double worst = 0;
   for (std::size_t i = 0; i < z.size(); ++i) {
     largest = std::max(largest, std::abs(z[i]));
-    worst = std::max(worst, std::abs(z[i] - f.loops[0].z_rad[i]));
+    worst = std::max(worst, std::abs(z[i] - made.signals[0].z_rad[i]));
   }
   EXPECT_LT(worst, 0.005 * largest);
 }
@@ -163,7 +164,7 @@ TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
 TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
   // A small disturbance moves the solution by what the Jacobian says.
   std::vector<joint::Recording> loops = test::oscillations_of(test::noisy_paper_joint(5));
-  const method::hysteresis::LuGreFit before = test::fit_loops(loops);
+  const method::hysteresis::FittedLuGre before = test::fitted_loops(loops);
   ASSERT_TRUE(before.linearised);
   const statistics::LinearisedFit& at = *before.linearised;
   ASSERT_EQ(at.jacobian.rows(), static_cast<Eigen::Index>(loops[0].size()));
@@ -180,7 +181,7 @@ TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
     disturbance(i) = 1e-3 * std::sin(0.013 * static_cast<double>(i));
     loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
   }
-  const method::hysteresis::LuGreFit after = test::fit_loops(loops);
+  const method::hysteresis::FittedLuGre after = test::fitted_loops(loops);
   const Eigen::VectorXd predicted = at.jacobian.colPivHouseholderQr().solve(disturbance);
   const Eigen::VectorXd moved = after.linearised->parameters - at.parameters;
   for (Eigen::Index k = 0; k < moved.size(); ++k) {
@@ -190,7 +191,7 @@ TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
 
 TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
   std::vector<joint::Recording> loops = test::oscillations_of(with_loop(0.05, 1.0));
-  const method::hysteresis::LuGreFit before = test::fit_loops(loops);
+  const method::hysteresis::FittedLuGre before = test::fitted_loops(loops);
   const statistics::LinearisedFit& at = *before.linearised;
   EXPECT_EQ(at.readings.size(),
             std::size(method::hysteresis::lugre_parameter_names));  // the whole model is shown
@@ -199,16 +200,17 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
     disturbance(i) = 1e-4 * std::sin(0.013 * static_cast<double>(i));
     loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
   }
-  const method::hysteresis::LuGreFit after = test::fit_loops(loops);
+  const method::hysteresis::FittedLuGre after = test::fitted_loops(loops);
   const Eigen::VectorXd step = at.jacobian.colPivHouseholderQr().solve(disturbance);
   for (const statistics::LinearisedReading& r : at.readings) {
-    const double value = after.shown(r.name)->value;
+    const double value = after.fit.shown(r.name)->value;
     const double moved = r.logarithmic ? std::log(value / r.value) : value - r.value;
     EXPECT_NEAR(moved / r.gradient.dot(step), 1, 0.02) << r.name;
   }
   ASSERT_EQ(at.gravity_columns.size(), 1U);
-  EXPECT_NEAR((after.gravity_Nm->value - before.gravity_Nm->value) / step(at.gravity_columns[0]), 1,
-              0.02);
+  EXPECT_NEAR(
+      (after.fit.gravity_Nm->value - before.fit.gravity_Nm->value) / step(at.gravity_columns[0]), 1,
+      0.02);
 }
 
 // ---- loops that show little or nothing
@@ -216,13 +218,14 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
 TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
   simulate::Scenario s = with_loop(1e-6, 1.0);  // a twentieth of the way to sliding
   s.noise.torque_white_Nm = 0.02;
-  const method::hysteresis::LuGreFit f = test::fit_loops(s);
+  const method::hysteresis::FittedLuGre made = test::fitted_loops(test::oscillations_of(s));
+  const method::hysteresis::LuGreFit& f = made.fit;
   ASSERT_TRUE(f.converged) << wording::words(f.reason);
   EXPECT_EQ(f.rung, "elastic");
   EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 0.06);
   EXPECT_FALSE(f.shown("static_Nm"));
   EXPECT_FALSE(f.gravity_Nm) << "a spring's rest cannot be told from gravity";
-  EXPECT_TRUE(f.loops.front().z_rad.empty());
+  EXPECT_TRUE(made.signals.front().z_rad.empty());
   EXPECT_NE(wording::words(f.reason).find("larger amplitude"), std::string::npos)
       << wording::words(f.reason);
   EXPECT_NE(wording::words(parameter(f, "static_Nm").experiment).find("of larger amplitude"),

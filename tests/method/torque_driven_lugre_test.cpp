@@ -84,14 +84,15 @@ TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
   const std::vector<joint::Recording> sine = test::oscillations_of(test::noisy_paper_joint(1));
   const method::gravity::CogSweepResult no_sweep;
   const statistics::Estimate peak = statistics::symmetric_estimate(test::true_q_peak_rad(), 0);
-  const method::hysteresis::HysteresisResult h =
-      method::hysteresis::identify_hysteresis({&loops[0], &sine[0]}, no_sweep, 100, peak);
+  const method::hysteresis::Hysteresis made =
+      method::hysteresis::identify_hysteresis({&loops[0], &sine[0]}, {}, no_sweep, 100, peak);
+  const method::hysteresis::HysteresisResult& h = made.result;
   ASSERT_TRUE(h.found) << wording::words(h.stage.reason);
-  ASSERT_TRUE(h.lugre && h.lugre->converged);
-  ASSERT_EQ(h.lugre->loops.size(), 2U);
-  EXPECT_EQ(h.lugre->loops[0].motion, "spline");
-  EXPECT_EQ(h.lugre->loops[1].motion, "harmonics");
-  EXPECT_LT(error_of(*h.lugre, "bristle_stiffness_Nm_rad"), 0.02);
+  ASSERT_TRUE(made.lugre && made.lugre->fit.converged);
+  ASSERT_EQ(made.lugre->fit.loops.size(), 2U);
+  EXPECT_EQ(made.lugre->fit.loops[0].motion, "spline");
+  EXPECT_EQ(made.lugre->fit.loops[1].motion, "harmonics");
+  EXPECT_LT(error_of(made.lugre->fit, "bristle_stiffness_Nm_rad"), 0.02);
 }
 
 TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {

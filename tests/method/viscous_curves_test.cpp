@@ -21,12 +21,14 @@ struct Chain {
 Chain run(const simulate::Scenario& s) {
   Chain c;
   c.dataset = simulate::simulated_dataset(s);
-  c.rough = method::gravity::identify_cog_sweep("cog_rough",
-                                                c.dataset.with_role(joint::Role::rough_sweep), 100);
+  const method::motion::Sweep sweep(c.dataset.with_role(joint::Role::rough_sweep));
+  c.rough = method::gravity::identify_cog_sweep("cog_rough", sweep, 100).result;
   c.masses = method::hysteresis::identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100,
                                                            0.5, 9.81);
-  c.viscous = method::viscous::identify_viscous_curves(
-      c.dataset.with_role(joint::Role::constant_speed), c.rough, c.masses, c.rough.q_peak_rad, 100);
+  c.viscous =
+      method::viscous::identify_viscous_curves(c.dataset.with_role(joint::Role::constant_speed),
+                                               sweep, c.rough, c.masses, c.rough.q_peak_rad, 100)
+          .result;
   return c;
 }
 

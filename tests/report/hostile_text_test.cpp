@@ -22,8 +22,8 @@ calibration::Calibration filled_with(const std::string& text) {
   const Statement said = Statement::verbatim(text);
   for (Statement* statement :
        {&c.rough.method, &c.precise.method, &c.rough.q_peak_rad.method,
-        &c.hysteresis.bristle_source, &c.selection.why, &c.judgement.sentence,
-        &c.hysteresis.lugre->reason, &c.hysteresis.lugre->identifiability.weakest_statement}) {
+        &c.hysteresis.bristle_source, &c.selection.why, &c.judgement.sentence, &c.lugre->reason,
+        &c.lugre->identifiability.weakest_statement}) {
     *statement = said;
   }
   for (statistics::StageReport* stage :
@@ -32,9 +32,8 @@ calibration::Calibration filled_with(const std::string& text) {
     stage->state = statistics::StageState::partial;
     stage->reason = said;
   }
-  c.hysteresis.lugre->loops.front().recording = text;
-  for (method::hysteresis::LuGreParameter& p : c.hysteresis.lugre->parameters)
-    p.why_not = p.experiment = said;
+  c.lugre->loops.front().recording = text;
+  for (method::hysteresis::LuGreParameter& p : c.lugre->parameters) p.why_not = p.experiment = said;
   c.judgement.findings = {said};
   for (calibration::QuantityVerdict& quantity : c.judgement.quantities) {
     quantity.experiment = said;

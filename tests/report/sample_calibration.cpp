@@ -56,6 +56,10 @@ method::hysteresis::HysteresisResult loop() {
                                                 Statement::verbatim("scatter of the cycles"));
   h.midline_q_rad = q_peak_rad;
   h.loop_height_Nm = 1.766;
+  return h;
+}
+
+method::hysteresis::LuGreFit loop_fit() {
   method::hysteresis::LuGreFit fit;
   fit.converged = true;
   fit.rung = "level";
@@ -105,8 +109,7 @@ method::hysteresis::HysteresisResult loop() {
   fit.loops = {only};
   fit.residual_Nm = 0.02;
   fit.iterations = 7;
-  h.lugre = fit;
-  return h;
+  return fit;
 }
 
 method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
@@ -269,6 +272,7 @@ calibration::Calibration complete_calibration() {
   c.q_peak_rad = c.precise.q_peak_rad;
   c.q_peak_source = "cog_precise";
   c.hysteresis = loop();
+  c.lugre = loop_fit();
   c.masses = masses();
   c.viscous = curves(c.masses);
   c.quality = errors(c.viscous);

@@ -108,19 +108,18 @@ TEST_F(IdentifiedScenes, ShowWhatWasFoundAndNotWhatTheFileStates) {
 // The angle between the arm's pictured pose and the level, whatever the file says of the test.
 TEST_F(IdentifiedScenes, DrawTheRangeOfTheSweepsSamples) {
   set_q_peak(-21, 0.25);
-  double lowest = 1e9;
-  double highest = -1e9;
-  for (const double q : calibration_.rough.recordings.at(0)->q_rad) {
-    lowest = std::min(lowest, q);
-    highest = std::max(highest, q);
-  }
+  const auto sweeps = dataset_.with_role(joint::Role::rough_sweep);
+  const auto [least, most] =
+      std::minmax_element(sweeps.at(0)->q_rad.begin(), sweeps.at(0)->q_rad.end());
+  const double lowest = *least;
+  const double highest = *most;
   const auto range = paper::scenes::scene_figures(paper_robot(), calibration_).at(2);
   const render::figure::SceneSector& sector = range.figure.scene->sectors.at(0);
   EXPECT_NEAR(sector.from_rad, lowest, 1e-9);
   EXPECT_NEAR(sector.to_rad, highest, 1e-9);
   // Without a rough sweep that of the precise one, in which the ends are apart by a part of a
   // degree.
-  calibration_.rough = {};
+  calibration_.curves.rough = {};
   const auto narrow = paper::scenes::scene_figures(paper_robot(), calibration_).at(2);
   EXPECT_LT(narrow.figure.scene->sectors.at(0).to_rad, highest - 0.1);
 }
@@ -136,7 +135,7 @@ TEST_F(IdentifiedScenes, LeaveOutTheFigureWhoseNumbersAreMissing) {
   some.q_peak_rad.reset();
   EXPECT_EQ(numbers(paper::scenes::scene_figures(robot, some)), (std::vector<int>{9}));
   some = calibration_;
-  some.rough = some.precise = {};
+  some.curves.rough = some.curves.precise = {};
   EXPECT_EQ(numbers(paper::scenes::scene_figures(robot, some)), (std::vector<int>{9, 10}));
   some = calibration_;
   some.q_peak_rad->high = std::numeric_limits<double>::infinity();
@@ -158,7 +157,8 @@ TEST_F(IdentifiedScenes, CountAsTheLogOfAnotherArmCounts) {
   joint::Recording sweep;
   sweep.role = joint::Role::rough_sweep;
   sweep.q_rad = {-150 * degree, 20 * degree};
-  calibration_.rough.recordings = {&sweep};
+  calibration_.curves.rough.lowest_rad = sweep.q_rad.front();
+  calibration_.curves.rough.highest_rad = sweep.q_rad.back();
   const robot::RobotDescription robot = planar_arm();
   const auto figures = paper::scenes::scene_figures(robot, calibration_);
   ASSERT_EQ(numbers(figures), (std::vector<int>{9, 10, 12}));

@@ -221,7 +221,7 @@ TEST(FoundNoise, RippleIsFoundWithItsPeriods) {
   const joint::Dataset dataset = simulate::simulated_dataset(scenario);
   const calibration::Calibration c = plain(dataset, 1);
   const std::vector<simulate::Noise::Ripple> ripple =
-      truth::ripple_of(c.rough, scenario.gear_ratio);
+      truth::ripple_of(dataset, c.rough, c.curves.rough);
   ASSERT_EQ(ripple.size(), 2U);
   EXPECT_NEAR(ripple[0].periods_per_turn, 1, 1e-3);
   EXPECT_NEAR(ripple[0].amplitude_Nm, 0.03, 0.002);

@@ -19,7 +19,7 @@ std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario
   return simulate::simulated_dataset(s).recordings;
 }
 
-method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations) {
+method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations) {
   std::vector<method::motion::OscillationMotion> motions;
   for (const joint::Recording& r : oscillations)
     motions.push_back(*method::motion::fit_oscillation_motion(r));

@@ -13,7 +13,11 @@ namespace tribolog::test {
 /// Its oscillations alone; z is recorded as the scenario says.
 std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario);
 
-method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations);
+/// The fit with its signals and what a resample needs.
+method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations);
+inline method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations) {
+  return fitted_loops(oscillations).fit;
+}
 inline method::hysteresis::LuGreFit fit_loops(const simulate::Scenario& scenario) {
   return fit_loops(oscillations_of(scenario));
 }

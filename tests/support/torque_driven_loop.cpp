@@ -66,7 +66,7 @@ method::hysteresis::LuGreFit fit_traced(const std::vector<joint::Recording>& loo
   for (std::size_t k = 0; k < loops.size(); ++k) {
     inputs.push_back({&loops[k], nullptr, &motions[k]});
   }
-  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
+  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad()).fit;
 }
 
 }  // namespace tribolog::test

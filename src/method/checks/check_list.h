@@ -4,6 +4,7 @@
 
 #include "method/checks/check_outcome.h"
 #include "method/checks/checked_recordings.h"
+#include "method/checks/data_checks.h"
 
 namespace tribolog::method::checks {
 
@@ -45,5 +46,7 @@ DataCheck check_encoder_step(const CheckedDataset& data);
 // motion_checks.cpp
 DataCheck check_oscillation_cycles(const CheckedDataset& data);
 DataCheck check_oscillation_slides(const CheckedDataset& data);
+// gravity_checks.cpp
+std::vector<DataCheck> gravity_checks(const joint::Dataset& dataset, const GravityResults& gravity);
 
 }  // namespace tribolog::method::checks

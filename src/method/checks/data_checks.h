@@ -16,13 +16,15 @@ namespace tribolog::method::checks {
 /// applicable; those on the motion still run.
 DataChecksResult check_recordings(const joint::Dataset& dataset);
 
-/// Checks that need the place and size of gravity, which the sweeps give: whether the oscillation
-/// is at the gravity peak, and whether the gravity found can be.
-/// @param sweep the one whose gravity amplitude is used further on.
-/// @param runs their gravity is compared with what is stated where no sweep gave any.
-void add_gravity_checks(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep,
-                        const gravity::RunGravityResult& runs,
-                        const std::optional<statistics::Estimate>& q_peak_rad,
-                        DataChecksResult& result);
+/// What the sweeps and the runs say of gravity.
+struct GravityResults {
+  const gravity::CogSweepResult& rough;   ///< The one whose amplitude is used further on.
+  const gravity::RunGravityResult& runs;  ///< Compared with what is stated without a sweep.
+  const std::optional<statistics::Estimate>& q_peak_rad;
+};
+
+/// Those, and the checks that need the place and size of gravity: whether the oscillation is at the
+/// gravity peak, and whether the gravity found can be.
+DataChecksResult check_recordings(const joint::Dataset& dataset, const GravityResults& gravity);
 
 }  // namespace tribolog::method::checks

@@ -147,7 +147,8 @@ DataCheck check_oscillation_at_peak(const joint::Dataset& dataset,
   return check;
 }
 
-DataCheck check_gravity_within_torque(const gravity::CogSweepResult& sweep) {
+DataCheck check_gravity_within_torque(const joint::Dataset& dataset,
+                                      const gravity::CogSweepResult& sweep) {
   constexpr double warning_ratio = 1.5;
   constexpr double most_ratio = 3;
   DataCheck check;
@@ -157,13 +158,15 @@ DataCheck check_gravity_within_torque(const gravity::CogSweepResult& sweep) {
   }
   double largest_torque = 0;
   double largest_cos = 0;
-  for (const joint::Recording* r : sweep.recordings) {
+  const std::vector<const joint::Recording*> recordings =
+      dataset.with_role(joint::Role::rough_sweep);
+  for (const joint::Recording* r : recordings) {
     for (std::size_t i = 0; i < r->size(); ++i) {
       largest_torque = std::max(largest_torque, std::abs(r->torque_Nm[i]));
       largest_cos = std::max(largest_cos, std::abs(std::cos(r->q_rad[i] - sweep.q_peak_rad.value)));
     }
   }
-  check.recording = sweep.recordings.size() == 1 ? sweep.recordings.front()->name : "all";
+  check.recording = recordings.size() == 1 ? recordings.front()->name : "all";
   check.measure = {"measure.fitted_of_largest_torque"};
   check.unit = pure_number;
   check.at_most = warning_ratio;
@@ -181,18 +184,16 @@ DataCheck check_gravity_within_torque(const gravity::CogSweepResult& sweep) {
 
 }  // namespace
 
-void add_gravity_checks(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep,
-                        const gravity::RunGravityResult& runs,
-                        const std::optional<statistics::Estimate>& q_peak_rad,
-                        DataChecksResult& result) {
-  result.checks.push_back(check_oscillation_at_peak(dataset, q_peak_rad));
-  result.checks.push_back(check_gravity_within_torque(sweep));
+std::vector<DataCheck> gravity_checks(const joint::Dataset& dataset,
+                                      const GravityResults& gravity) {
+  const gravity::CogSweepResult& sweep = gravity.rough;
+  const gravity::RunGravityResult& runs = gravity.runs;
   std::optional<FoundGravity> found;
   if (runs.found) found = FoundGravity{runs.gravity_Nm, runs.q_peak_rad.value};
   if (sweep.found) found = FoundGravity{sweep.gravity_Nm, sweep.q_peak_rad.value};
-  result.checks.push_back(check_static_torque(dataset.manifest, found));
-  result.checks.push_back(check_torque_ripple(dataset, sweep));
-  result.checks.push_back(check_ripple_period(dataset, sweep));
+  return {check_oscillation_at_peak(dataset, gravity.q_peak_rad),
+          check_gravity_within_torque(dataset, sweep), check_static_torque(dataset.manifest, found),
+          check_torque_ripple(dataset, sweep), check_ripple_period(dataset, sweep)};
 }
 
 }  // namespace tribolog::method::checks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "joint/degrees.h"
@@ -78,18 +79,18 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
 }
 
 /// The ripple that the residual shows, and the fit without it.
-SweepGravityFit fit_without_ripple(const std::vector<const joint::Recording*>& recordings,
-                                   const motion::SweepSamples& samples, double gear_ratio,
-                                   double middle, const std::vector<std::size_t>& blocks,
+SweepGravityFit fit_without_ripple(const motion::Sweep& sweep, double gear_ratio, double middle,
+                                   const std::vector<std::size_t>& blocks,
                                    const SweepGravityFit& first, SweepDesign& design,
                                    CogSweepResult& out) {
-  const double white = white_torque_variance(recordings, samples);
+  const motion::SweepSamples& samples = sweep.samples;
+  const double white = white_torque_variance(sweep);
   out.ripple_Nm = torque_ripple_Nm(first.regression.residual_sd, white);
   if (!(out.ripple_Nm > 0)) return first;
   std::vector<double> angle(samples.size());
   std::vector<double> residual(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    angle[i] = gear_ratio * angle_of(recordings, samples, i);
+    angle[i] = gear_ratio * sweep.q_rad(i);
     residual[i] = first.regression.residuals(static_cast<Eigen::Index>(i));
   }
   out.ripple = find_ripple(angle, residual, out.ripple_Nm, white);
@@ -99,29 +100,29 @@ SweepGravityFit fit_without_ripple(const std::vector<const joint::Recording*>& r
     torque(static_cast<Eigen::Index>(i)) = out.ripple.torque_Nm(angle[i]);
   }
   design.y -= torque;
-  SweepGravityFit fit = fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
   fit.regression.residuals += torque;  // what the smooth fit leaves
   return fit;
 }
 
 /// How far the ripple of another sweep moves the angle, each line at any phase.
-void widen_by_ripple(const std::vector<const joint::Recording*>& recordings,
-                     const motion::SweepSamples& samples, const SweepDesign& design,
-                     double gear_ratio, const Ripple& ripple, CogSweepResult& out) {
+void widen_by_ripple(const motion::Sweep& sweep, const SweepDesign& design, double gear_ratio,
+                     const Ripple& ripple, CogSweepResult& out, SweepBlocks& kept) {
+  const motion::SweepSamples& samples = sweep.samples;
   std::vector<double> amplitudes;
   const auto rows = static_cast<Eigen::Index>(samples.size());
   for (const RippleLine& line : ripple.lines) {
     Eigen::VectorXd cosine(rows);
     Eigen::VectorXd sine(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const double phase = line.periods_per_turn * gear_ratio *
-                           angle_of(recordings, samples, static_cast<std::size_t>(i));
+      const double phase =
+          line.periods_per_turn * gear_ratio * sweep.q_rad(static_cast<std::size_t>(i));
       cosine(i) = std::cos(phase);
       sine(i) = std::sin(phase);
     }
-    out.resampling.ripple_lever.push_back(std::hypot(effect_on_coefficients(design, cosine)(0),
-                                                     effect_on_coefficients(design, sine)(0)));
-    amplitudes.push_back(line.amplitude_Nm * out.resampling.ripple_lever.back());
+    kept.ripple_lever.push_back(std::hypot(effect_on_coefficients(design, cosine)(0),
+                                           effect_on_coefficients(design, sine)(0)));
+    amplitudes.push_back(line.amplitude_Nm * kept.ripple_lever.back());
   }
   if (amplitudes.empty()) return;
   out.q_peak_rad = statistics::symmetric_estimate(
@@ -130,33 +131,55 @@ void widen_by_ripple(const std::vector<const joint::Recording*>& recordings,
       {"interval.widened_by_rough_sweep_ripple", {{"interval", out.q_peak_rad.method}}});
 }
 
-void keep_for_resampling(const SweepDesign& design, const motion::SweepSamples& samples,
-                         const SweepGravityFit& fit, CogSweepResult& out) {
+SweepBlocks blocks_of(const SweepDesign& design, const motion::SweepSamples& samples,
+                      const SweepGravityFit& fit) {
+  SweepBlocks kept;
   const Eigen::MatrixXd& shifts = fit.block_shifts;
   const Eigen::RowVectorXd coulomb =
       direction_contrast(design, samples).transpose() * fit.regression.block_shifts;
   for (Eigen::Index b = 0; b < shifts.cols(); ++b) {
-    out.resampling.block_shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
+    kept.shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
   }
-  out.resampling.freedom = fit.freedom;
+  kept.freedom = fit.freedom;
+  return kept;
 }
 
 /// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
 /// samples cannot see. Blocks of the angle can: the wider of the two intervals is stated.
-SweepGravityFit with_the_wider_blocks(const std::vector<const joint::Recording*>& recordings,
-                                      const motion::SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_the_wider_blocks(const motion::Sweep& sweep, SweepDesign& design,
                                       double middle, const SweepGravityFit& fit,
                                       const CogSweepResult& range) {
+  const motion::SweepSamples& samples = sweep.samples;
   constexpr double cells = 20;
   std::vector<std::size_t> by_angle(samples.size());
   const double width = (range.highest_rad - range.lowest_rad) / cells;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double place = (angle_of(recordings, samples, i) - range.lowest_rad) / width;
+    const double place = (sweep.q_rad(i) - range.lowest_rad) / width;
     by_angle[i] = static_cast<std::size_t>(std::clamp(place, 0.0, cells - 1));
   }
-  SweepGravityFit other = fit_amplitude_and_angle(recordings, samples, design, middle, by_angle);
+  SweepGravityFit other = fit_amplitude_and_angle(sweep, design, middle, by_angle);
   other.regression.residuals = fit.regression.residuals;  // those behind the ripple's lines too
   return other.gravity_Nm.half_width() > fit.gravity_Nm.half_width() ? other : fit;
+}
+
+/// The samples used, and the range of all.
+SweepCurves curves_without_fit(const motion::Sweep& sweep) {
+  SweepCurves curves;
+  curves.used = sweep.used();
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const joint::Recording* recording : sweep.recordings) {
+    for (const double q_rad : recording->q_rad) {
+      if (!std::isfinite(q_rad)) continue;
+      lowest = std::min(lowest, q_rad);
+      highest = std::max(highest, q_rad);
+    }
+  }
+  if (lowest < highest) {
+    curves.lowest_rad = lowest;
+    curves.highest_rad = highest;
+  }
+  return curves;
 }
 
 /// The equation whose coefficients were fitted.
@@ -173,75 +196,68 @@ Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_
 
 }  // namespace
 
-CogSweepResult identify_cog_sweep(const std::string& name,
-                                  const std::vector<const joint::Recording*>& recordings,
-                                  double gear_ratio,
-                                  const std::optional<statistics::Estimate>& gravity_Nm,
-                                  const Ripple& known_ripple) {
+CogSweep identify_cog_sweep(const std::string& name, const motion::Sweep& sweep, double gear_ratio,
+                            const std::optional<statistics::Estimate>& gravity_Nm,
+                            const Ripple& known_ripple) {
   const bool precise = name == "cog_precise";
-  CogSweepResult out;
-  if (recordings.empty()) {
+  CogSweep made;
+  CogSweepResult& out = made.result;
+  if (sweep.recordings.empty()) {
     out.stage = {name, statistics::StageState::skipped,
                  precise ? Code{"gravity.no_precise_sweep"} : Code{"gravity.no_rough_sweep"}};
-    return out;
+    return made;
   }
-  out.recordings = recordings;
-  const motion::SweepSamples samples = motion::select_sweep_samples(recordings);
+  made.curves = curves_without_fit(sweep);
+  const motion::SweepSamples& samples = sweep.samples;
   out.samples_used = samples.size();
   out.samples_left_out = samples.left_out;
   out.constant_speed = samples.constant_speed;
   out.both_directions = samples.both_directions();
-  for (const joint::Recording* recording : recordings)
-    out.used.emplace_back(recording->size(), false);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    out.used[samples.recording[i]][samples.index[i]] = true;
-  }
   out.stage = {name, statistics::StageState::not_identifiable, {}};
   if (samples.size() < fewest_samples) {
     out.stage.reason = {"gravity.too_few_samples",
                         {{"samples", samples.size()}, {"needed", fewest_samples}}};
-    return out;
+    return made;
   }
-  out.lowest_rad = out.highest_rad = angle_of(recordings, samples, 0);
+  out.lowest_rad = out.highest_rad = sweep.q_rad(0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double q = angle_of(recordings, samples, i);
+    const double q = sweep.q_rad(i);
     out.lowest_rad = std::min(out.lowest_rad, q);
     out.highest_rad = std::max(out.highest_rad, q);
   }
   const double range = out.highest_rad - out.lowest_rad;
   if (!(range > 1e-6)) {
     out.stage.reason = {"gravity.hardly_moves", {{"travel_rad", range}}};
-    return out;
+    return made;
   }
 
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
-  SweepDesign design = sweep_design(recordings, samples, amplitude_known ? 1 : 2);
+  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2);
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  SweepGravityFit fit = amplitude_known
-                            ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
-                            : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  SweepGravityFit fit = amplitude_known ? fit_angle(sweep, design, middle, *gravity_Nm, blocks)
+                                        : fit_amplitude_and_angle(sweep, design, middle, blocks);
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
-    out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));
+    out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
   } else {
-    fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
+    fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
-    fit = fit_without_ripple(recordings, samples, gear_ratio, middle, blocks, fit, design, out);
+    fit = fit_without_ripple(sweep, gear_ratio, middle, blocks, fit, design, out);
     if (!samples.constant_speed && strokes > 2) {
-      fit = with_the_wider_blocks(recordings, samples, design, middle, fit, out);
+      fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
-  keep_for_resampling(design, samples, fit, out);
+  made.blocks = blocks_of(design, samples, fit);
   if (amplitude_known) {
-    out.resampling.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
-    widen_by_ripple(recordings, samples, design, gear_ratio, known_ripple, out);
+    made.blocks.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
+    widen_by_ripple(sweep, design, gear_ratio, known_ripple, out, made.blocks);
   }
   out.method = equation_of(design, samples.constant_speed, amplitude_known);
   read_friction(design, samples, fit, gear_ratio, out);
@@ -255,9 +271,9 @@ CogSweepResult identify_cog_sweep(const std::string& name,
                          {"low_Nm", out.gravity_Nm.low},
                          {"high_Nm", out.gravity_Nm.high},
                          {"travel_deg", range * joint::degrees_per_rad}}};
-    return out;
+    return made;
   }
-  find_torque_maximum(recordings, samples, out);
+  find_torque_maximum(sweep, out);
   out.found = true;
   out.stage.state = statistics::StageState::done;
   if (!out.both_directions) {
@@ -271,8 +287,8 @@ CogSweepResult identify_cog_sweep(const std::string& name,
                          {"highest_deg", out.highest_rad * joint::degrees_per_rad},
                          {"peak_deg", out.q_peak_rad.value * joint::degrees_per_rad}}};
   }
-  add_fit_curves(recordings, samples, fit.regression.residuals, out);
-  return out;
+  add_fit_curves(sweep, fit.regression.residuals, out, made.curves);
+  return made;
 }
 
 }  // namespace tribolog::method::gravity

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "base/statement.h"
-#include "joint/recording.h"
 #include "method/gravity/ripple_spectrum.h"
+#include "method/motion/sweep_samples.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::gravity {
@@ -53,42 +53,51 @@ struct CogSweepResult {
   /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
   /// out.
   double ripple_Nm{};
-  Ripple ripple;  ///< Its periods, where the sweep is long enough to show them.
-  /// For resampling, not stored.
-  struct Resampling {
-    /// What the error of each block of neighbours does to q_peak, gravity and Coulomb torque, SI;
-    /// see BlockRegression.
-    std::vector<std::array<double, 3>> block_shifts;
-    double freedom{};          ///< Degrees of freedom of their scatter.
-    double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
-    std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
-  };
-  Resampling resampling;
-
+  Ripple ripple;        ///< Its periods, where the sweep is long enough to show them.
   double lowest_rad{};  ///< Range of the samples used.
   double highest_rad{};
   bool both_directions{};
   bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.
   std::size_t samples_used{};
   std::size_t samples_left_out{};  ///< Rest, acceleration, reversal.
+};
 
-  /// For figures and later stages: per recording, a mask of the samples used.
+/// What figures show of a sweep beside its numbers.
+struct SweepCurves {
+  /// Of each recording of the role, in the dataset's order: which of its samples were used.
   std::vector<std::vector<bool>> used;
-  std::vector<const joint::Recording*> recordings;  ///< Those that the stage was given.
-  /// Fitted motor-side torque for figures: rising and falling joint angle.
+  /// Range of all samples, also of those where the joint starts and stops; equal without any.
+  double lowest_rad{};
+  double highest_rad{};
+  /// Fitted motor-side torque: rising and falling joint angle.
   std::vector<double> fit_q_rad;
   std::vector<double> fit_rising_Nm;
   std::vector<double> fit_falling_Nm;  ///< Empty if only one direction was recorded.
 };
 
-/// @param recordings those of one role; may be empty (then the stage is skipped and says so).
+/// What a resample needs to redo the sweep without its samples.
+struct SweepBlocks {
+  /// What the error of each block of neighbours does to q_peak, gravity and Coulomb torque, SI;
+  /// see BlockRegression.
+  std::vector<std::array<double, 3>> shifts;
+  double freedom{};          ///< Degrees of freedom of their scatter.
+  double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
+  std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
+};
+
+struct CogSweep {
+  CogSweepResult result;
+  SweepCurves curves;
+  SweepBlocks blocks;
+};
+
+/// @param sweep of the recordings of one role; without any the stage is skipped and says so.
 /// @param name stage name, "cog_rough" or "cog_precise".
 /// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
 /// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
 /// interval is as wide as the ripple at any phase demands.
-CogSweepResult identify_cog_sweep(
-    const std::string& name, const std::vector<const joint::Recording*>& recordings,
-    double gear_ratio, const std::optional<statistics::Estimate>& gravity_Nm = std::nullopt,
-    const Ripple& known_ripple = {});
+CogSweep identify_cog_sweep(const std::string& name, const motion::Sweep& sweep, double gear_ratio,
+                            const std::optional<statistics::Estimate>& gravity_Nm = std::nullopt,
+                            const Ripple& known_ripple = {});
 
 }  // namespace tribolog::method::gravity

@@ -12,14 +12,14 @@
 
 namespace tribolog::method::gravity {
 
-double white_torque_variance(const std::vector<const joint::Recording*>& recordings,
-                             const motion::SweepSamples& samples) {
+double white_torque_variance(const motion::Sweep& sweep) {
+  const motion::SweepSamples& samples = sweep.samples;
   std::vector<double> third;
   for (std::size_t i = 3; i < samples.size(); ++i) {
     const bool neighbours = samples.recording[i - 3] == samples.recording[i] &&
                             samples.index[i - 3] + 3 == samples.index[i];
     if (!neighbours) continue;
-    const joint::Recording& r = *recordings[samples.recording[i]];
+    const joint::Recording& r = *sweep.recordings[samples.recording[i]];
     third.push_back(statistics::third_difference(&r.torque_Nm[samples.index[i] - 3]));
   }
   return statistics::white_variance(third);
@@ -31,13 +31,8 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {
   return rest > least_share * white_variance ? std::sqrt(rest) : 0.0;
 }
 
-double angle_of(const std::vector<const joint::Recording*>& recordings,
-                const motion::SweepSamples& samples, std::size_t i) {
-  return recordings[samples.recording[i]]->q_rad[samples.index[i]];
-}
-
-SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
-                         const motion::SweepSamples& samples, Eigen::Index gravity_columns) {
+SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns) {
+  const motion::SweepSamples& samples = sweep.samples;
   SweepDesign d;
   const auto rows = static_cast<Eigen::Index>(samples.size());
   const bool both = samples.both_directions();
@@ -68,7 +63,7 @@ SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
   }
   for (Eigen::Index row = 0; row < rows; ++row) {
     const auto i = static_cast<std::size_t>(row);
-    d.y(row) = recordings[samples.recording[i]]->torque_Nm[samples.index[i]];
+    d.y(row) = sweep.torque_Nm(i);
     d.x(row, d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = 1;
     if (d.direction >= 0) d.x(row, d.direction) = samples.direction[i];
     if (d.speed >= 0) d.x(row, d.speed) = samples.speed_rad_s[i];
@@ -77,11 +72,11 @@ SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
   return d;
 }
 
-SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording*>& recordings,
-                                        const motion::SweepSamples& samples, SweepDesign& d,
-                                        double middle, const std::vector<std::size_t>& blocks) {
+SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
+                                        const std::vector<std::size_t>& blocks) {
+  const motion::SweepSamples& samples = sweep.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double q = angle_of(recordings, samples, i) - middle;
+    const double q = sweep.q_rad(i) - middle;
     // 1 - cos q as 2 sin^2(q/2): no cancellation in a sweep of one degree.
     const double half = std::sin(q / 2);
     d.x(static_cast<Eigen::Index>(i), 0) = -2 * half * half;
@@ -115,16 +110,16 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording
   return fit;
 }
 
-SweepGravityFit fit_angle(const std::vector<const joint::Recording*>& recordings,
-                          const motion::SweepSamples& samples, SweepDesign& d, double middle,
+SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
                           const statistics::Estimate& gravity,
                           const std::vector<std::size_t>& blocks) {
+  const motion::SweepSamples& samples = sweep.samples;
   const Eigen::VectorXd torque = d.y;
   double q_peak = middle;
   SweepGravityFit fit;
   for (int iteration = 0; iteration < 20; ++iteration) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double q = angle_of(recordings, samples, i) - q_peak;
+      const double q = sweep.q_rad(i) - q_peak;
       const auto row = static_cast<Eigen::Index>(i);
       d.y(row) = torque(row) - gravity.value * std::cos(q);
       d.x(row, 0) = gravity.value * std::sin(q);
@@ -160,11 +155,11 @@ namespace {
 constexpr std::size_t fewest_strokes = 4;
 constexpr double standard_errors = 2.0;
 
-void fill_load_column(const std::vector<const joint::Recording*>& recordings,
-                      const motion::SweepSamples& samples, double q_peak, SweepDesign& d) {
+void fill_load_column(const motion::Sweep& sweep, double q_peak, SweepDesign& d) {
+  const motion::SweepSamples& samples = sweep.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     d.x(static_cast<Eigen::Index>(i), d.load) =
-        samples.direction[i] * std::abs(std::cos(angle_of(recordings, samples, i) - q_peak));
+        samples.direction[i] * std::abs(std::cos(sweep.q_rad(i) - q_peak));
   }
 }
 
@@ -204,10 +199,10 @@ bool pays(const std::vector<double>& without, const std::vector<double>& with) {
 
 }  // namespace
 
-SweepGravityFit with_load_where_it_pays(const std::vector<const joint::Recording*>& recordings,
-                                        const motion::SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks,
                                         const SweepGravityFit& fit) {
+  const motion::SweepSamples& samples = sweep.samples;
   const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
   if (design.direction < 0 || samples.constant_speed || !has_strokes) return fit;
   SweepDesign with = design;
@@ -216,8 +211,8 @@ SweepGravityFit with_load_where_it_pays(const std::vector<const joint::Recording
   double q_peak = fit.q_peak_rad.value;
   SweepGravityFit better;
   for (int iteration = 0; iteration < 10; ++iteration) {
-    fill_load_column(recordings, samples, q_peak, with);
-    better = fit_amplitude_and_angle(recordings, samples, with, middle_rad, blocks);
+    fill_load_column(sweep, q_peak, with);
+    better = fit_amplitude_and_angle(sweep, with, middle_rad, blocks);
     const double step = better.q_peak_rad.value - q_peak;
     q_peak = better.q_peak_rad.value;
     if (std::abs(step) < 1e-9) break;

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "joint/recording.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
 #include "statistics/estimate.h"
@@ -15,8 +14,7 @@ namespace tribolog::method::gravity {
 
 /// Variance of the white noise of the torque [N²·m²] from third differences of neighbouring
 /// samples, in which everything slower than a few samples drops out. 0 without neighbours.
-double white_torque_variance(const std::vector<const joint::Recording*>& recordings,
-                             const motion::SweepSamples& samples);
+double white_torque_variance(const motion::Sweep& sweep);
 
 /// Standard deviation of what the residual holds beyond white noise [N·m]: torque ripple, friction
 /// that changes with the angle. 0 below what sampling of the two variances explains.
@@ -43,8 +41,7 @@ struct SweepDesign {
 
 /// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
 /// alone.
-SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
-                         const motion::SweepSamples& samples, Eigen::Index gravity_columns);
+SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns);
 
 struct SweepGravityFit {
   statistics::Estimate q_peak_rad;
@@ -60,23 +57,17 @@ struct SweepGravityFit {
 
 /// Amplitude and angle together, about the sweep's middle; fills the two columns of gravity.
 /// @param blocks of each sample, for block_regression().
-SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording*>& recordings,
-                                        const motion::SweepSamples& samples, SweepDesign& design,
+SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks);
 
 /// The angle alone, the amplitude being known: Gauss-Newton on T = offset + G cos(q - q_peak).
-SweepGravityFit fit_angle(const std::vector<const joint::Recording*>& recordings,
-                          const motion::SweepSamples& samples, SweepDesign& design,
-                          double middle_rad, const statistics::Estimate& gravity_Nm,
+SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, double middle_rad,
+                          const statistics::Estimate& gravity_Nm,
                           const std::vector<std::size_t>& blocks);
 
 /// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted
 /// coefficients.
 Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::VectorXd& extra_Nm);
-
-/// Joint angle of a sample [rad].
-double angle_of(const std::vector<const joint::Recording*>& recordings,
-                const motion::SweepSamples& samples, std::size_t i);
 
 // Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
 // the regression of a sweep of varying speed.
@@ -87,8 +78,7 @@ double angle_of(const std::vector<const joint::Recording*>& recordings,
 
 /// @param fit of the design without the column, its columns of gravity filled.
 /// @return the fit with the column, `design` extended by it; or `fit` with `design` as it was.
-SweepGravityFit with_load_where_it_pays(const std::vector<const joint::Recording*>& recordings,
-                                        const motion::SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks,
                                         const SweepGravityFit& fit);
 

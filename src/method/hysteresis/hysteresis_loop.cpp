@@ -16,13 +16,13 @@ namespace tribolog::method::hysteresis {
 namespace {
 
 /// Says, from the reversals of the sweep, whether an oscillation would have been resolved.
-void explain_without_oscillation(const gravity::CogSweepResult& rough, double gear_ratio,
-                                 HysteresisResult& out) {
+void explain_without_oscillation(const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
+                                 double gear_ratio, HysteresisResult& out) {
   out.stage.state = statistics::StageState::skipped;
   out.stage.reason = {"loop.no_oscillation"};
-  if (!rough.found || rough.recordings.empty()) return;
-  const auto [step, is_of_print] = motion::angle_step(rough.recordings.front()->q_rad, gear_ratio);
-  const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
+  if (!rough.found || sweep.recordings.empty()) return;
+  const auto [step, is_of_print] = motion::angle_step(sweep.recordings.front()->q_rad, gear_ratio);
+  const std::optional<double> travel = presliding_travel_rad(sweep, rough, gear_ratio);
   if (step <= 0 || !travel) return;
   out.encoder_step_rad = step;
   out.step_is_of_print = is_of_print;
@@ -39,7 +39,7 @@ void explain_without_oscillation(const gravity::CogSweepResult& rough, double ge
 }
 
 LoopTrace make_trace(const joint::Recording& r) {
-  return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}};
+  return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}, {}};
 }
 
 using Turns = std::vector<std::vector<LoopPoint>>;
@@ -104,7 +104,8 @@ struct LoopResult {
 
 /// The mid-lines of all recordings that have one as one estimate of the gravity torque.
 void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Ripple& ripple,
-                      double gear_ratio, HysteresisResult& out) {
+                      double gear_ratio, Hysteresis& made) {
+  HysteresisResult& out = made.result;
   std::vector<statistics::Estimate> at_peak;
   std::vector<double> angle;
   for (const LoopResult& loop : loops) {
@@ -116,9 +117,10 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
     const std::optional<LoopMidline>& midline = loops.front().midline;
     if (midline) out.midline_Nm = midline->torque_Nm;
   } else if (!at_peak.empty()) {
-    out.positions =
+    made.cycles.positions =
         mean_over_positions(at_peak, angle, ripple, {"interval.scatter_of_cycles_and_recordings"});
-    out.midline_Nm = out.positions->gravity_Nm;
+    out.midline_Nm = made.cycles.positions->gravity_Nm;
+    out.positions_hold_ripple = made.cycles.positions->freedom > 0;
   }
 }
 
@@ -160,7 +162,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
 
 /// LuGre fitted to all loops together; it observes the bristle of those that hold none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
-                     const gravity::Ripple& ripple, HysteresisResult& out) {
+                     const gravity::Ripple& ripple, Hysteresis& made) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
   Statement not_followed;
@@ -173,32 +175,37 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
                       loop.traced ? &*loop.traced : nullptr});
     traces.push_back(&loop.trace);
   }
-  LuGreFit fit;
-  if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple);
-  fit.reason.add(not_followed);
+  FittedLuGre lugre;
+  if (!inputs.empty()) lugre = fit_lugre(inputs, gear_ratio, q_peak, ripple);
+  lugre.fit.reason.add(not_followed);
   if (!loops.front().trace.z_rad.empty()) {
-    out.bristle_source = {"loop.bristle_recorded"};
-  } else if (fit.gravity_Nm && traces.front() == &loops.front().trace) {
-    out.bristle_source = {"loop.bristle_fitted"};
+    made.result.bristle_source = {"loop.bristle_recorded"};
+  } else if (lugre.fit.gravity_Nm && traces.front() == &loops.front().trace) {
+    made.result.bristle_source = {"loop.bristle_fitted"};
   }
-  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+  for (std::size_t r = 0; r < lugre.signals.size(); ++r) {
+    LuGreSignals& signals = lugre.signals[r];
+    traces[r]->model_torque_Nm = std::move(signals.torque_Nm);
     if (!traces[r]->z_rad.empty()) continue;
-    traces[r]->z_rad = fit.loops[r].z_rad;
-    traces[r]->dz_rad_s = fit.loops[r].dz_rad_s;
+    traces[r]->z_rad = std::move(signals.z_rad);
+    traces[r]->dz_rad_s = std::move(signals.dz_rad_s);
   }
-  out.lugre = std::move(fit);
+  lugre.signals.clear();
+  made.lugre = std::move(lugre);
 }
 
 }  // namespace
 
-HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
-                                     const gravity::CogSweepResult& rough, double gear_ratio,
-                                     const std::optional<statistics::Estimate>& q_peak_rad) {
-  HysteresisResult out;
+Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
+                               const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
+                               double gear_ratio,
+                               const std::optional<statistics::Estimate>& q_peak_rad) {
+  Hysteresis made;
+  HysteresisResult& out = made.result;
   out.stage.name = "hysteresis";
   if (oscillations.empty()) {
-    explain_without_oscillation(rough, gear_ratio, out);
-    return out;
+    explain_without_oscillation(sweep, rough, gear_ratio, out);
+    return made;
   }
   std::vector<LoopResult> loops;
   for (const joint::Recording* whole : oscillations) {
@@ -245,20 +252,20 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
   }
   if (loops.empty()) {
     out.stage.state = statistics::StageState::not_identifiable;
-    return out;
+    return made;
   }
 
   const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().oscillation.centre_rad;
-  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, out);
+  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, made);
 
   out.found = true;
   out.stage.state =
       out.stage.reason.empty() ? statistics::StageState::done : statistics::StageState::partial;
   const LoopResult& first = loops.front();
-  combine_midlines(loops, rough.ripple, gear_ratio, out);
+  combine_midlines(loops, rough.ripple, gear_ratio, made);
   out.midline_q_rad = first.oscillation.centre_rad;
   if (first.midline) {
-    out.cycle_means_Nm = first.midline->cycle_means_Nm;
+    made.cycles.means_Nm = first.midline->cycle_means_Nm;
     out.midline_q_rad = first.midline->mean_q_rad;
     if (loops.size() == 1) out.midline_mean_cos = first.midline->mean_cos;
   }
@@ -274,23 +281,23 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
       out.steady_points = average_turns(turns);
       widen_by_scatter(out.steady_points, turns.size(), out.points);
       for (const std::vector<LoopPoint>& turn : turns) {
-        out.turn_torques_Nm.emplace_back();
+        made.cycles.turn_torques_Nm.emplace_back();
         for (std::size_t k = 0; k < turn.size(); ++k) {
-          out.turn_torques_Nm.back()[k] = turn[k].torque_Nm;
+          made.cycles.turn_torques_Nm.back()[k] = turn[k].torque_Nm;
         }
       }
       if (out.steady_points.empty()) out.steady_points = out.points;
     }
   } else {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason.add(
-        {"loop.no_bristle_deflection", {{"why", out.lugre ? out.lugre->reason : Statement{}}}});
+    out.stage.reason.add({"loop.no_bristle_deflection",
+                          {{"why", made.lugre ? made.lugre->fit.reason : Statement{}}}});
   }
   for (LoopResult& loop : loops) {
     out.oscillations.push_back(loop.oscillation);
-    out.traces.push_back(std::move(loop.trace));
+    made.traces.push_back(std::move(loop.trace));
   }
-  return out;
+  return made;
 }
 
 }  // namespace tribolog::method::hysteresis

@@ -35,7 +35,7 @@ struct LoopPoint {
   double dz_rad_s{};
 };
 
-/// One oscillation with its bristle state, sample by sample.
+/// One oscillation with its bristle state, sample by sample: for figures and readings.
 struct LoopTrace {
   std::string recording;
   std::vector<double> t_s;
@@ -43,6 +43,7 @@ struct LoopTrace {
   std::vector<double> torque_Nm;
   std::vector<double> z_rad;  ///< Recorded or of the fitted model; empty if neither.
   std::vector<double> dz_rad_s;
+  std::vector<double> model_torque_Nm;  ///< Of the fitted model; empty without a fit.
   /// Mid-line of the steady loop: mean of the rising and the falling branch at equal angle.
   std::vector<double> midline_q_rad;
   std::vector<double> midline_Nm;
@@ -64,7 +65,6 @@ struct HysteresisResult {
   /// "loop.bristle_recorded", "loop.bristle_fitted", or empty where there is no deflection.
   Statement bristle_source;
   std::vector<Oscillation> oscillations;  ///< One per recording used.
-  std::vector<LoopTrace> traces;
   /// The paper's reading: from the first strokes of the first recording, in the order A..F.
   /// Empty if no bristle state is to be had.
   std::vector<LoopPoint> points;
@@ -76,16 +76,8 @@ struct HysteresisResult {
   double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
   std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
   double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
-  std::optional<LuGreFit> lugre;  ///< Stage 8, where a fit was made.
-
-  // For resampling, not stored.
-  std::vector<double> cycle_means_Nm;  ///< Of the first recording's steady cycles.
-  /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
-  std::vector<std::array<double, 6>> turn_torques_Nm;
-  std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
-
   /// Whether the scatter of the mid-lines over distinct positions holds the torque ripple.
-  [[nodiscard]] bool positions_hold_ripple() const { return positions && positions->freedom > 0; }
+  bool positions_hold_ripple{};
 
   /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
   /// within which torque turns over, and the encoder's step.
@@ -94,11 +86,28 @@ struct HysteresisResult {
   bool step_is_of_print{};  ///< That step is the one of the log's decimals; see AngleStep.
 };
 
+/// What a resample needs to redo the loop without its samples.
+struct LoopCycles {
+  std::vector<double> means_Nm;  ///< Of the first recording's steady cycles.
+  /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
+  std::vector<std::array<double, 6>> turn_torques_Nm;
+  std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
+};
+
+struct Hysteresis {
+  HysteresisResult result;
+  std::vector<LoopTrace> traces;     ///< In the order of HysteresisResult::oscillations.
+  std::optional<FittedLuGre> lugre;  ///< Stage 8; its loops' signals have gone into the traces.
+  LoopCycles cycles;
+};
+
 /// @param oscillations recordings of that role; may be empty.
-/// @param rough the rough sweep: its reversals tell about pre-sliding where no oscillation does.
+/// @param sweep the rough sweep, and what was found in it: its reversals tell about pre-sliding
+/// where no oscillation does.
 /// @param q_peak_rad from the sweeps, or nullopt: the arm is then taken to swing about its peak.
-HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
-                                     const gravity::CogSweepResult& rough, double gear_ratio,
-                                     const std::optional<statistics::Estimate>& q_peak_rad);
+Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
+                               const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
+                               double gear_ratio,
+                               const std::optional<statistics::Estimate>& q_peak_rad);
 
 }  // namespace tribolog::method::hysteresis

@@ -123,26 +123,27 @@ void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProble
 
 /// How the model's motion was made, and what that says of the loop.
 void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const LuGreClimb& climb,
-                     double gear_ratio, LuGreLoop& loop) {
+                     double gear_ratio, const LuGreSignals& signals, LuGreLoop& loop) {
   loop.motion = input.traced != nullptr ? "spline" : "harmonics";
   loop.motion_residual_rad =
       input.traced != nullptr ? input.traced->residual_rad : input.motion->residual_rad;
   if (input.traced == nullptr) return;
   const double stiffness = std::exp(climb.point.shared(LuGreShared::log_stiffness));
   std::vector<double> slope(model.speed_rad_s().size(), stiffness);
-  for (std::size_t i = 0; i < loop.dz_rad_s.size(); ++i) {
+  for (std::size_t i = 0; i < signals.dz_rad_s.size(); ++i) {
     const double w = model.speed_rad_s()[i];
-    if (w != 0) slope[i] *= loop.dz_rad_s[i] / w;
+    if (w != 0) slope[i] *= signals.dz_rad_s[i] / w;
   }
   loop.traced =
-      describe_traced_loop(*input.recording, *input.traced, loop.torque_Nm, slope, gear_ratio);
+      describe_traced_loop(*input.recording, *input.traced, signals.torque_Nm, slope, gear_ratio);
 }
 
 /// Gravity of each recording, and the fit's bristle in it.
 /// @param problem of every sample, and `residuals` of them.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
                     const Eigen::VectorXd& residuals, const LuGreClimb& climb, double gear_ratio,
-                    LuGreFit& fit) {
+                    FittedLuGre& made) {
+  LuGreFit& fit = made.fit;
   const Eigen::Index freedom = residuals.size() - climb.linear.r_factor.cols();
   fit.residual_Nm =
       std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
@@ -153,16 +154,16 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     const auto half_width = [&](Eigen::Index k) { return climb.standing(k, 1).half_width; };
     LuGreLoop loop;
     loop.recording = recording.name;
-    loop.t_s = recording.t_s;
+    LuGreSignals signals;
     const auto rows = static_cast<Eigen::Index>(recording.size());
     const auto part = residuals.segment(top, rows);
     loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(rows));
-    loop.torque_Nm.reserve(recording.size());
+    signals.torque_Nm.reserve(recording.size());
     for (Eigen::Index i = 0; i < rows; ++i) {
-      loop.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
+      signals.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
     }
     loop.height_Nm = problem.models()[r].height_Nm();
-    loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
+    loop.misfit = loop_misfit(recording, signals.torque_Nm, problem.models()[r].speed_rad_s());
     if (climb.free.starts) {
       loop.gravity_Nm = statistics::symmetric_estimate(
           climb.point.locals[r].gravity_Nm, half_width(column), {"interval.lugre_fit_blocks"});
@@ -172,9 +173,9 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
       const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
                                ? 0.0
                                : loop.start_deflection_rad;
-      problem.models()[r].bristle(climb.point.shared, start, loop.z_rad, loop.dz_rad_s);
+      problem.models()[r].bristle(climb.point.shared, start, signals.z_rad, signals.dz_rad_s);
     }
-    describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, loop);
+    describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, signals, loop);
     // Loops of other sizes cross the same angle at other torques: bins of the angle mix them.
     loop.systematic_Nm = loop.traced
                              ? std::sqrt(std::max(0.0, std::pow(loop.residual_Nm, 2) -
@@ -182,6 +183,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
                              : loop.misfit.systematic_Nm;
     top += rows;
     fit.loops.push_back(std::move(loop));
+    made.signals.push_back(std::move(signals));
   }
 }
 
@@ -285,22 +287,23 @@ std::optional<statistics::Estimate> LuGreFit::shown(const std::string& name) con
   return std::nullopt;
 }
 
-LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                   const gravity::Ripple& ripple) {
+FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                      const gravity::Ripple& ripple) {
   if (loops.empty()) throw std::invalid_argument("no loops");
-  LuGreFit fit;
+  FittedLuGre made;
+  LuGreFit& fit = made.fit;
   LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
   describe_excitation(loops, problem, fit);
   if (!(fit.height_Nm > 0)) {
     fit.reason = {"lugre.no_friction_to_fit"};
-    return fit;
+    return made;
   }
   LuGreClimb climb = climb_from_coarse(loops, gear_ratio, q_peak_rad, problem);
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
     fit.reason = {"lugre.not_converged"};
-    return fit;
+    return made;
   }
   fit.converged = true;
   Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
@@ -316,15 +319,15 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
                   [](std::size_t together) { return together > 1; })) {
     problem = LuGreProblem({});  // its room is wanted for the next
     problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
-    describe_loops(loops, problem, residuals_of(climb, problem), climb, gear_ratio, fit);
+    describe_loops(loops, problem, residuals_of(climb, problem), climb, gear_ratio, made);
   } else {
-    describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, fit);
+    describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, made);
   }
   if (climb.free.starts) {
-    fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
-    fit.gravity_Nm = fit.positions->freedom > 0
-                         ? fit.positions->gravity_Nm
-                         : gravity::with_ripple(fit.positions->gravity_Nm, ripple);
+    made.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
+    fit.gravity_Nm = made.positions->freedom > 0
+                         ? made.positions->gravity_Nm
+                         : gravity::with_ripple(made.positions->gravity_Nm, ripple);
   }
   fit.reason = what_is_not_shown(climb.rung, fit);
   const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
@@ -336,9 +339,10 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   }
   add_grain(samples_in_row, fit);
   fit.reason.add(worst_misfit(fit));
-  fit.linearised = std::make_shared<statistics::LinearisedFit>(
+  made.linearised = std::make_shared<statistics::LinearisedFit>(
       linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
-  return with_experiments(std::move(fit), gear_ratio, std::nullopt);
+  fit = with_experiments(std::move(fit), gear_ratio, std::nullopt);
+  return made;
 }
 
 }  // namespace tribolog::method::hysteresis

@@ -78,10 +78,6 @@ struct LuGreLoop {
       gravity_Nm;  ///< At the gravity peak; ripple of its position included.
   double start_deflection_rad{};
   double residual_Nm{};  ///< Standard deviation of T - model.
-  std::vector<double> t_s;
-  std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.
-  std::vector<double> dz_rad_s;
-  std::vector<double> torque_Nm;  ///< The model's torque there.
   LoopMisfit misfit;
   double height_Nm{};  ///< Largest less smallest torque.
   /// What the model leaves and noise does not explain, root mean square.
@@ -106,11 +102,6 @@ struct LuGreFit {
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
   int iterations{};
   Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
-  // For resampling, not stored.
-  /// Gravity before ripple is laid on it; present with gravity_Nm.
-  std::optional<PositionMean> positions;
-  /// Of a fit that converged (statistics/levenberg_marquardt.h).
-  std::shared_ptr<const statistics::LinearisedFit> linearised;
 
   /// The loop in which what noise does not explain is the largest share of the height; null
   /// without loops.
@@ -119,12 +110,29 @@ struct LuGreFit {
   [[nodiscard]] std::optional<statistics::Estimate> shown(const std::string& name) const;
 };
 
+/// The model's signals at the samples of one recording.
+struct LuGreSignals {
+  std::vector<double> torque_Nm;
+  std::vector<double>
+      z_rad;  ///< Empty where the fit has no bristle of its own (no gravity torque).
+  std::vector<double> dz_rad_s;
+};
+
+struct FittedLuGre {
+  LuGreFit fit;
+  std::vector<LuGreSignals> signals;  ///< In the order of LuGreFit::loops.
+  /// Gravity before ripple is laid on it; present with LuGreFit::gravity_Nm.
+  std::optional<PositionMean> positions;
+  /// For resampling, of a fit that converged (statistics/levenberg_marquardt.h).
+  std::shared_ptr<const statistics::LinearisedFit> linearised;
+};
+
 /// @param loops at least one.
 /// @param q_peak_rad angle at which gravity is largest.
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
 /// @throw std::invalid_argument if there is no loop.
-LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                   const gravity::Ripple& ripple = {});
+FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                      const gravity::Ripple& ripple = {});
 
 }  // namespace tribolog::method::hysteresis

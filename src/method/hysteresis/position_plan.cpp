@@ -34,11 +34,12 @@ double ripple_left(const gravity::Ripple& ripple, const std::vector<double>& ang
 }  // namespace
 
 std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
-                                           const HysteresisResult& hysteresis, double gear_ratio) {
+                                           const HysteresisResult& hysteresis, std::size_t cycles,
+                                           double gear_ratio) {
   if (!hysteresis.found || !hysteresis.midline_Nm || !(rough.ripple.half_width_Nm() > 0)) {
     return std::nullopt;
   }
-  if (hysteresis.positions_hold_ripple()) return std::nullopt;
+  if (hysteresis.positions_hold_ripple) return std::nullopt;
   const double centre = gear_ratio * hysteresis.oscillations.front().centre_rad;
   // One motor turn, or whole periods of a line where they leave clearly less of all of them.
   PositionPlan plan;
@@ -62,8 +63,7 @@ std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
   const double own = hysteresis.midline_Nm->half_width();
   plan.ripple_half_width_Nm = rough.ripple.half_width_Nm();
   plan.half_width_now_Nm = std::hypot(own, plan.ripple_half_width_Nm);
-  const auto cycles = static_cast<double>(hysteresis.cycle_means_Nm.size());
-  const double sd = own / statistics::student_t_975(std::max(1.0, cycles - 1));
+  const double sd = own / statistics::student_t_975(std::max(1.0, static_cast<double>(cycles) - 1));
   const auto positions = static_cast<double>(planned_positions);
   const double fitted =
       2 * static_cast<double>(std::min<std::size_t>(rough.ripple.lines.size(), 2));

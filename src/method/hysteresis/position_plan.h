@@ -23,8 +23,10 @@ inline constexpr std::size_t planned_positions = 8;
 
 /// Absent where no ripple shows, where there is no loop, or where three positions or more were
 /// recorded.
+/// @param cycles steady ones, whose scatter the mid-line's interval comes from.
 std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
-                                           const HysteresisResult& hysteresis, double gear_ratio);
+                                           const HysteresisResult& hysteresis, std::size_t cycles,
+                                           double gear_ratio);
 
 /// Why the interval is as wide as it is, and what would narrow it.
 Statement why_more_positions(const PositionPlan& plan, const gravity::Ripple& ripple);

@@ -13,15 +13,15 @@ namespace {
 
 /// Travels of one recording, one per reversal.
 void add_travels(const joint::Recording& r, const std::vector<bool>& steady,
-                 const gravity::CogSweepResult& sweep, double gear_ratio,
+                 const gravity::CogSweepResult& found, double gear_ratio,
                  std::vector<double>& travels) {
-  const double coulomb = present(sweep.coulomb_Nm).value;
+  const double coulomb = present(found.coulomb_Nm).value;
   // At a reversal acceleration is largest: without inertia friction would seem to turn over early.
-  const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
+  const double inertia = found.inertia_kgm2 ? found.inertia_kgm2->value * gear_ratio : 0.0;
   const std::vector<double> acceleration = motion::find_plateaus(r).acceleration_rad_s2;
   const auto friction = [&](std::size_t i) {
-    return r.torque_Nm[i] - sweep.offset_Nm - inertia * acceleration[i] -
-           sweep.gravity_Nm.value * std::cos(r.q_rad[i] - sweep.q_peak_rad.value);
+    return r.torque_Nm[i] - found.offset_Nm - inertia * acceleration[i] -
+           found.gravity_Nm.value * std::cos(r.q_rad[i] - found.q_peak_rad.value);
   };
   // A reversal is the unsteady stretch between two steady ones of opposite direction.
   for (std::size_t i = 1; i < r.size(); ++i) {
@@ -48,12 +48,14 @@ void add_travels(const joint::Recording& r, const std::vector<bool>& steady,
 
 }  // namespace
 
-std::optional<double> presliding_travel_rad(const gravity::CogSweepResult& sweep,
+std::optional<double> presliding_travel_rad(const motion::Sweep& sweep,
+                                            const gravity::CogSweepResult& found,
                                             double gear_ratio) {
-  if (!sweep.found || !sweep.coulomb_Nm || !(sweep.coulomb_Nm->low > 0)) return std::nullopt;
+  if (!found.found || !found.coulomb_Nm || !(found.coulomb_Nm->low > 0)) return std::nullopt;
+  const std::vector<std::vector<bool>> steady = sweep.used();
   std::vector<double> travels;
   for (std::size_t k = 0; k < sweep.recordings.size(); ++k) {
-    add_travels(*sweep.recordings[k], sweep.used[k], sweep, gear_ratio, travels);
+    add_travels(*sweep.recordings[k], steady[k], found, gear_ratio, travels);
   }
   if (travels.empty()) return std::nullopt;
   return statistics::median(std::move(travels));

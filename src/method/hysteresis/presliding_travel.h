@@ -10,7 +10,9 @@ namespace tribolog::method::hysteresis {
 /// Joint travel after a reversal of the sweep within which friction turns over to 70 % of the
 /// Coulomb torque of the other direction [rad], median over the reversals. Absent if the sweep
 /// shows no reversal, no gravity or no Coulomb torque.
-std::optional<double> presliding_travel_rad(const gravity::CogSweepResult& sweep,
+/// @param found of that sweep.
+std::optional<double> presliding_travel_rad(const motion::Sweep& sweep,
+                                            const gravity::CogSweepResult& found,
                                             double gear_ratio);
 
 }  // namespace tribolog::method::hysteresis

@@ -55,7 +55,8 @@ Code mass_without_loop(const gravity::CogSweepResult& rough, const SurrogateMass
 
 /// The paper's six, the pair means, the mid-line and the loop fit.
 void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
-                     const Context& context, SurrogateMassesResult& out) {
+                     const std::optional<statistics::Estimate>& fit_Nm, const Context& context,
+                     SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
@@ -79,16 +80,15 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
         make_mass({first, second}, gravity::with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    const statistics::Estimate torque = hysteresis.positions_hold_ripple()
+    const statistics::Estimate torque = hysteresis.positions_hold_ripple
                                             ? *hysteresis.midline_Nm
                                             : gravity::with_ripple(*hysteresis.midline_Nm, ripple);
     out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
                                    hysteresis.midline_mean_cos, context));
   }
-  if (hysteresis.lugre && hysteresis.lugre->gravity_Nm) {
+  if (fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(
-        make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad, 1.0, context));
+    out.masses.push_back(make_mass("fit", *fit_Nm, hysteresis.midline_q_rad, 1.0, context));
   }
 }
 
@@ -114,7 +114,7 @@ SurrogateMassesResult identify_surrogate_masses(
   }
   const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
   const bool is_near_peak = !hysteresis.found || loop_cosine >= least_loop_cosine;
-  if (is_near_peak) add_loop_masses(rough, hysteresis, context, out);
+  if (is_near_peak) add_loop_masses(rough, hysteresis, other.loop_fit_Nm, context, out);
   if (rough.found) {
     Context at_peak = context;
     at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it

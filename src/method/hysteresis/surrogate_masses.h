@@ -24,8 +24,9 @@ inline constexpr const char* stated_estimator = "stated";
 /// an error of the friction grows to more than twice its size in the mass.
 inline constexpr double least_loop_cosine = 0.5;
 
-/// Gravity that comes from neither sweep nor loop.
+/// Gravity that comes from neither sweep nor readings of the loop.
 struct OtherGravity {
+  std::optional<statistics::Estimate> loop_fit_Nm{};  ///< At the peak, motor side; of LuGreFit.
   const gravity::RunGravityResult* runs{nullptr};
   std::optional<joint::StatedGravity> stated;
 };

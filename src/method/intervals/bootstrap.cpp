@@ -159,8 +159,8 @@ IntervalsResult resample_chain(const ChainResults& results, const ResamplingOpti
   return out;
 }
 
-void state_intervals(const IntervalsResult& intervals,
-                     selection::FrictionParametersResult& friction) {
+selection::FrictionParametersResult with_stated_intervals(
+    selection::FrictionParametersResult friction, const IntervalsResult& intervals) {
   const auto state = [&](const char* name, statistics::Estimate& estimate) {
     const TwoIntervals* both = intervals.find(name);
     if (both == nullptr || !both->bootstrap || !both->bootstrap_is_stated) return;
@@ -179,6 +179,7 @@ void state_intervals(const IntervalsResult& intervals,
     state("line.coulomb_Nm", friction.coulomb_viscous->coulomb_Nm);
     state("line.viscous_Nms_rad", friction.coulomb_viscous->viscous_Nms_rad);
   }
+  return friction;
 }
 
 }  // namespace tribolog::method::intervals

@@ -34,18 +34,24 @@ namespace tribolog::method::intervals {
 
 /// What the chain has found; all must outlive the call.
 struct ChainResults {
-  const gravity::CogSweepResult& rough;
-  const gravity::CogSweepResult& precise;
+  const gravity::CogSweep& rough_sweep;
+  const gravity::CogSweep& precise_sweep;
   const std::optional<statistics::Estimate>& q_peak_rad;
   const std::string& q_peak_source;
-  const hysteresis::HysteresisResult& hysteresis;
+  const hysteresis::Hysteresis& loop;
+  const std::optional<hysteresis::LuGreFit>& lugre;  ///< Its parameters as they are stated.
   const hysteresis::SurrogateMassesResult& masses;
-  const viscous::ViscousCurvesResult& viscous;
+  const viscous::ViscousCurves& curves;
   const selection::QualityErrorsResult& quality;
   const selection::SelectionResult& selection;
   const selection::FrictionParametersResult& friction;
   const selection::OtherWays& other_ways;
   double gear_ratio{};
+
+  const gravity::CogSweepResult& rough = rough_sweep.result;
+  const gravity::CogSweepResult& precise = precise_sweep.result;
+  const hysteresis::HysteresisResult& hysteresis = loop.result;
+  const viscous::ViscousCurvesResult& viscous = curves.result;
 };
 
 /// One quantity with both its intervals.
@@ -106,10 +112,9 @@ struct ResamplingOptions {
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
 
-// Puts the stated interval into the results where that is the resampled one.
-
-/// Values stay; intervals and how they were made change. Without resamples nothing does.
-void state_intervals(const IntervalsResult& intervals,
-                     selection::FrictionParametersResult& friction);
+/// The parameters with the resampled interval where that is the stated one. Values stay; without
+/// resamples everything does.
+selection::FrictionParametersResult with_stated_intervals(
+    selection::FrictionParametersResult friction, const IntervalsResult& intervals);
 
 }  // namespace tribolog::method::intervals

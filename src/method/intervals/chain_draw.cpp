@@ -39,7 +39,7 @@ std::optional<double> loop_shift(const std::string& estimator, const LoopShift& 
 
 ChainResampler::ChainResampler(const ChainResults& results)
     : results_(results),
-      loop_(results.hysteresis, results.rough.ripple),
+      loop_(results.loop, results.rough.ripple),
       parameters_(results.viscous, results.friction) {}
 
 void ChainResampler::draw_masses(statistics::RandomStream& random, double rough_gravity_shift_Nm,
@@ -98,9 +98,9 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
 
 ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   ChainDraw draw;
-  const SweepShift rough = resample_sweep(random, results_.rough);
-  const SweepShift precise =
-      resample_precise_sweep(random, results_.precise, results_.rough.ripple, rough.gravity_Nm);
+  const SweepShift rough = resample_sweep(random, results_.rough_sweep);
+  const SweepShift precise = resample_precise_sweep(random, results_.precise_sweep,
+                                                    results_.rough.ripple, rough.gravity_Nm);
   draw.q_rough_rad = results_.rough.q_peak_rad.value + rough.q_peak_rad;
   draw.q_precise_rad = results_.precise.q_peak_rad.value + precise.q_peak_rad;
   const double q_shift =
@@ -120,7 +120,7 @@ ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
                             statistics::few_blocks_scale(random, way.freedom) * shift);
   }
 
-  const std::vector<double> run_shifts = resample_runs(random, results_.viscous);
+  const std::vector<double> run_shifts = resample_runs(random, results_.curves);
   const std::vector<viscous::ConstantSpeedRun>& runs = results_.viscous.runs;
   const auto& masses = results_.masses.masses;
   draw.friction_Nm.reserve(results_.viscous.curves.size() * runs.size());

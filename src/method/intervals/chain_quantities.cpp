@@ -59,12 +59,11 @@ void add_masses(const ChainResults& r, Quantities& out) {
 }
 
 void add_loop_fit(const ChainResults& r, Quantities& out) {
-  const auto& fit = r.hysteresis.lugre;
-  if (!fit || !fit->converged || !fit->linearised) return;
-  const std::vector<statistics::LinearisedReading>& readings = fit->linearised->readings;
+  if (!r.lugre || !r.lugre->converged || !r.loop.lugre || !r.loop.lugre->linearised) return;
+  const std::vector<statistics::LinearisedReading>& readings = r.loop.lugre->linearised->readings;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     // Ramps may have contradicted since what the fit read from the loops.
-    const std::optional<statistics::Estimate> shown = fit->shown(readings[k].name);
+    const std::optional<statistics::Estimate> shown = r.lugre->shown(readings[k].name);
     if (!shown) continue;
     const double value = readings[k].value;
     const bool logarithmic = readings[k].logarithmic;

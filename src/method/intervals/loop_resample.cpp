@@ -43,32 +43,30 @@ double residual_correlation(const hysteresis::PositionMean& a, const hysteresis:
 }
 
 /// Where the fit has a gravity torque that can be resampled.
-const hysteresis::PositionMean* positions_of_fit(const hysteresis::HysteresisResult& hysteresis) {
-  const auto& fit = hysteresis.lugre;
-  return fit && fit->positions ? &*fit->positions : nullptr;
+const hysteresis::PositionMean* positions_of_fit(const hysteresis::Hysteresis& loop) {
+  return loop.lugre && loop.lugre->positions ? &*loop.lugre->positions : nullptr;
 }
 
 }  // namespace
 
-LoopResampler::LoopResampler(const hysteresis::HysteresisResult& hysteresis,
-                             const gravity::Ripple& ripple)
-    : hysteresis_(hysteresis), ripple_(ripple) {
-  if (!hysteresis.found) return;
-  cycles_ = hysteresis.cycle_means_Nm.size() + 1;
-  for (const auto& turn : hysteresis.turn_torques_Nm) {
+LoopResampler::LoopResampler(const hysteresis::Hysteresis& loop, const gravity::Ripple& ripple)
+    : loop_(loop), hysteresis_(loop.result), ripple_(ripple) {
+  if (!hysteresis_.found) return;
+  cycles_ = loop.cycles.means_Nm.size() + 1;
+  for (const auto& turn : loop.cycles.turn_torques_Nm) {
     for (std::size_t k = 0; k < turn.size(); ++k) turns_[k].push_back(turn[k]);
   }
   prepare_fit();
 }
 
 void LoopResampler::prepare_fit() {
-  const auto& lugre = hysteresis_.lugre;
-  if (!lugre || !lugre->converged || !lugre->linearised) return;
+  const auto& lugre = loop_.lugre;
+  if (!lugre || !lugre->fit.converged || !lugre->linearised) return;
   const statistics::LinearisedFit& fit = *lugre->linearised;
-  const hysteresis::LoopTrace& trace = hysteresis_.traces.front();
+  const hysteresis::LoopTrace& trace = loop_.traces.front();
   // A loop that a torque drove has strokes, not cycles: its fit keeps its own blocks.
   const std::size_t rows = (trace.t_s.size() + fit.samples_in_row - 1) / fit.samples_in_row;
-  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->loops.front().traced &&
+  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->fit.loops.front().traced &&
                    fit.residuals.size() == static_cast<Eigen::Index>(rows);
   const statistics::BlockRegression around = statistics::block_regression(
       fit.jacobian, -fit.residuals,
@@ -98,8 +96,8 @@ void LoopResampler::prepare_fit() {
   if (fit_by_cycles_ && fit.gravity_columns.size() == 1) {
     gravity_shifts_ = around.block_shifts.row(fit.gravity_columns.front());
   }
-  if (hysteresis_.positions && lugre->positions) {
-    position_correlation_ = residual_correlation(*hysteresis_.positions, *lugre->positions);
+  if (loop_.cycles.positions && lugre->positions) {
+    position_correlation_ = residual_correlation(*loop_.cycles.positions, *lugre->positions);
   }
 }
 
@@ -128,14 +126,14 @@ LoopShift LoopResampler::draw(statistics::RandomStream& random) const {
 void LoopResampler::draw_gravity(statistics::RandomStream& random,
                                  const std::vector<double>& counts, double scale, double ripple_Nm,
                                  LoopShift& shift) const {
-  const std::vector<double>& means = hysteresis_.cycle_means_Nm;
+  const std::vector<double>& means = loop_.cycles.means_Nm;
   const double half_width = hysteresis_.midline_Nm ? hysteresis_.midline_Nm->half_width() : 0.0;
-  const hysteresis::PositionMean* fit = positions_of_fit(hysteresis_);
+  const hysteresis::PositionMean* fit = positions_of_fit(loop_);
   const double common = random.normal();
   const double own = random.normal();
   double few_positions = 1;
-  if (hysteresis_.positions_hold_ripple()) {
-    const double f = present(hysteresis_.positions).freedom;
+  if (hysteresis_.positions_hold_ripple) {
+    const double f = present(loop_.cycles.positions).freedom;
     few_positions = statistics::few_blocks_scale(random, f);
     shift.midline_Nm = half_width / statistics::student_t_975(f) * common * few_positions;
   } else if (means.size() >= 3 && hysteresis_.oscillations.size() == 1) {
@@ -148,8 +146,8 @@ void LoopResampler::draw_gravity(statistics::RandomStream& random,
   const double fit_half_width = fit->gravity_Nm.half_width();
   if (fit->freedom > 0) {
     const double r = position_correlation_;
-    const bool same = hysteresis_.positions_hold_ripple() &&
-                      present(hysteresis_.positions).freedom == fit->freedom;
+    const bool same = hysteresis_.positions_hold_ripple &&
+                      present(loop_.cycles.positions).freedom == fit->freedom;
     const double few = same ? few_positions : statistics::few_blocks_scale(random, fit->freedom);
     shift.fit_gravity_Nm = fit_half_width / statistics::student_t_975(fit->freedom) * few *
                            (r * common + std::sqrt(std::max(0.0, 1 - r * r)) * own);

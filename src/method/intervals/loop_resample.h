@@ -31,8 +31,8 @@ struct LoopShift {
 
 class LoopResampler {
  public:
-  /// @param hysteresis must outlive the resampler.
-  LoopResampler(const hysteresis::HysteresisResult& hysteresis, const gravity::Ripple& ripple);
+  /// @param loop must outlive the resampler.
+  LoopResampler(const hysteresis::Hysteresis& loop, const gravity::Ripple& ripple);
   [[nodiscard]] LoopShift draw(statistics::RandomStream& random) const;
 
  private:
@@ -46,6 +46,7 @@ class LoopResampler {
                 LoopShift& shift) const;
   void draw_angles(statistics::RandomStream& random, LoopShift& shift) const;
 
+  const hysteresis::Hysteresis& loop_;
   const hysteresis::HysteresisResult& hysteresis_;
   gravity::Ripple ripple_;
   std::size_t cycles_{};                      // the start-up cycle first

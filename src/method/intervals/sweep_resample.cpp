@@ -9,12 +9,12 @@
 
 namespace tribolog::method::intervals {
 
-SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweepResult& sweep) {
+SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweep& sweep) {
   SweepShift shift;
-  if (!sweep.found) return shift;
-  const auto& blocks = sweep.resampling.block_shifts;
+  if (!sweep.result.found) return shift;
+  const auto& blocks = sweep.blocks.shifts;
   const std::vector<double> counts = statistics::centred_counts(random, blocks.size());
-  const double scale = statistics::few_blocks_scale(random, sweep.resampling.freedom);
+  const double scale = statistics::few_blocks_scale(random, sweep.blocks.freedom);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     shift.q_peak_rad += scale * counts[b] * blocks[b][0];
     shift.gravity_Nm += scale * counts[b] * blocks[b][1];
@@ -24,32 +24,33 @@ SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSw
 }
 
 SweepShift resample_precise_sweep(statistics::RandomStream& random,
-                                  const gravity::CogSweepResult& precise,
-                                  const gravity::Ripple& ripple, double gravity_shift_Nm) {
+                                  const gravity::CogSweep& precise, const gravity::Ripple& ripple,
+                                  double gravity_shift_Nm) {
   SweepShift shift = resample_sweep(random, precise);
-  const auto& resampling = precise.resampling;
-  shift.q_peak_rad += resampling.amplitude_lever * gravity_shift_Nm;
-  const std::size_t lines = std::min(ripple.lines.size(), resampling.ripple_lever.size());
+  const gravity::SweepBlocks& levers = precise.blocks;
+  shift.q_peak_rad += levers.amplitude_lever * gravity_shift_Nm;
+  const std::size_t lines = std::min(ripple.lines.size(), levers.ripple_lever.size());
   for (std::size_t k = 0; k < lines; ++k) {
-    shift.q_peak_rad += resampling.ripple_lever[k] * ripple.lines[k].amplitude_Nm *
+    shift.q_peak_rad += levers.ripple_lever[k] * ripple.lines[k].amplitude_Nm *
                         std::cos(2 * std::numbers::pi * random.uniform());
   }
   return shift;
 }
 
 std::vector<double> resample_runs(statistics::RandomStream& random,
-                                  const viscous::ViscousCurvesResult& curves) {
+                                  const viscous::ViscousCurves& curves) {
   std::vector<double> shifts;
-  shifts.reserve(curves.runs.size());
-  for (const viscous::ConstantSpeedRun& run : curves.runs) {
-    const std::vector<double>& blocks = run.block_friction_Nm;
+  const std::vector<viscous::ConstantSpeedRun>& runs = curves.result.runs;
+  shifts.reserve(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::vector<double>& blocks = curves.block_friction_Nm[r];
     if (blocks.size() >= 2) {
       const double scale =
           statistics::few_blocks_scale(random, static_cast<double>(blocks.size()) - 1);
       shifts.push_back(scale * statistics::resampled_mean_shift(
                                    blocks, statistics::centred_counts(random, blocks.size())));
     } else {
-      const double sd = run.torque_half_width_Nm / statistics::normal_975;
+      const double sd = runs[r].torque_half_width_Nm / statistics::normal_975;
       shifts.push_back(std::isfinite(sd) ? sd * random.normal() : 0.0);
     }
   }

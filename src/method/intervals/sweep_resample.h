@@ -17,19 +17,19 @@ struct SweepShift {
 };
 
 /// Zero where the sweep has found nothing.
-SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweepResult& sweep);
+SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweep& sweep);
 
 /// The precise sweep leans on the rough one: with the gravity drawn there, and its ripple at any
 /// phase.
 SweepShift resample_precise_sweep(statistics::RandomStream& random,
-                                  const gravity::CogSweepResult& precise,
-                                  const gravity::Ripple& ripple, double gravity_shift_Nm);
+                                  const gravity::CogSweep& precise, const gravity::Ripple& ripple,
+                                  double gravity_shift_Nm);
 
 // Resampling the runs of constant speed: blocks within each plateau.
 
 /// What one draw of blocks does to the mean torque of each run [N·m]; zero where a run has no
 /// blocks and no interval.
 std::vector<double> resample_runs(statistics::RandomStream& random,
-                                  const viscous::ViscousCurvesResult& curves);
+                                  const viscous::ViscousCurves& curves);
 
 }  // namespace tribolog::method::intervals

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tribolog::method::motion {
 namespace {
@@ -102,6 +103,18 @@ SweepSamples select_sweep_samples(const std::vector<const joint::Recording*>& re
   for (const joint::Recording* recording : recordings) total += recording->size();
   out.left_out = total - out.size();
   return out;
+}
+
+Sweep::Sweep(std::vector<const joint::Recording*> of_sweep)
+    : recordings(std::move(of_sweep)), samples(select_sweep_samples(recordings)) {}
+
+std::vector<std::vector<bool>> Sweep::used() const {
+  std::vector<std::vector<bool>> masks;
+  for (const joint::Recording* recording : recordings) masks.emplace_back(recording->size(), false);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    masks[samples.recording[i]][samples.index[i]] = true;
+  }
+  return masks;
 }
 
 }  // namespace tribolog::method::motion

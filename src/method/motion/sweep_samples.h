@@ -27,4 +27,26 @@ struct SweepSamples {
 /// @param recordings any number; those without motion contribute nothing.
 SweepSamples select_sweep_samples(const std::vector<const joint::Recording*>& recordings);
 
+/// The recordings of a sweep with those of their samples that take part: prepared once, and handed
+/// to every stage that looks at the sweep. Refers to the recordings.
+struct Sweep {
+  Sweep() = default;
+  /// @param of_sweep may be empty: no sweep was recorded.
+  explicit Sweep(std::vector<const joint::Recording*> of_sweep);
+
+  std::vector<const joint::Recording*> recordings;
+  SweepSamples samples;
+
+  /// Joint angle of a sample that takes part [rad].
+  [[nodiscard]] double q_rad(std::size_t i) const {
+    return recordings[samples.recording[i]]->q_rad[samples.index[i]];
+  }
+  /// Its driving torque, motor side [N·m].
+  [[nodiscard]] double torque_Nm(std::size_t i) const {
+    return recordings[samples.recording[i]]->torque_Nm[samples.index[i]];
+  }
+  /// Of each recording: which of its samples take part.
+  [[nodiscard]] std::vector<std::vector<bool>> used() const;
+};
+
 }  // namespace tribolog::method::motion

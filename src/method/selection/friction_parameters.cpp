@@ -84,19 +84,24 @@ FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesRes
   if (!out.waiboer) {
     out.stage.reason = {"friction_parameters.waiboer_not_fitted", {{"why", why_not}}};
   }
-
-  constexpr int curve_points = 200;
-  const double fastest = points.back().speed_rad_s;
-  for (int i = 0; i <= curve_points; ++i) {
-    // Denser at low speed, where the Stribeck effect bends the curve.
-    const double share = static_cast<double>(i) / curve_points;
-    const double w = fastest * share * share;
-    out.fit_speed_rad_s.push_back(w);
-    out.fit_Nm.push_back(out.waiboer ? viscous::waiboer_of(*out.waiboer).magnitude_Nm(w)
-                                     : out.coulomb_viscous->coulomb_Nm.value +
-                                           out.coulomb_viscous->viscous_Nms_rad.value * w);
-  }
   return out;
+}
+
+FrictionCurve fitted_curve(const FrictionParametersResult& fitted) {
+  if (!fitted.coulomb_viscous) return {};
+  const CoulombViscousFit& line = *fitted.coulomb_viscous;
+  FrictionCurve curve;
+  constexpr int points = 200;
+  for (int i = 0; i <= points; ++i) {
+    // Denser at low speed, where the Stribeck effect bends the curve.
+    const double share = static_cast<double>(i) / points;
+    const double w = line.fastest_rad_s * share * share;
+    curve.speed_rad_s.push_back(w);
+    curve.torque_Nm.push_back(fitted.waiboer
+                                  ? viscous::waiboer_of(*fitted.waiboer).magnitude_Nm(w)
+                                  : line.coulomb_Nm.value + line.viscous_Nms_rad.value * w);
+  }
+  return curve;
 }
 
 }  // namespace tribolog::method::selection

@@ -30,9 +30,16 @@ struct FrictionParametersResult {
   std::string curve;  ///< Estimator whose curve was fitted, or "direction_difference".
   std::optional<viscous::WaiboerFit> waiboer;
   std::optional<CoulombViscousFit> coulomb_viscous;
-  std::vector<double> fit_speed_rad_s;  ///< For figures: speeds >= 0 and the fitted torque there.
-  std::vector<double> fit_Nm;
 };
+
+/// A law of friction over motor speeds from 0 on, for figures.
+struct FrictionCurve {
+  std::vector<double> speed_rad_s;
+  std::vector<double> torque_Nm;
+};
+
+/// Of the parameters, up to the fastest run; of a line alone that line. Empty without either.
+FrictionCurve fitted_curve(const FrictionParametersResult& fitted);
 
 FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesResult& curves,
                                                  const SelectionResult& selection);

@@ -150,13 +150,15 @@ struct Bin {
   double torque[2]{}, angle[2]{}, count[2]{};  // falling, rising
 };
 
-std::vector<Bin> bins_of(const gravity::CogSweepResult& rough, double gear_ratio) {
+std::vector<Bin> bins_of(const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
+                         double gear_ratio) {
+  const std::vector<std::vector<bool>> used = sweep.used();
   std::vector<Bin> bins(angle_bins);
   const double width = (rough.highest_rad - rough.lowest_rad) / static_cast<double>(angle_bins);
-  for (std::size_t r = 0; r < rough.recordings.size(); ++r) {
-    const joint::Recording& recording = *rough.recordings[r];
+  for (std::size_t r = 0; r < sweep.recordings.size(); ++r) {
+    const joint::Recording& recording = *sweep.recordings[r];
     for (std::size_t i = 1; i < recording.size(); ++i) {
-      if (!rough.used[r][i]) continue;
+      if (!used[r][i]) continue;
       const double q = recording.q_rad[i];
       const auto bin =
           std::min(angle_bins - 1, static_cast<std::size_t>((q - rough.lowest_rad) / width));
@@ -173,13 +175,14 @@ std::vector<Bin> bins_of(const gravity::CogSweepResult& rough, double gear_ratio
 }
 
 /// From a sweep of both directions; absent otherwise.
-std::optional<GravityByOtherWay> gravity_of_sweep_directions(const gravity::CogSweepResult& rough,
+std::optional<GravityByOtherWay> gravity_of_sweep_directions(const motion::Sweep& sweep,
+                                                             const gravity::CogSweepResult& rough,
                                                              double gear_ratio) {
   if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
   std::vector<Eigen::Vector2d> columns;
   std::vector<double> mean;
   const double middle = rough.q_peak_rad.value;
-  for (const Bin& bin : bins_of(rough, gear_ratio)) {
+  for (const Bin& bin : bins_of(sweep, rough, gear_ratio)) {
     if (bin.count[0] == 0 || bin.count[1] == 0) continue;
     Eigen::Vector2d column = Eigen::Vector2d::Zero();
     double torque = 0;
@@ -247,18 +250,18 @@ const GravityByOtherWay* OtherWays::find(const std::string& method) const {
   return it == gravity.end() ? nullptr : &*it;
 }
 
-OtherWays gravity_by_other_ways(const std::vector<const joint::Recording*>& sweeps,
+OtherWays gravity_by_other_ways(const motion::Sweep& sweep,
                                 const std::vector<const joint::Recording*>& runs,
                                 const gravity::CogSweepResult& rough,
                                 const viscous::ViscousCurvesResult& curves,
                                 const std::optional<statistics::Estimate>& q_peak_rad,
                                 double gear_ratio) {
   OtherWays out;
-  if (auto way = gravity_of_sweep_directions(rough, gear_ratio))
+  if (auto way = gravity_of_sweep_directions(sweep, rough, gear_ratio))
     out.gravity.push_back(std::move(*way));
   if (q_peak_rad) {
     if (auto way = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*way));
-    std::vector<const joint::Recording*> moving = sweeps;
+    std::vector<const joint::Recording*> moving = sweep.recordings;
     moving.insert(moving.end(), runs.begin(), runs.end());
     if (auto fit = classical_regression(moving, gear_ratio, q_peak_rad->value)) {
       out.gravity.push_back(std::move(fit->gravity));

@@ -51,8 +51,9 @@ struct OtherWays {
   [[nodiscard]] const GravityByOtherWay* find(const std::string& method) const;
 };
 
-/// @param sweeps, runs recordings of those roles; may be empty. Ways without data are left out.
-OtherWays gravity_by_other_ways(const std::vector<const joint::Recording*>& sweeps,
+/// @param sweep the rough one, @param runs recordings of that role; may be empty. Ways without data
+/// are left out.
+OtherWays gravity_by_other_ways(const motion::Sweep& sweep,
                                 const std::vector<const joint::Recording*>& runs,
                                 const gravity::CogSweepResult& rough,
                                 const viscous::ViscousCurvesResult& curves,

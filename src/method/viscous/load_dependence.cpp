@@ -32,19 +32,18 @@ struct Mean {
 };
 
 /// Half differences of neighbouring strokes at equal angle, in the order of the cells.
-std::vector<Row> paired_rows(const gravity::CogSweepResult& sweep, double q_peak,
-                             double gear_ratio) {
-  const motion::SweepSamples samples = motion::select_sweep_samples(sweep.recordings);
-  const double width = (sweep.highest_rad - sweep.lowest_rad) / static_cast<double>(cells);
-  const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
+std::vector<Row> paired_rows(const motion::Sweep& sweep, const gravity::CogSweepResult& found,
+                             double q_peak, double gear_ratio) {
+  const motion::SweepSamples& samples = sweep.samples;
+  const double width = (found.highest_rad - found.lowest_rad) / static_cast<double>(cells);
+  const double inertia = found.inertia_kgm2 ? found.inertia_kgm2->value * gear_ratio : 0.0;
   std::map<std::pair<std::size_t, std::size_t>, Mean> means;  // (cell, stroke)
   std::map<std::size_t, double> direction;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const joint::Recording& r = *sweep.recordings[samples.recording[i]];
-    const double q = r.q_rad[samples.index[i]];
-    const auto cell = std::min(cells - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
+    const double q = sweep.q_rad(i);
+    const auto cell = std::min(cells - 1, static_cast<std::size_t>((q - found.lowest_rad) / width));
     Mean& m = means[{cell, samples.stroke[i]}];
-    m.torque += r.torque_Nm[samples.index[i]] - inertia * samples.acceleration_rad_s2[i];
+    m.torque += sweep.torque_Nm(i) - inertia * samples.acceleration_rad_s2[i];
     m.speed += gear_ratio * std::abs(samples.speed_rad_s[i]);
     m.angle += q;
     m.samples += 1;
@@ -64,7 +63,7 @@ std::vector<Row> paired_rows(const gravity::CogSweepResult& sweep, double q_peak
       const Mean& d = down->second;
       if (u.samples < fewest_samples || d.samples < fewest_samples) continue;
       const double q = (u.angle / u.samples + d.angle / d.samples) / 2;
-      rows.push_back({cell, q, std::abs(sweep.gravity_Nm.value * std::cos(q - q_peak)),
+      rows.push_back({cell, q, std::abs(found.gravity_Nm.value * std::cos(q - q_peak)),
                       (u.speed / u.samples + d.speed / d.samples) / 2,
                       (u.torque / u.samples - d.torque / d.samples) / 2});
     }
@@ -156,15 +155,16 @@ void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
 
 }  // namespace
 
-LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& sweep,
+LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
+                                              const gravity::CogSweepResult& rough,
                                               const std::optional<statistics::Estimate>& q_peak_rad,
                                               double gear_ratio) {
   LoadDependenceResult out;
-  if (!sweep.found || !q_peak_rad || !sweep.both_directions) {
+  if (!rough.found || !q_peak_rad || !rough.both_directions) {
     out.sentence = {"load_dependence.no_sweep_in_both_directions"};
     return out;
   }
-  const std::vector<Row> rows = paired_rows(sweep, q_peak_rad->value, gear_ratio);
+  const std::vector<Row> rows = paired_rows(sweep, rough, q_peak_rad->value, gear_ratio);
   double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
   std::size_t used_cells = 0;
@@ -180,7 +180,7 @@ LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& swe
                     {{"shared", used_cells}, {"cells", cells}}};
     return out;
   }
-  if (out.highest_load_Nm - out.lowest_load_Nm < least_change * sweep.gravity_Nm.value) {
+  if (out.highest_load_Nm - out.lowest_load_Nm < least_change * rough.gravity_Nm.value) {
     out.sentence = {"load_dependence.load_changes_too_little",
                     {{"lowest_Nm", out.lowest_load_Nm},
                      {"highest_Nm", out.highest_load_Nm},

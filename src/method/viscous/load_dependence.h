@@ -50,8 +50,10 @@ struct LoadDependenceResult {
   std::vector<LoadPoint> points;  ///< By angle.
 };
 
-/// @param sweep the rough sweep. @param q_peak_rad the angle of the gravity peak.
-LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& sweep,
+/// @param sweep the rough one. @param rough what was found in it. @param q_peak_rad the angle of
+/// the gravity peak.
+LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
+                                              const gravity::CogSweepResult& rough,
                                               const std::optional<statistics::Estimate>& q_peak_rad,
                                               double gear_ratio);
 

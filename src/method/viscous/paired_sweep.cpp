@@ -50,20 +50,20 @@ struct Bin {
 
 }  // namespace
 
-std::vector<ConstantSpeedRun> pair_sweep_by_angle(const gravity::CogSweepResult& sweep,
+std::vector<ConstantSpeedRun> pair_sweep_by_angle(const motion::Sweep& sweep,
+                                                  const gravity::CogSweepResult& found,
                                                   double gear_ratio, double q_peak_rad) {
-  const motion::SweepSamples samples = motion::select_sweep_samples(sweep.recordings);
+  const motion::SweepSamples& samples = sweep.samples;
   std::vector<Bin> up(angle_bins);
   std::vector<Bin> down(angle_bins);
-  const double width = (sweep.highest_rad - sweep.lowest_rad) / static_cast<double>(angle_bins);
-  const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
+  const double width = (found.highest_rad - found.lowest_rad) / static_cast<double>(angle_bins);
+  const double inertia = found.inertia_kgm2 ? found.inertia_kgm2->value * gear_ratio : 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const joint::Recording& r = *sweep.recordings[samples.recording[i]];
-    const double q = r.q_rad[samples.index[i]];
+    const double q = sweep.q_rad(i);
     const auto bin =
-        std::min(angle_bins - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
+        std::min(angle_bins - 1, static_cast<std::size_t>((q - found.lowest_rad) / width));
     const double torque =
-        r.torque_Nm[samples.index[i]] - sweep.offset_Nm - inertia * samples.acceleration_rad_s2[i];
+        sweep.torque_Nm(i) - found.offset_Nm - inertia * samples.acceleration_rad_s2[i];
     (samples.direction[i] > 0 ? up : down)[bin].add(samples.stroke[i], torque,
                                                     samples.speed_rad_s[i], q, q_peak_rad);
   }
@@ -88,7 +88,7 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const gravity::CogSweepResult&
       run.mean_cos = b.cosine / b.samples;
       run.mean_sin = b.sine / b.samples;
       run.mean_load = b.load / b.samples;
-      run.lowest_rad = sweep.lowest_rad + static_cast<double>(bin) * width;
+      run.lowest_rad = found.lowest_rad + static_cast<double>(bin) * width;
       run.highest_rad = run.lowest_rad + width;
       run.samples = static_cast<std::size_t>(b.samples);
       run.partner = partner;

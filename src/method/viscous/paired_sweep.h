@@ -11,7 +11,8 @@ namespace tribolog::method::viscous {
 
 /// Two runs (falling, rising) for each angle bin that both directions cross, partners of each
 /// other. Inertia and offset identified by the sweep are taken out of the torque.
-std::vector<ConstantSpeedRun> pair_sweep_by_angle(const gravity::CogSweepResult& sweep,
+std::vector<ConstantSpeedRun> pair_sweep_by_angle(const motion::Sweep& sweep,
+                                                  const gravity::CogSweepResult& found,
                                                   double gear_ratio, double q_peak_rad);
 
 }  // namespace tribolog::method::viscous

@@ -53,9 +53,10 @@ BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
 /// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
+/// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
-                          const gravity::Ripple& ripple) {
+                          const gravity::Ripple& ripple, std::vector<double>& blocks_Nm) {
   ConstantSpeedRun run;
   run.recording = r.name;
   run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
@@ -95,7 +96,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
     }
   }
   run.torque_half_width_Nm = friction.half_width;
-  run.block_friction_Nm = std::move(friction.blocks);
+  blocks_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
   run.direction_mean_Nm = nan;
@@ -194,7 +195,8 @@ DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
   return out;
 }
 
-void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
+void sort_by_speed(std::vector<ConstantSpeedRun>& runs, std::vector<std::vector<double>>& blocks) {
+  blocks.resize(runs.size());
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -204,13 +206,16 @@ void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
   std::vector<ConstantSpeedRun> sorted;
   sorted.reserve(runs.size());
+  std::vector<std::vector<double>> sorted_blocks;
   for (const std::size_t i : order) {
     sorted.push_back(runs[i]);
+    sorted_blocks.push_back(std::move(blocks[i]));
     if (sorted.back().partner >= 0) {
       sorted.back().partner = place[static_cast<std::size_t>(sorted.back().partner)];
     }
   }
   runs = std::move(sorted);
+  blocks = std::move(sorted_blocks);
 }
 
 }  // namespace
@@ -237,13 +242,15 @@ const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) cons
   return it == curves.end() ? nullptr : &*it;
 }
 
-ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recording*>& recordings,
-                                            const gravity::CogSweepResult& rough,
-                                            const hysteresis::SurrogateMassesResult& masses,
-                                            const std::optional<statistics::Estimate>& q_peak_rad,
-                                            double gear_ratio,
-                                            const std::optional<joint::StatedGravity>& stated) {
-  ViscousCurvesResult out;
+ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& recordings,
+                                      const motion::Sweep& sweep,
+                                      const gravity::CogSweepResult& rough,
+                                      const hysteresis::SurrogateMassesResult& masses,
+                                      const std::optional<statistics::Estimate>& q_peak_rad,
+                                      double gear_ratio,
+                                      const std::optional<joint::StatedGravity>& stated) {
+  ViscousCurves made;
+  ViscousCurvesResult& out = made.result;
   out.stage = {"viscous_curves", statistics::StageState::skipped, {}};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
   const hysteresis::SurrogateMass* of_runs = masses.find("runs");
@@ -255,7 +262,9 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recor
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, plateau.first, plateau.last});
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple));
+      made.block_friction_Nm.emplace_back();
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple,
+                                  made.block_friction_Nm.back()));
       out.samples_used += plateau.size();
     }
     out.samples_left_out += r->size() - motion.samples_on_plateaus;
@@ -264,12 +273,12 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recor
   if (!out.runs.empty()) {
     pair_directions(out.runs, sources, {q_peak, gravity});
   } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
-    out.runs = pair_sweep_by_angle(rough, gear_ratio, q_peak);
+    out.runs = pair_sweep_by_angle(sweep, rough, gear_ratio, q_peak);
     out.from_sweep = !out.runs.empty();
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
     out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
   }
-  sort_by_speed(out.runs);
+  sort_by_speed(out.runs, made.block_friction_Nm);
   out.angles = direction_angles(out.runs);
   for (const hysteresis::SurrogateMass& mass : masses.masses) {
     ViscousCurve curve{mass.estimator, {}};
@@ -299,7 +308,7 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recor
   } else {
     out.stage.state = statistics::StageState::done;
   }
-  return out;
+  return made;
 }
 
 }  // namespace tribolog::method::viscous

@@ -42,9 +42,6 @@ struct ConstantSpeedRun {
   /// there; the same for both partners. NaN without a partner.
   double direction_mean_Nm{};
   double direction_mean_cos{};
-  // For resampling, not stored.
-  /// T less gravity, averaged over each of the run's blocks; empty if there are none.
-  std::vector<double> block_friction_Nm;
 };
 
 /// Angles of the runs that travel a quarter of the widest way or more.
@@ -79,12 +76,22 @@ struct ViscousCurvesResult {
   [[nodiscard]] const ViscousCurve* find(const std::string& estimator) const;
 };
 
+struct ViscousCurves {
+  ViscousCurvesResult result;
+  /// For resampling, run by run: T less gravity, averaged over each of the run's blocks; empty if
+  /// there are none.
+  std::vector<std::vector<double>> block_friction_Nm;
+};
+
+/// @param sweep the rough one, and what was found in it; paired at equal angle where no run was
+/// recorded.
 /// @param stated gravity known beforehand: the curve "stated", at its own angle of the peak.
-ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
-                                            const gravity::CogSweepResult& rough,
-                                            const hysteresis::SurrogateMassesResult& masses,
-                                            const std::optional<statistics::Estimate>& q_peak_rad,
-                                            double gear_ratio,
-                                            const std::optional<joint::StatedGravity>& stated = {});
+ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
+                                      const motion::Sweep& sweep,
+                                      const gravity::CogSweepResult& rough,
+                                      const hysteresis::SurrogateMassesResult& masses,
+                                      const std::optional<statistics::Estimate>& q_peak_rad,
+                                      double gear_ratio,
+                                      const std::optional<joint::StatedGravity>& stated = {});
 
 }  // namespace tribolog::method::viscous

@@ -100,7 +100,7 @@ constexpr double whole[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883
 
 /// How fast torque changes where a point is read [N·m/s].
 double torque_rate(const PapersJoint& joint, char name) {
-  const method::hysteresis::LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
+  const method::hysteresis::LoopTrace& trace = joint.calibration.curves.loops.at(0);
   const double t = joint.point(name).t_s;
   const double dt = trace.t_s.at(1) - trace.t_s.at(0);
   const auto i = static_cast<std::size_t>(t / dt);

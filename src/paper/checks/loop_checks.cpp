@@ -20,7 +20,7 @@ using wording::tr;
 Checks check_sweep_motion(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
   const joint::Recording& log = joint.recording(joint::Role::rough_sweep);
-  const std::vector<bool>& used = joint.calibration.rough.used.at(0);
+  const std::vector<bool>& used = joint.calibration.curves.rough.used.at(0);
   double slowest = INFINITY;
   double fastest = 0;
   double least_friction = INFINITY;
@@ -74,7 +74,7 @@ Checks check_precise_peak(const PapersJoint& joint) {
 namespace {
 
 const method::hysteresis::LoopTrace& trace_of(const PapersJoint& joint) {
-  return joint.calibration.hysteresis.traces.at(0);
+  return joint.calibration.curves.loops.at(0);
 }
 
 /// Part of the first turn, as shares of its period.

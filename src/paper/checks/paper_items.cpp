@@ -24,7 +24,7 @@ using wording::tr;
 
 Checks check_conclusions(const PapersJoint& joint) {
   const method::hysteresis::LoopPoint& chosen = joint.point('B');
-  const method::hysteresis::LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
+  const method::hysteresis::LoopTrace& trace = joint.calibration.curves.loops.at(0);
   const double largest_z = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
   const double truth = joint.true_mass_kg();
   const auto share_off = [&](const char* estimator) {

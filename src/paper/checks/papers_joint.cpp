@@ -26,9 +26,9 @@ std::vector<method::hysteresis::LoopPoint> plain_loop_points(const simulate::Sce
   plain.presliding = std::make_shared<friction::LuGreFriction>(p);
   const std::vector<joint::Recording> recordings = simulate::simulate_joint(plain);
   return method::hysteresis::identify_hysteresis(
-             {&recordings.at(0)}, {}, whole.gear_ratio,
+             {&recordings.at(0)}, {}, {}, whole.gear_ratio,
              statistics::symmetric_estimate(q_peak_rad, 0, {"interval.known"}))
-      .points;
+      .result.points;
 }
 
 }  // namespace

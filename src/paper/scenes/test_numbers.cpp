@@ -21,18 +21,9 @@ bool is_finite(const statistics::Estimate& e) {
 }
 
 /// Of all samples, also those where the joint starts and stops.
-std::optional<robot::AngleRange> range_of(const method::gravity::CogSweepResult& sweep) {
-  robot::AngleRange range{std::numeric_limits<double>::infinity(),
-                          -std::numeric_limits<double>::infinity()};
-  for (const joint::Recording* recording : sweep.recordings) {
-    for (const double q_rad : recording->q_rad) {
-      if (!std::isfinite(q_rad)) continue;
-      range.lowest_rad = std::min(range.lowest_rad, q_rad);
-      range.highest_rad = std::max(range.highest_rad, q_rad);
-    }
-  }
-  if (!(range.lowest_rad < range.highest_rad)) return std::nullopt;
-  return range;
+std::optional<robot::AngleRange> range_of(const method::gravity::SweepCurves& sweep) {
+  if (!(sweep.lowest_rad < sweep.highest_rad)) return std::nullopt;
+  return robot::AngleRange{sweep.lowest_rad, sweep.highest_rad};
 }
 
 }  // namespace
@@ -56,8 +47,8 @@ TestNumbers identified_numbers(const calibration::Calibration& c) {
   out.identified = true;
   out.surrogate_distance_m = c.manifest.surrogate_distance_m;
   out.gravity_m_s2 = c.manifest.gravity_m_s2;
-  out.range = range_of(c.rough);
-  if (!out.range) out.range = range_of(c.precise);
+  out.range = range_of(c.curves.rough);
+  if (!out.range) out.range = range_of(c.curves.precise);
   if (c.q_peak_rad && is_finite(*c.q_peak_rad)) out.q_peak_rad = c.q_peak_rad;
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   if (mass != nullptr && is_finite(mass->mass_kg)) out.surrogate_mass_kg = mass->mass_kg;

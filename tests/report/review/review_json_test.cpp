@@ -50,7 +50,7 @@ std::string cell_of(const std::string& text) {
 }
 
 TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
-  const method::hysteresis::LoopTrace& trace = noisy_joint().hysteresis.traces.front();
+  const method::hysteresis::LoopTrace& trace = noisy_joint().curves.loops.front();
   const Json data = data_of(noisy_joint());
   ASSERT_EQ(data["loops"].size(), 1U);
   const Json& loop = data["loops"][0];
@@ -69,13 +69,12 @@ TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
     expect_digits(loop["q"][i], trace.q_rad[at] - centre, factor_of(data, "q"));
     expect_digits(loop["z"][i], trace.z_rad[at], factor_of(data, "z"));
     expect_digits(loop["dz"][i], trace.dz_rad_s[at], factor_of(data, "dz"));
-    expect_digits(loop["fit"][i], noisy_joint().hysteresis.lugre->loops.front().torque_Nm[at],
-                  factor_of(data, "T"));
+    expect_digits(loop["fit"][i], trace.model_torque_Nm[at], factor_of(data, "T"));
   }
 }
 
 TEST(ReviewJson, ExtremesStay) {
-  const method::hysteresis::LoopTrace& trace = noisy_joint().hysteresis.traces.front();
+  const method::hysteresis::LoopTrace& trace = noisy_joint().curves.loops.front();
   const Json data = data_of(noisy_joint());
   const auto extremes = [&](const std::vector<double>& signal, const char* name) {
     const auto shown = data["loops"][0][name].get<std::vector<double>>();
@@ -140,7 +139,8 @@ TEST(ReviewJson, ManyLoopsShareTheRoom) {
   calibration::Calibration c = noisy_joint();
   method::hysteresis::HysteresisResult& h = c.hysteresis;
   for (int k = 0; k < 19; ++k) {
-    h.traces.push_back(h.traces.front());
+    c.curves.loops.push_back(c.curves.loops.front());
+    c.curves.loops.back().model_torque_Nm.clear();
     h.oscillations.push_back(h.oscillations.front());
   }
   const Json data = data_of(c);
@@ -157,11 +157,11 @@ TEST(ReviewJson, ManyLoopsShareTheRoom) {
 
 TEST(ReviewJson, WithoutBristleThereIsNoneAndWithoutDataNoViewer) {
   calibration::Calibration c = noisy_joint();
-  c.hysteresis.lugre.reset();
+  c.curves.loops.front().model_torque_Nm.clear();
   c.hysteresis.points.clear();
   c.hysteresis.steady_points.clear();
-  c.hysteresis.traces.front().z_rad.clear();
-  c.hysteresis.traces.front().dz_rad_s.clear();
+  c.curves.loops.front().z_rad.clear();
+  c.curves.loops.front().dz_rad_s.clear();
   const Json loop = data_of(c)["loops"][0];
   for (const char* name : {"z", "dz", "fit"}) EXPECT_FALSE(loop.contains(name)) << name;
   EXPECT_TRUE(data_of(c)["points"]["first"].empty());
@@ -174,7 +174,7 @@ TEST(ReviewJson, WithoutBristleThereIsNoneAndWithoutDataNoViewer) {
 
 TEST(ReviewJson, NumbersThatAreNotFiniteAreNull) {
   calibration::Calibration c = noisy_joint();
-  c.hysteresis.traces.front().torque_Nm[0] = std::nan("");
+  c.curves.loops.front().torque_Nm[0] = std::nan("");
   c.quality.errors.front().percent[0] = INFINITY;
   const Json data = data_of(c);
   EXPECT_TRUE(data["loops"][0]["T"][0].is_null());
@@ -183,7 +183,7 @@ TEST(ReviewJson, NumbersThatAreNotFiniteAreNull) {
 
 TEST(ReviewJson, TextsOfStrangersAreMadeVisible) {
   calibration::Calibration c = noisy_joint();
-  c.hysteresis.traces.front().recording = hostile;
+  c.curves.loops.front().recording = hostile;
   c.viscous.runs.front().recording = hostile;
   const std::string json = report::review_json(c);
   EXPECT_EQ(json.find("\u202E"), std::string::npos);
