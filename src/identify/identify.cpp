@@ -10,7 +10,7 @@
 #include "method/hysteresis/break_away.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
-#include "method/selection/gravity_by_other_ways.h"
+#include "method/selection/independent_gravity.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -38,7 +38,7 @@ struct Progress {
   method::hysteresis::Hysteresis loop;
   method::viscous::ViscousCurves curves;
   method::selection::FrictionParametersResult friction;  ///< With intervals in closed form.
-  method::selection::OtherWays other_ways;
+  method::selection::IndependentGravities independent;
   Calibration c;
 
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
@@ -48,8 +48,8 @@ struct Progress {
     return c.masses.find(c.selection.recommended);
   }
   [[nodiscard]] method::intervals::ChainResults chain() const {
-    return {rough,  precise,   c.q_peak_rad, c.q_peak_source, loop,       c.lugre, c.masses,
-            curves, c.quality, c.selection,  friction,        other_ways, n};
+    return {rough,  precise,   c.q_peak_rad, c.q_peak_source, loop,        c.lugre, c.masses,
+            curves, c.quality, c.selection,  friction,        independent, n};
   }
 };
 
@@ -194,11 +194,11 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        p.c.loop_shapes = method::hysteresis::describe_loops(p.recordings(Role::oscillation), p.n);
      }},
-    {"gravity by other ways",
+    {"independent gravity torques",
      [](Progress& p) {
-       p.other_ways = method::selection::gravity_by_other_ways(
-           p.rough_sweep, p.recordings(Role::constant_speed), p.c.rough, p.c.viscous,
-           p.c.q_peak_rad, p.n);
+       p.independent =
+           method::selection::independent_gravity(p.rough_sweep, p.recordings(Role::constant_speed),
+                                                  p.c.rough, p.c.viscous, p.c.q_peak_rad, p.n);
      }},
     {"intervals",
      [](Progress& p) {

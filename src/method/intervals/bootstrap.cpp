@@ -94,8 +94,8 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
     add(masses[k].estimator, masses[k].gravity_Nm.value,
         [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
   }
-  for (std::size_t k = 0; k < results.other_ways.gravity.size(); ++k) {
-    add(results.other_ways.gravity[k].method, results.other_ways.gravity[k].gravity_Nm.value,
+  for (std::size_t k = 0; k < results.independent.gravity.size(); ++k) {
+    add(results.independent.gravity[k].method, results.independent.gravity[k].gravity_Nm.value,
         [k](const ChainDraw& d) { return d.other_Nm[k]; });
   }
   return all;

@@ -25,7 +25,7 @@
 #include "method/hysteresis/hysteresis_loop.h"
 #include "method/hysteresis/surrogate_masses.h"
 #include "method/selection/friction_parameters.h"
-#include "method/selection/gravity_by_other_ways.h"
+#include "method/selection/independent_gravity.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
 #include "method/viscous/viscous_curves.h"
@@ -45,7 +45,7 @@ struct ChainResults {
   const selection::QualityErrorsResult& quality;
   const selection::SelectionResult& selection;
   const selection::FrictionParametersResult& friction;
-  const selection::OtherWays& other_ways;
+  const selection::IndependentGravities& independent;
   double gear_ratio{};
 
   const gravity::CogSweepResult& rough = rough_sweep.result;
@@ -84,7 +84,7 @@ struct ChoiceShare {
 /// Difference of a gravity torque to the recommended one, judged by its own scatter: both were
 /// resampled together.
 struct GravityDifference {
-  std::string method;  ///< Estimator of a mass, or one of OtherWays.
+  std::string method;  ///< Estimator of a mass, or one of IndependentGravities.
   statistics::Estimate gravity_Nm;
   statistics::Estimate difference_Nm;
 };

@@ -112,7 +112,7 @@ ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   const LoopShift loop = loop_.draw(random);
   draw.lugre = loop.lugre;
   draw_masses(random, rough.gravity_Nm, loop, draw);
-  for (const selection::GravityByOtherWay& way : results_.other_ways.gravity) {
+  for (const selection::IndependentGravity& way : results_.independent.gravity) {
     const std::vector<double> counts = statistics::centred_counts(random, way.block_shifts.size());
     double shift = 0;
     for (std::size_t b = 0; b < counts.size(); ++b) shift += counts[b] * way.block_shifts[b];

@@ -17,7 +17,7 @@ struct ChainDraw {
   double coulomb_Nm{};              ///< Of the rough sweep.
   std::vector<double> gravity_Nm;   ///< Per surrogate mass.
   std::vector<double> lugre;        ///< Shifts of the loop fit's readings or their logarithms.
-  std::vector<double> other_Nm;     ///< Per other way.
+  std::vector<double> other_Nm;     ///< Per independent gravity.
   std::vector<double> friction_Nm;  ///< Curve by curve, run by run.
   std::vector<double> rms_percent;  ///< Per curve; empty without a reference.
   double point_angle_shift_rad{};   ///< Of the point chosen.

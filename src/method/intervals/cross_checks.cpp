@@ -34,7 +34,7 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
     check.method = method.name;
     if (const hysteresis::SurrogateMass* mass = r.masses.find(method.name)) {
       check.gravity_Nm = mass->gravity_Nm;
-    } else if (const selection::GravityByOtherWay* way = r.other_ways.find(method.name)) {
+    } else if (const selection::IndependentGravity* way = r.independent.find(method.name)) {
       check.gravity_Nm = way->gravity_Nm;
     } else {
       continue;
@@ -74,7 +74,7 @@ Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
 
 CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& intervals) {
   CrossChecksResult out;
-  out.classical = r.other_ways.classical;
+  out.classical = r.independent.classical;
   std::vector<CrossCheck> checks = collect(r);
   const auto recommended = std::find_if(checks.begin(), checks.end(), [&](const CrossCheck& c) {
     return c.method == r.selection.recommended;

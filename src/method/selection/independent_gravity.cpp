@@ -1,4 +1,4 @@
-#include "method/selection/gravity_by_other_ways.h"
+#include "method/selection/independent_gravity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 struct ClassicalFit {
   ClassicalRegression regression;
-  GravityByOtherWay gravity;
+  IndependentGravity gravity;
 };
 
 constexpr std::size_t most_rows = 16000;
@@ -175,9 +175,9 @@ std::vector<Bin> bins_of(const motion::Sweep& sweep, const gravity::CogSweepResu
 }
 
 /// From a sweep of both directions; absent otherwise.
-std::optional<GravityByOtherWay> gravity_of_sweep_directions(const motion::Sweep& sweep,
-                                                             const gravity::CogSweepResult& rough,
-                                                             double gear_ratio) {
+std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Sweep& sweep,
+                                                              const gravity::CogSweepResult& rough,
+                                                              double gear_ratio) {
   if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
   std::vector<Eigen::Vector2d> columns;
   std::vector<double> mean;
@@ -203,7 +203,7 @@ std::optional<GravityByOtherWay> gravity_of_sweep_directions(const motion::Sweep
       x, y, statistics::equal_blocks(std::vector<std::size_t>(columns.size()), blocks_of_bins));
   const double g = fit.coefficients.norm();
   const Eigen::Vector2d along = fit.coefficients / g;
-  GravityByOtherWay out;
+  IndependentGravity out;
   out.method = "sweep_directions";
   out.freedom = fit.freedom.minCoeff();
   const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
@@ -214,7 +214,7 @@ std::optional<GravityByOtherWay> gravity_of_sweep_directions(const motion::Sweep
 }
 
 /// From pairs of runs of opposite direction; absent with fewer than three pairs.
-std::optional<GravityByOtherWay> gravity_of_run_directions(
+std::optional<IndependentGravity> gravity_of_run_directions(
     const viscous::ViscousCurvesResult& curves) {
   std::vector<double> cosine;
   std::vector<double> torque;
@@ -233,7 +233,7 @@ std::optional<GravityByOtherWay> gravity_of_run_directions(
   const Eigen::MatrixXd x = Eigen::Map<const Eigen::VectorXd>(cosine.data(), rows);
   const statistics::BlockRegression fit = statistics::block_regression(
       x, Eigen::Map<const Eigen::VectorXd>(torque.data(), rows), blocks);
-  GravityByOtherWay out;
+  IndependentGravity out;
   out.method = "run_directions";
   out.freedom = fit.freedom(0);
   out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
@@ -244,23 +244,23 @@ std::optional<GravityByOtherWay> gravity_of_run_directions(
 
 }  // namespace
 
-const GravityByOtherWay* OtherWays::find(const std::string& method) const {
+const IndependentGravity* IndependentGravities::find(const std::string& method) const {
   const auto it = std::find_if(gravity.begin(), gravity.end(),
-                               [&](const GravityByOtherWay& g) { return g.method == method; });
+                               [&](const IndependentGravity& g) { return g.method == method; });
   return it == gravity.end() ? nullptr : &*it;
 }
 
-OtherWays gravity_by_other_ways(const motion::Sweep& sweep,
-                                const std::vector<const joint::Recording*>& runs,
-                                const gravity::CogSweepResult& rough,
-                                const viscous::ViscousCurvesResult& curves,
-                                const std::optional<statistics::Estimate>& q_peak_rad,
-                                double gear_ratio) {
-  OtherWays out;
-  if (auto way = gravity_of_sweep_directions(sweep, rough, gear_ratio))
-    out.gravity.push_back(std::move(*way));
+IndependentGravities independent_gravity(const motion::Sweep& sweep,
+                                         const std::vector<const joint::Recording*>& runs,
+                                         const gravity::CogSweepResult& rough,
+                                         const viscous::ViscousCurvesResult& curves,
+                                         const std::optional<statistics::Estimate>& q_peak_rad,
+                                         double gear_ratio) {
+  IndependentGravities out;
+  if (auto one = gravity_of_sweep_directions(sweep, rough, gear_ratio))
+    out.gravity.push_back(std::move(*one));
   if (q_peak_rad) {
-    if (auto way = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*way));
+    if (auto one = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*one));
     std::vector<const joint::Recording*> moving = sweep.recordings;
     moving.insert(moving.end(), runs.begin(), runs.end());
     if (auto fit = classical_regression(moving, gear_ratio, q_peak_rad->value)) {

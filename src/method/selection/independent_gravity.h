@@ -1,5 +1,5 @@
 #pragma once
-// Gravity torque by ways that the method itself does not take, to hold its result against.
+// Gravity torque by methods that the chain itself does not use, to compare its result with.
 //
 // sweep_directions: mean of the sweep's two directions at equal angle, T+ + T- = 2 G cos(q -
 // q_peak):
@@ -22,7 +22,7 @@
 namespace tribolog::method::selection {
 
 /// A gravity torque with what is needed to resample it.
-struct GravityByOtherWay {
+struct IndependentGravity {
   std::string method;               ///< "sweep_directions", "run_directions" or "classical".
   statistics::Estimate gravity_Nm;  ///< Motor side.
   std::vector<double>
@@ -44,20 +44,20 @@ struct ClassicalRegression {
   double row_noise_Nm{};  ///< What the white noise of the torque alone would leave.
 };
 
-struct OtherWays {
-  std::vector<GravityByOtherWay> gravity;
+struct IndependentGravities {
+  std::vector<IndependentGravity> gravity;
   std::optional<ClassicalRegression> classical;
 
-  [[nodiscard]] const GravityByOtherWay* find(const std::string& method) const;
+  [[nodiscard]] const IndependentGravity* find(const std::string& method) const;
 };
 
-/// @param sweep the rough one, @param runs recordings of that role; may be empty. Ways without data
-/// are left out.
-OtherWays gravity_by_other_ways(const motion::Sweep& sweep,
-                                const std::vector<const joint::Recording*>& runs,
-                                const gravity::CogSweepResult& rough,
-                                const viscous::ViscousCurvesResult& curves,
-                                const std::optional<statistics::Estimate>& q_peak_rad,
-                                double gear_ratio);
+/// @param sweep the rough one, @param runs recordings of that role; may be empty. Methods without
+/// data are left out.
+IndependentGravities independent_gravity(const motion::Sweep& sweep,
+                                         const std::vector<const joint::Recording*>& runs,
+                                         const gravity::CogSweepResult& rough,
+                                         const viscous::ViscousCurvesResult& curves,
+                                         const std::optional<statistics::Estimate>& q_peak_rad,
+                                         double gear_ratio);
 
 }  // namespace tribolog::method::selection
