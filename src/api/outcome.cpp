@@ -45,8 +45,8 @@ std::vector<Said> all_said(const std::vector<Statement>& statements) {
 
 JudgedQuantity judged(const calibration::QuantityVerdict& q, double gear_ratio) {
   JudgedQuantity made;
-  made.quantity.name = q.key;
-  made.quantity.words = wording::words_for("quantity", q.key);
+  made.quantity.name = to_string(q.quantity);
+  made.quantity.words = wording::words_for("quantity", made.quantity.name);
   made.quantity.unit = q.unit;
   made.quantity.verdict = verdict_of(q.verdict);
   made.quantity.decides = q.decides;
@@ -58,8 +58,8 @@ JudgedQuantity judged(const calibration::QuantityVerdict& q, double gear_ratio) 
 
 MadeCheck made_check(const method::checks::DataCheck& c) {
   MadeCheck made;
-  made.check.name = c.name;
-  made.check.words = wording::words_for("check", c.name);
+  made.check.name = to_string(c.name);
+  made.check.words = wording::words_for("check", made.check.name);
   made.check.state = state_of(c.state);
   made.check.recording = c.recording + (c.is_of_whole_role ? ", all" : "");
   made.check.measured = c.measured;
@@ -127,7 +127,7 @@ Outcome outcome_of(const calibration::Calibration& c) {
     made.stages.push_back({{stage.name, state_of(stage.state), {}}, said(stage.reason)});
   }
   for (const joint::InputFile& file : c.inputs) made.inputs.push_back(read_file_of(file));
-  made.estimator = c.selection.recommended;
+  made.estimator = to_string(c.selection.recommended);
   return made;
 }
 

@@ -4,9 +4,15 @@
 
 namespace tribolog::calibration {
 
-const ReturnedQuantity* TruthCheckResult::find(const std::string& name) const {
+const ReturnedQuantity* TruthCheckResult::find(ReadingName name) const {
   const auto it = std::find_if(quantities.begin(), quantities.end(),
                                [&](const ReturnedQuantity& q) { return q.name == name; });
+  return it == quantities.end() ? nullptr : &*it;
+}
+
+const QuantityVerdict* Judgement::find(joint::Quantity quantity) const {
+  const auto it = std::find_if(quantities.begin(), quantities.end(),
+                               [&](const QuantityVerdict& q) { return q.quantity == quantity; });
   return it == quantities.end() ? nullptr : &*it;
 }
 

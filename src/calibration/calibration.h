@@ -9,6 +9,7 @@
 
 #include "calibration/curves.h"
 #include "calibration/quantity_verdict.h"
+#include "calibration/reading_name.h"
 #include "joint/dataset.h"
 #include "method/checks/data_check.h"
 #include "method/gravity/cog_sweep.h"
@@ -33,7 +34,7 @@ namespace tribolog::calibration {
 
 /// One number that was put in, over the runs.
 struct ReturnedQuantity {
-  std::string name;  ///< Of the reading, readings.h.
+  ReadingName name{};
   std::string unit;
   double put_in{};
   double came_back{};   ///< Mean over the runs in which it was found; NaN: in none.
@@ -49,7 +50,7 @@ struct ReturnedQuantity {
 
 /// A quantity that does not come back.
 struct TruthFinding {
-  std::string name;  ///< Of the ReturnedQuantity.
+  ReadingName name{};
   Statement finding;
 };
 
@@ -63,7 +64,7 @@ struct TruthCheckResult {
   std::vector<Statement> left_out;     ///< What could not be simulated, and why.
   std::vector<TruthFinding> findings;  ///< What does not come back.
 
-  [[nodiscard]] const ReturnedQuantity* find(const std::string& name) const;
+  [[nodiscard]] const ReturnedQuantity* find(ReadingName name) const;
 };
 
 /// The verdict, with what it rests on.
@@ -72,6 +73,8 @@ struct Judgement {
   Statement sentence;                       ///< For the top of the report.
   std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
+
+  [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
 
 struct Calibration {
@@ -84,8 +87,8 @@ struct Calibration {
   method::gravity::CogSweepResult rough;
   method::gravity::CogSweepResult precise;
   std::optional<statistics::Estimate>
-      q_peak_rad;             ///< The one of the two with the narrower interval.
-  std::string q_peak_source;  ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
+      q_peak_rad;  ///< The one of the two with the narrower interval.
+  std::optional<method::gravity::PeakSource> q_peak_source;  ///< Present with the angle.
   method::hysteresis::HysteresisResult hysteresis;
   std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
   method::gravity::RunGravityResult run_gravity;

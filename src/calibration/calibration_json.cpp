@@ -40,10 +40,11 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["speeds"] = speeds(c.speed_sources);
   all["notes"] = wording::words(c.notes);
   all["stages"] = stage_list(c);
-  all["cog"] = {{"rough", cog(c.rough, n)},
-                {"precise", cog(c.precise, n)},
-                {"q_peak_rad", interval(c.q_peak_rad)},
-                {"q_peak_source", text_or_null(c.q_peak_source)}};
+  all["cog"] = {
+      {"rough", cog(c.rough, n)},
+      {"precise", cog(c.precise, n)},
+      {"q_peak_rad", interval(c.q_peak_rad)},
+      {"q_peak_source", c.q_peak_source ? Json(to_string(*c.q_peak_source)) : Json(nullptr)}};
   all["hysteresis"] = hysteresis(c.hysteresis, c.curves);
   all["surrogate"] = {{"distance_m", number(c.manifest.surrogate_distance_m)},
                       {"gravity_m_s2", number(c.manifest.gravity_m_s2)}};

@@ -33,7 +33,7 @@ Json coulomb_viscous(const method::selection::CoulombViscousFit& f, double n) {
 
 Json friction(const Calibration& c, double n) {
   const method::selection::FrictionParametersResult& f = c.friction;
-  Json made{{"curve", text_or_null(f.curve)},
+  Json made{{"curve", text_or_null(to_string(f.curve))},
             {"waiboer", nullptr},
             {"coulomb_viscous", nullptr},
             {"lugre", nullptr}};
@@ -91,7 +91,7 @@ Json curve_model(const method::viscous::CurveModelChoice& c) {
          {"unit", p.unit_as.empty() ? text_or_null(p.unit) : words_or_null(p.unit_as)},
          {"motor", interval(p.estimate)}});
   }
-  return {{"curve", text_or_null(c.curve)},
+  return {{"curve", text_or_null(to_string(c.curve))},
           {"speeds", c.speeds},
           {"chosen", c.chosen_any ? model(c.chosen) : Json(nullptr)},
           {"sentence", wording::words(c.sentence)},
@@ -107,7 +107,7 @@ Json curve_model(const method::viscous::CurveModelChoice& c) {
 Json direction_lines(const method::viscous::DirectionLinesResult& r, double n) {
   Json made = Json::object();
   for (const method::viscous::CurveDirectionLines& c : r.curves) {
-    made[c.estimator] = {{"rising", line(c.rising, n)}, {"falling", line(c.falling, n)}};
+    made[to_string(c.estimator)] = {{"rising", line(c.rising, n)}, {"falling", line(c.falling, n)}};
   }
   return made;
 }

@@ -10,9 +10,10 @@ namespace tribolog::calibration {
 Json data_checks(const method::checks::DataChecksResult& result) {
   Json list = Json::array();
   for (const method::checks::DataCheck& check : result.checks) {
+    const std::string name = to_string(check.name);
     list.push_back(
-        {{"name", check.name},
-         {"title", wording::words_for("check", check.name)},
+        {{"name", name},
+         {"title", wording::words_for("check", name)},
          {"state", method::checks::to_string(check.state)},
          {"recording", text_or_null(check.recording + (check.is_of_whole_role ? ", all" : ""))},
          {"measure", words_or_null(check.measure)},
@@ -36,7 +37,7 @@ Json data_checks(const method::checks::DataChecksResult& result) {
 namespace {
 
 Json returned(const ReturnedQuantity& q) {
-  return {{"name", q.name},
+  return {{"name", to_string(q.name)},
           {"unit", q.unit},
           {"put_in", number(q.put_in)},
           {"came_back", number(q.came_back)},
@@ -77,7 +78,7 @@ Json limits(const std::vector<LimitOutcome>& outcomes) {
   Json list = Json::array();
   for (const LimitOutcome& o : outcomes) {
     list.push_back({{"quantity", o.key},
-                    {"rule", o.rule},
+                    {"rule", to_string(o.rule)},
                     {"limit", number(o.limit)},
                     {"unit", o.unit},
                     {"estimate", interval(o.estimate)},
@@ -93,8 +94,9 @@ Json limits(const std::vector<LimitOutcome>& outcomes) {
 Json verdict(const Judgement& judgement) {
   Json quantities = Json::array();
   for (const QuantityVerdict& q : judgement.quantities) {
-    quantities.push_back({{"key", q.key},
-                          {"words", wording::words_for("quantity", q.key)},
+    const std::string key = to_string(q.quantity);
+    quantities.push_back({{"key", key},
+                          {"words", wording::words_for("quantity", key)},
                           {"verdict", to_string(q.verdict)},
                           {"decides", q.decides},
                           {"reasons", wording::words(q.reasons)},

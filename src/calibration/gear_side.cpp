@@ -14,9 +14,10 @@ std::string without_side(const std::string& words) {
 }
 
 std::optional<int> gear_power(const std::string& quantity) {
+  const std::optional<joint::Quantity> sought = joint::quantity_of(quantity);
   std::optional<int> power;
   for (const joint::LimitedQuantity& known : joint::limited_quantities()) {
-    if (known.quantity != quantity) continue;
+    if (known.quantity != sought) continue;
     if (!power || known.gear_power != 0) power = known.gear_power;
   }
   return power;

@@ -60,7 +60,7 @@ Json viscous(const method::viscous::ViscousCurvesResult& v) {
   }
   Json curves = Json::object();
   for (const method::viscous::ViscousCurve& c : v.curves)
-    curves[c.estimator] = numbers(c.friction_Nm);
+    curves[to_string(c.estimator)] = numbers(c.friction_Nm);
   const auto angle = [&](bool has, double rad) { return has ? number(rad) : Json(nullptr); };
   const method::viscous::DirectionAngles& a = v.angles;
   Json angles{{"rising_low_rad", angle(a.has_rising, a.rising_low_rad)},
@@ -81,11 +81,11 @@ Json quality(const method::selection::QualityErrorsResult& q) {
   Json percent = Json::object();
   Json rms = Json::object();
   for (const method::selection::QualityError& e : q.errors) {
-    percent[e.estimator] = numbers(e.percent);
-    rms[e.estimator] = number(e.rms_percent);
+    percent[to_string(e.estimator)] = numbers(e.percent);
+    rms[to_string(e.estimator)] = number(e.rms_percent);
   }
   return {
-      {"reference", text_or_null(q.reference)},
+      {"reference", text_or_null(to_string(q.reference))},
       {"reference_Nm", numbers(q.reference_Nm)},
       {"reference_half_width_Nm", numbers(q.reference_half_width_Nm)},
       {"reference_rms_percent", q.errors.empty() ? Json(nullptr) : number(q.reference_rms_percent)},
@@ -97,9 +97,13 @@ Json quality(const method::selection::QualityErrorsResult& q) {
 }
 
 Json selection(const method::selection::SelectionResult& s) {
-  return {{"paper_rule", text_or_null(s.paper_rule)},
-          {"paper_rule_rivals", s.paper_rule_rivals},
-          {"recommended", text_or_null(s.recommended)},
+  Json rivals = Json::array();
+  for (const method::hysteresis::Estimator rival : s.paper_rule_rivals) {
+    rivals.push_back(to_string(rival));
+  }
+  return {{"paper_rule", text_or_null(to_string(s.paper_rule))},
+          {"paper_rule_rivals", std::move(rivals)},
+          {"recommended", text_or_null(to_string(s.recommended))},
           {"why", words_or_null(s.why)},
           {"why_code", code_of(s.why)},
           {"q_c_corrected_rad", number(s.q_c_corrected_rad)},

@@ -34,11 +34,12 @@ Json intervals(const method::intervals::IntervalsResult& result) {
   }
   Json bands = Json::object();
   for (const method::intervals::CurveBand& band : result.bands) {
-    bands[band.estimator] = {{"low_Nm", numbers(band.low_Nm)}, {"high_Nm", numbers(band.high_Nm)}};
+    bands[to_string(band.estimator)] = {{"low_Nm", numbers(band.low_Nm)},
+                                        {"high_Nm", numbers(band.high_Nm)}};
   }
   Json choices = Json::object();
   for (const method::intervals::ChoiceShare& choice : result.choices)
-    choices[choice.estimator] = choice.share;
+    choices[to_string(choice.estimator)] = choice.share;
   return {{"resamples", result.resamples},
           {"seed", result.seed},
           {"quantities", std::move(quantities)},
@@ -49,7 +50,7 @@ Json intervals(const method::intervals::IntervalsResult& result) {
 Json cross_checks(const method::intervals::CrossChecksResult& result) {
   Json checks = Json::array();
   for (const method::intervals::CrossCheck& c : result.checks) {
-    checks.push_back({{"method", c.method},
+    checks.push_back({{"method", method::intervals::to_string(c.method)},
                       {"recommended", c.is_recommended},
                       {"gravity_Nm", interval(c.gravity_Nm)},
                       {"mass_kg", interval(c.mass_kg)},

@@ -15,16 +15,17 @@ namespace {
 Json loop_points(const std::vector<method::hysteresis::LoopPoint>& points) {
   if (points.empty()) return nullptr;
   Json named = Json::object();
-  for (const char name : method::hysteresis::loop_point_names)
-    named[std::string(1, name)] = nullptr;
+  for (const method::hysteresis::Estimator point : method::hysteresis::loop_points) {
+    named[to_string(point)] = nullptr;
+  }
   for (const method::hysteresis::LoopPoint& p : points) {
-    named[std::string(1, p.name)] = {{"t_s", number(p.t_s)},
-                                     {"q_rad", number(p.q_rad)},
-                                     {"torque_Nm", number(p.torque_Nm)},
-                                     {"torque_low_Nm", number(p.torque_low_Nm)},
-                                     {"torque_high_Nm", number(p.torque_high_Nm)},
-                                     {"z_rad", number(p.z_rad)},
-                                     {"dz_dt_rad_s", number(p.dz_rad_s)}};
+    named[to_string(p.name)] = {{"t_s", number(p.t_s)},
+                                {"q_rad", number(p.q_rad)},
+                                {"torque_Nm", number(p.torque_Nm)},
+                                {"torque_low_Nm", number(p.torque_low_Nm)},
+                                {"torque_high_Nm", number(p.torque_high_Nm)},
+                                {"z_rad", number(p.z_rad)},
+                                {"dz_dt_rad_s", number(p.dz_rad_s)}};
   }
   return named;
 }
@@ -77,7 +78,7 @@ Json hysteresis(const method::hysteresis::HysteresisResult& h, const Curves& cur
 Json surrogate_masses(const method::hysteresis::SurrogateMassesResult& result) {
   Json list = Json::array();
   for (const method::hysteresis::SurrogateMass& m : result.masses) {
-    list.push_back({{"estimator", m.estimator},
+    list.push_back({{"estimator", to_string(m.estimator)},
                     {"torque_Nm", interval(m.torque_Nm)},
                     {"q_rad", number(m.q_rad)},
                     {"mass_kg", interval(m.mass_kg)},
@@ -90,12 +91,21 @@ Json surrogate_masses(const method::hysteresis::SurrogateMassesResult& result) {
 
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 /// From the motor to the joint, by the quantity's powers of torque and speed.
-double to_joint(const std::string& name, double n) {
-  if (name == "static_Nm" || name == "coulomb_Nm") return n;
-  if (name == "stribeck_speed_rad_s") return 1 / n;
-  if (name == "speed_weakening_Nms2_rad2") return n * n * n;
-  return n * n;
+double to_joint(LuGreParameterName name, double n) {
+  switch (name) {
+    case LuGreParameterName::static_torque:
+    case LuGreParameterName::coulomb_torque:
+      return n;
+    case LuGreParameterName::stribeck_speed:
+      return 1 / n;
+    case LuGreParameterName::speed_weakening:
+      return n * n * n;
+    default:
+      return n * n;
+  }
 }
 
 Json sides_if_shown(const std::optional<statistics::Estimate>& motor, double motor_to_joint) {
@@ -104,7 +114,7 @@ Json sides_if_shown(const std::optional<statistics::Estimate>& motor, double mot
 }
 
 Json parameter(const method::hysteresis::LuGreParameter& p) {
-  return {{"name", p.name},
+  return {{"name", to_string(p.name)},
           {"shown", p.estimate.has_value()},
           {"held_at", number(p.held_at)},
           {"relative_standard_error", number(p.relative_error)},
@@ -146,7 +156,7 @@ Json recording(const method::hysteresis::LuGreLoop& loop) {
           {"residual_Nm", number(loop.residual_Nm)},
           {"height_Nm", number(loop.height_Nm)},
           {"systematic_Nm", number(loop.systematic_Nm)},
-          {"motion", loop.motion},
+          {"motion", to_string(loop.motion)},
           {"motion_residual_rad", number(loop.motion_residual_rad)},
           {"traced", traced(loop.traced)}};
 }
@@ -154,9 +164,10 @@ Json recording(const method::hysteresis::LuGreLoop& loop) {
 }  // namespace
 
 Json lugre(const method::hysteresis::LuGreFit& f, double n) {
-  Json made{{"converged", f.converged}, {"rung", text_or_null(f.rung)}};
-  for (const char* name : method::hysteresis::lugre_parameter_names) {
-    made[name] = sides_if_shown(f.shown(name), to_joint(name, n));
+  Json made{{"converged", f.converged},
+            {"rung", f.rung ? Json(to_string(*f.rung)) : Json(nullptr)}};
+  for (const LuGreParameterName name : method::hysteresis::lugre_parameters) {
+    made[to_string(name)] = sides_if_shown(f.shown(name), to_joint(name, n));
   }
   made["gravity_Nm"] = sides_if_shown(f.gravity_Nm, n);
   made["residual_Nm"] = number(f.residual_Nm);

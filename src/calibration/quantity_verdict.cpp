@@ -30,6 +30,20 @@ std::string to_string(LimitState state) {
   return "unknown";
 }
 
+std::string to_string(LimitRule rule) {
+  switch (rule) {
+    case LimitRule::min:
+      return "min";
+    case LimitRule::max:
+      return "max";
+    case LimitRule::half_width:
+      return "half_width";
+    case LimitRule::half_width_percent:
+      break;
+  }
+  return "half_width_percent";
+}
+
 void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,
            const Statement& experiment) {
   auto& reasons = quantity.reasons;

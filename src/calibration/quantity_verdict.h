@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/statement.h"
+#include "joint/quantity.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::calibration {
@@ -24,10 +25,17 @@ enum class LimitState {
 
 std::string to_string(LimitState state);
 
+/// Which number of a `[[limit]]`.
+enum class LimitRule { min, max, half_width, half_width_percent };
+
+/// As the manifest has it: "half_width".
+std::string to_string(LimitRule rule);
+
 struct LimitOutcome {
-  std::string key;   ///< As the manifest has it: "coulomb_joint_Nm".
-  std::string rule;  ///< "max", "min", "half_width" or "half_width_percent".
-  double limit{};    ///< In `unit`.
+  std::string key;  ///< As the manifest has it: "coulomb_joint_Nm".
+  bool at_joint{};  ///< The key names the joint's side.
+  LimitRule rule{};
+  double limit{};  ///< In `unit`.
   std::string unit;
   std::optional<statistics::Estimate> estimate;  ///< In the key's unit.
   LimitState state{LimitState::unknown};
@@ -35,7 +43,7 @@ struct LimitOutcome {
 };
 
 struct QuantityVerdict {
-  std::string key;  ///< Stable: "coulomb_torque".
+  joint::Quantity quantity{};
   Verdict verdict{Verdict::usable};
   bool decides{true};              ///< Takes part in the verdict over all.
   std::vector<Statement> reasons;  ///< Empty only if usable. The weightiest first.

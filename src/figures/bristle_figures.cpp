@@ -20,6 +20,7 @@ namespace tribolog::figures {
 
 namespace {
 
+using method::hysteresis::LuGreParameterName;
 using wording::tr;
 using wording::tr_count;
 
@@ -65,17 +66,17 @@ render::figure::Panel misfit_panel(const LoopView& view,
 /// "From the loop alone: σ₀ 465.4 ± 1.2 N·m/rad and T_s 0.884 ± 0.002 N·m."
 std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
   std::vector<std::string> found;
-  const auto add = [&](const char* name, const char* symbol, const char* unit) {
+  const auto add = [&](LuGreParameterName name, const char* symbol, const char* unit) {
     if (const auto e = fit.shown(name)) {
       found.push_back(std::string(symbol) + " " +
                       wording::with_interval(*e, wording::AxisScale{1.0, unit}));
     }
   };
-  add("bristle_stiffness_Nm_rad", "σ₀", "N·m/rad");
-  add("bristle_damping_Nms_rad", "σ₁", "N·m·s/rad");
-  add("static_Nm", "Ts", "N·m");
-  add("coulomb_Nm", "Tc", "N·m");
-  add("stribeck_speed_rad_s", "ωs", "rad/s");
+  add(LuGreParameterName::bristle_stiffness, "σ₀", "N·m/rad");
+  add(LuGreParameterName::bristle_damping, "σ₁", "N·m·s/rad");
+  add(LuGreParameterName::static_torque, "Ts", "N·m");
+  add(LuGreParameterName::coulomb_torque, "Tc", "N·m");
+  add(LuGreParameterName::stribeck_speed, "ωs", "rad/s");
   if (found.empty()) return tr("From the loop alone: no parameter is shown.");
   return tr("From the loop alone: {parameters}.", {{"parameters", wording::listed(found)}});
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/requirements.h"
 #include "figures/close_up.h"
 #include "figures/estimator_style.h"
 #include "figures/run_curves.h"
@@ -20,6 +21,8 @@ namespace tribolog::figures {
 
 namespace {
 
+using method::hysteresis::Estimator;
+using method::selection::CurveReference;
 using wording::tr;
 using wording::tr_count;
 
@@ -42,8 +45,8 @@ render::figure::Panel all_candidates(const calibration::Calibration& calibration
     friction.add(curve.friction_Nm);
   }
   for (const NamedValues& curve : in_drawing_order(std::move(curves), friction.span())) {
-    add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
-                  curve.values, scale);
+    add_run_curve(panel, calibration.viscous, estimator_style(curve.estimator),
+                  legend_words(calibration, curve), curve.values, scale);
   }
   if (with_reference) add_reference(panel, calibration, scale);
   return panel;
@@ -162,7 +165,7 @@ std::optional<ReportFigure> friction_curves_figure(const calibration::Calibratio
 
 std::optional<ReportFigure> friction_against_reference_figure(
     const calibration::Calibration& calibration) {
-  if (calibration.viscous.runs.empty() || calibration.quality.reference.empty()) {
+  if (calibration.viscous.runs.empty() || calibration.quality.reference == CurveReference::none) {
     return std::nullopt;
   }
   ReportFigure out;
@@ -185,20 +188,20 @@ std::optional<ReportFigure> friction_against_reference_figure(
     out.figure.height_px = 1400;
   }
 
+  const std::optional<Estimator> recommended = calibration.selection.recommended;
   wording::Extent chosen;
   for (const NamedValues& one : difference) {
-    if (one.estimator == calibration.selection.recommended) chosen.add(one.values);
+    if (one.estimator == recommended) chosen.add(one.values);
   }
   const std::string reference = reference_words(calibration.quality.reference);
   const std::string away =
       chosen.empty
           ? std::string()
-          : " " +
-                tr("The largest difference of the recommended candidate, {candidate}, is "
-                   "{difference}.",
-                   {{"candidate", candidate_words(calibration, calibration.selection.recommended)},
-                    {"difference",
-                     wording::size_words(chosen.largest(), wording::torque_floor_Nm, "N·m")}});
+          : " " + tr("The largest difference of the recommended candidate, {candidate}, is "
+                     "{difference}.",
+                     {{"candidate", candidate_words(calibration, present(recommended))},
+                      {"difference",
+                       wording::size_words(chosen.largest(), wording::torque_floor_Nm, "N·m")}});
   out.caption = tr("The candidates of figure 18 against the reference ({reference}).",
                    {{"reference", reference}}) +
                 away;
@@ -219,10 +222,10 @@ std::optional<ReportFigure> friction_against_reference_figure(
 namespace {
 
 std::string rms_words(const method::selection::QualityErrorsResult& quality,
-                      const std::string& estimator) {
+                      std::optional<Estimator> estimator) {
   const method::selection::QualityError* error = quality.find(estimator);
   if (error == nullptr) return {};
-  return fmt::format("{} {}", estimator_words(estimator),
+  return fmt::format("{} {}", estimator_words(error->estimator),
                      wording::size_words(error->rms_percent, wording::percent_floor, "%"));
 }
 
@@ -244,8 +247,8 @@ void add_interval_of_reference(render::figure::Panel& panel,
 
 /// Root mean square of the selected candidates; empty without any.
 std::string rms_of_selected(const calibration::Calibration& calibration) {
-  const std::string& paper_rule = calibration.selection.paper_rule;
-  const std::string& recommended = calibration.selection.recommended;
+  const std::optional<Estimator> paper_rule = calibration.selection.paper_rule;
+  const std::optional<Estimator> recommended = calibration.selection.recommended;
   std::vector<std::string> words{rms_words(calibration.quality, paper_rule)};
   if (recommended != paper_rule) words.push_back(rms_words(calibration.quality, recommended));
   std::erase(words, "");
@@ -293,7 +296,7 @@ std::string alt_of_errors(const calibration::Calibration& calibration) {
 
 std::optional<ReportFigure> quality_error_figure(const calibration::Calibration& calibration) {
   const method::selection::QualityErrorsResult& quality = calibration.quality;
-  if (quality.reference.empty() || quality.errors.empty()) return std::nullopt;
+  if (quality.reference == CurveReference::none || quality.errors.empty()) return std::nullopt;
   std::vector<NamedValues> errors;
   for (const method::selection::QualityError& error : quality.errors) {
     errors.push_back({error.estimator, error.percent});

@@ -1,6 +1,7 @@
 #include "figures/close_up.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -17,19 +18,21 @@
 namespace tribolog::figures {
 namespace {
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 constexpr double room = 2.0;              // of the chosen curves' largest value: neighbours come in
 constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
 constexpr double resolved_share = 0.008;  // of an axis: about one line width
 
-const std::vector<std::string> unbiased{"midline", "fit", "sweep", "runs", "AB", "CD", "EF"};
+constexpr std::array unbiased{Estimator::midline, Estimator::fit, Estimator::sweep, Estimator::runs,
+                              Estimator::AB,      Estimator::CD,  Estimator::EF};
 
-std::ptrdiff_t rank(const std::string& estimator) {
+std::ptrdiff_t rank(Estimator estimator) {
   return std::find(unbiased.begin(), unbiased.end(), estimator) - unbiased.begin();
 }
 
-bool may_be_merged(const std::string& estimator) {
+bool may_be_merged(Estimator estimator) {
   return estimator != unbiased.front() && rank(estimator) < std::ssize(unbiased);
 }
 
@@ -84,8 +87,8 @@ std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves, doubl
     if (twin == drawn.end()) {
       drawn.push_back(std::move(curve));
     } else {
-      const bool is_point_or_pair = curve.estimator.size() <= 2;
-      twin->same.push_back(is_point_or_pair ? curve.estimator : estimator_words(curve.estimator));
+      const bool is_pair = method::hysteresis::points_of_pair(curve.estimator).has_value();
+      twin->same.push_back(is_pair ? to_string(curve.estimator) : estimator_words(curve.estimator));
     }
   }
   return drawn;
@@ -152,8 +155,8 @@ render::figure::Panel close_up_panel(const calibration::Calibration& calibration
   }
   const double span = limit > 0.0 ? 2 * limit : std::max(all.span(), nothing);
   for (const NamedValues& curve : in_drawing_order(std::move(curves), span)) {
-    add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
-                  curve.values, scale);
+    add_run_curve(panel, calibration.viscous, estimator_style(curve.estimator),
+                  legend_words(calibration, curve), curve.values, scale);
   }
   panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::horizontal, 0.0, "",
                                    render::figure::palette::black,

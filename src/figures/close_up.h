@@ -12,7 +12,7 @@ namespace tribolog::figures {
 
 /// One value per run for one estimator, SI or %.
 struct NamedValues {
-  std::string estimator;
+  method::hysteresis::Estimator estimator{};
   std::vector<double> values;
   std::vector<std::string> same{};  ///< Further estimators that this curve stands for.
 };

@@ -53,12 +53,10 @@ void add_intervals(render::figure::Panel& panel,
   add_visible(panel, std::move(series));
 }
 
-/// The largest |value - recommended| plus interval among those shown in full.
-wording::Extent extent_without(const std::vector<method::intervals::CrossCheck>& checks,
-                               const std::string& left_out) {
+/// Of all masses with their intervals.
+wording::Extent extent_of(const std::vector<method::intervals::CrossCheck>& checks) {
   wording::Extent extent;
   for (const method::intervals::CrossCheck& check : checks) {
-    if (check.method == left_out) continue;
     extent.add({check.mass_kg.low, check.mass_kg.high});
     if (check.resampled_kg) extent.add({check.resampled_kg->low, check.resampled_kg->high});
   }
@@ -77,7 +75,7 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   out.id = "fig-masses-by-way";
   out.title = tr("Surrogate mass by every way");
   out.stage = "cross-checks";
-  const wording::AxisScale scale = wording::levelled("kg", extent_without(checks, ""));
+  const wording::AxisScale scale = wording::levelled("kg", extent_of(checks));
   render::figure::Panel panel;
   panel.x.title = tr("way, numbered as below");
   panel.x.counts = true;
@@ -97,7 +95,9 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   std::vector<std::string> names;
   std::size_t disagree = 0;
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    names.push_back(fmt::format("{} {}", k + 1, wording::words_for("estimator", checks[k].method)));
+    names.push_back(fmt::format(
+        "{} {}", k + 1,
+        wording::words_for("estimator", method::intervals::to_string(checks[k].method))));
     disagree += checks[k].disagrees ? 1 : 0;
   }
   const std::string agreement =
@@ -141,7 +141,8 @@ double reach_of(const std::vector<const calibration::ReturnedQuantity*>& shown) 
 std::string place_words(const std::vector<const calibration::ReturnedQuantity*>& shown) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    words.push_back(fmt::format("{} {}", i + 1, wording::words_for("reading", shown[i]->name)));
+    words.push_back(
+        fmt::format("{} {}", i + 1, wording::words_for("reading", to_string(shown[i]->name))));
   }
   return wording::listed(words);
 }
@@ -191,7 +192,7 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
       series.x.push_back(std::clamp(off, -farthest_shown, farthest_shown));
       series.y.push_back(row);
     }
-    panel.y.names.push_back({level, wording::reading_label(shown[i]->name)});
+    panel.y.names.push_back({level, wording::reading_label(to_string(shown[i]->name))});
   }
   inside.label = tr("held by its interval");
   outside.label = tr("not held");

@@ -35,7 +35,8 @@ std::string points_words(const calibration::Calibration& calibration, LoopSignal
   std::vector<std::string> words;
   for (const method::hysteresis::LoopPoint& point : calibration.hysteresis.points) {
     const double value = reading(point, signal);
-    words.push_back(fmt::format("{} {}", point.name, wording::to_place(scale(value), largest, 4)));
+    words.push_back(
+        fmt::format("{} {}", to_string(point.name), wording::to_place(scale(value), largest, 4)));
   }
   return words.empty() ? std::string() : wording::listed(words) + " " + scale.unit;
 }

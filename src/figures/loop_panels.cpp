@@ -86,12 +86,11 @@ void add_loop_points(render::figure::Panel& panel,
                      const std::vector<method::hysteresis::LoopPoint>& points, LoopSignal signal,
                      bool over_time, const LoopView& view, const wording::AxisScale& y) {
   for (const method::hysteresis::LoopPoint& point : points) {
-    const std::string name(1, point.name);
-    const SeriesStyle style = estimator_style(name);
-    add_visible(panel,
-                render::figure::PointLabel{
-                    over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
-                    y(reading(point, signal)), name, render::figure::palette::black, style.marker});
+    const SeriesStyle style = estimator_style(point.name);
+    add_visible(panel, render::figure::PointLabel{
+                           over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
+                           y(reading(point, signal)), to_string(point.name),
+                           render::figure::palette::black, style.marker});
   }
 }
 

@@ -202,7 +202,7 @@ std::string words(const std::optional<method::viscous::DirectionLine>& l, bool r
 std::optional<ReportFigure> direction_lines_figure(const calibration::Calibration& c) {
   if (c.viscous.from_sweep) return std::nullopt;
   const method::viscous::CurveDirectionLines* lines =
-      c.direction_lines.find(method::hysteresis::stated_estimator);
+      c.direction_lines.find(method::hysteresis::Estimator::stated);
   if (lines == nullptr) lines = c.direction_lines.find(c.selection.recommended);
   if (lines == nullptr || (!lines->rising && !lines->falling)) return std::nullopt;
   const method::viscous::ViscousCurve* curve = c.viscous.find(lines->estimator);

@@ -18,9 +18,9 @@ namespace tribolog::figures {
 
 namespace {
 
+using method::selection::CurveReference;
 using wording::tr;
 
-constexpr double bin_px = 14.0;  // a bin's marker, on which the reference's still leaves a ring
 constexpr int reference_points = 200;
 
 std::vector<double> speeds_of(const method::viscous::ViscousCurvesResult& viscous) {
@@ -36,9 +36,9 @@ bool on_side(double speed, bool positive) { return positive ? speed > 0.0 : spee
 }  // namespace
 
 void add_run_curve(render::figure::Panel& panel,
-                   const method::viscous::ViscousCurvesResult& viscous,
-                   const std::string& estimator, const std::string& label,
-                   const std::vector<double>& values, const wording::AxisScale& scale) {
+                   const method::viscous::ViscousCurvesResult& viscous, const SeriesStyle& style,
+                   const std::string& label, const std::vector<double>& values,
+                   const wording::AxisScale& scale) {
   const std::vector<double> speeds = speeds_of(viscous);
   const std::size_t size = std::min(speeds.size(), values.size());
   bool labelled = false;
@@ -51,14 +51,12 @@ void add_run_curve(render::figure::Panel& panel,
       y.push_back(scale(values[i]));
     }
     render::figure::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
-    apply(estimator_style(estimator), series);
+    apply(style, series);
     if (viscous.from_sweep) {
       series.style = render::figure::LineStyle::none;
-
       series.marker = render::figure::Marker::circle;
-      if (estimator != "reference") series.marker_size_px = bin_px;
+      series.marker_size_px = style.bin_px;
     }
-
     labelled = add_visible(panel, std::move(series)) || labelled;
   }
 }
@@ -67,9 +65,9 @@ void add_reference(render::figure::Panel& panel, const calibration::Calibration&
                    const wording::AxisScale& scale) {
   const auto& analytic = calibration.manifest.reference;
   const std::string label = reference_label(calibration);
-  if (calibration.quality.reference != "analytic" || !analytic) {
-    add_run_curve(panel, calibration.viscous, "reference", label, calibration.quality.reference_Nm,
-                  scale);
+  if (calibration.quality.reference != CurveReference::analytic || !analytic) {
+    add_run_curve(panel, calibration.viscous, reference_style, label,
+                  calibration.quality.reference_Nm, scale);
     return;
   }
   const wording::Extent speeds = wording::extent_of(speeds_of(calibration.viscous));
@@ -84,14 +82,14 @@ void add_reference(render::figure::Panel& panel, const calibration::Calibration&
       y.push_back(scale(analytic->torque_Nm(end * share)));
     }
     render::figure::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
-    apply(estimator_style("reference"), series);
+    apply(reference_style, series);
     labelled = add_visible(panel, std::move(series)) || labelled;
     if (speeds.low > 0.0 || speeds.high < 0.0) break;
   }
 }
 
 std::string reference_label(const calibration::Calibration& calibration) {
-  if (calibration.quality.reference != "direction_difference") {
+  if (calibration.quality.reference != CurveReference::direction_difference) {
     return tr("reference: {reference}",
               {{"reference", reference_words(calibration.quality.reference)}});
   }
@@ -99,14 +97,20 @@ std::string reference_label(const calibration::Calibration& calibration) {
             {{"speed", wording::speed_symbol(calibration.manifest)}});
 }
 
-std::string reference_words(const std::string& reference) {
-  if (reference == "analytic") return tr("analytic curve");
-  if (reference == "direction_difference") return tr("half the difference of the directions");
-  return reference.empty() ? tr("none") : reference;
+std::string reference_words(CurveReference reference) {
+  switch (reference) {
+    case CurveReference::none:
+      break;
+    case CurveReference::analytic:
+      return tr("analytic curve");
+    case CurveReference::direction_difference:
+      return tr("half the difference of the directions");
+  }
+  return tr("none");
 }
 
 std::string candidate_words(const calibration::Calibration& calibration,
-                            const std::string& estimator) {
+                            method::hysteresis::Estimator estimator) {
   const method::hysteresis::SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return estimator_words(estimator);
   return fmt::format("{} ({})", estimator_words(estimator),
@@ -144,11 +148,11 @@ render::figure::Colour colour_of(bool forward, bool recommended) {
 }  // namespace
 
 void add_folded_curve(render::figure::Panel& panel, const calibration::Calibration& calibration,
-                      const std::string& estimator, const wording::AxisScale& scale,
-                      bool recommended) {
+                      std::optional<method::hysteresis::Estimator> estimator,
+                      const wording::AxisScale& scale, bool recommended) {
   const method::viscous::ViscousCurve* curve = calibration.viscous.find(estimator);
   if (curve == nullptr) return;
-  const std::string who = candidate_words(calibration, estimator);
+  const std::string who = candidate_words(calibration, curve->estimator);
   for (const bool forward : {true, false}) {
     render::figure::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
     series.label = forward ? tr("{candidate}, forward", {{"candidate", who}})
@@ -169,7 +173,7 @@ void add_folded_curve(render::figure::Panel& panel, const calibration::Calibrati
   wording::Extent sizes;
   for (const double friction : curve->friction_Nm) sizes.add(std::abs(friction));
   const double span = sizes.span();
-  const method::intervals::CurveBand* band = calibration.intervals.band(estimator);
+  const method::intervals::CurveBand* band = calibration.intervals.band(curve->estimator);
   for (std::size_t i = 0; i < std::min(calibration.viscous.runs.size(), curve->friction_Nm.size());
        ++i) {
     const method::viscous::ConstantSpeedRun& run = calibration.viscous.runs[i];
@@ -187,7 +191,7 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
                           const wording::Extent& speeds, const wording::AxisScale& scale) {
   const auto& analytic = calibration.manifest.reference;
   render::figure::Series series;
-  if (calibration.quality.reference == "analytic" && analytic && speeds.low > 0.0) {
+  if (calibration.quality.reference == CurveReference::analytic && analytic && speeds.low > 0.0) {
     for (int i = 0; i <= line_points; ++i) {
       const double share = static_cast<double>(i) / line_points;
       const double speed = speeds.low * std::pow(speeds.high / speeds.low, share);
@@ -197,7 +201,7 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
   } else {
     series = folded(calibration.viscous, calibration.quality.reference_Nm, true, scale);
   }
-  apply(estimator_style("reference"), series);
+  apply(reference_style, series);
   series.width_px = under_px;
   if (calibration.viscous.from_sweep) {
     series.style = render::figure::LineStyle::none;

@@ -1,45 +1,47 @@
 #pragma once
 // Curves over the constant-speed runs, as recorded or folded.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/calibration.h"
+#include "figures/estimator_style.h"
 #include "render/figure/figure.h"
 #include "wording/axis_scale.h"
 
 namespace tribolog::figures {
 
-/// Adds one value per run over signed motor speed in the estimator's style. Runs of constant speed
+/// Adds one value per run over signed motor speed in this style. Runs of constant speed
 /// are joined by a line that breaks at zero speed; angle bins of a sweep stay single markers.
 /// @param values one per run, SI.
 void add_run_curve(render::figure::Panel& panel,
-                   const method::viscous::ViscousCurvesResult& viscous,
-                   const std::string& estimator, const std::string& label,
-                   const std::vector<double>& values, const wording::AxisScale& scale);
+                   const method::viscous::ViscousCurvesResult& viscous, const SeriesStyle& style,
+                   const std::string& label, const std::vector<double>& values,
+                   const wording::AxisScale& scale);
 
 /// Adds the reference: the analytic curve at many speeds where it is known, else its value per run.
 void add_reference(render::figure::Panel& panel, const calibration::Calibration& calibration,
                    const wording::AxisScale& scale);
 
 /// "analytic curve" or "half the difference of the directions"
-std::string reference_words(const std::string& reference);
+std::string reference_words(method::selection::CurveReference reference);
 
 /// The legend's text for the reference.
 std::string reference_label(const calibration::Calibration& calibration);
 
 /// "A (80.00 kg)"
 std::string candidate_words(const calibration::Calibration& calibration,
-                            const std::string& estimator);
+                            method::hysteresis::Estimator estimator);
 
 // Friction folded: size over size of motor speed, so that the two directions lie on each other.
 // Signed along the motion: friction that would drive the joint shows as negative.
 
 /// Both directions of an estimator's curve as markers; the recommended one with the 95 % bars of
-/// its runs that are longer than a marker. Nothing if there is no such curve.
+/// its runs that are longer than a marker. Nothing if there is no such curve, or no estimator.
 void add_folded_curve(render::figure::Panel& panel, const calibration::Calibration& calibration,
-                      const std::string& estimator, const wording::AxisScale& scale,
-                      bool recommended);
+                      std::optional<method::hysteresis::Estimator> estimator,
+                      const wording::AxisScale& scale, bool recommended);
 
 /// The reference over these speeds (sizes).
 void add_folded_reference(render::figure::Panel& panel, const calibration::Calibration& calibration,

@@ -43,10 +43,10 @@ std::string fit_words(const calibration::Calibration& calibration) {
 
 /// Begins with a space; empty without the paper's rule.
 std::string paper_words(const calibration::Calibration& calibration) {
-  const std::string& estimator = calibration.selection.paper_rule;
-  if (estimator.empty()) return {};
+  const auto estimator = calibration.selection.paper_rule;
+  if (!estimator) return {};
   return " " + tr("The paper's rule selects {candidate}.",
-                  {{"candidate", candidate_words(calibration, estimator)}});
+                  {{"candidate", candidate_words(calibration, *estimator)}});
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   for (const method::viscous::ConstantSpeedRun& run : calibration.viscous.runs) {
     if (run.speed_rad_s != 0.0) speeds.add(std::abs(run.speed_rad_s));
   }
-  for (const std::string& name : {selection.recommended, selection.paper_rule}) {
-    if (const method::viscous::ViscousCurve* curve = calibration.viscous.find(name))
+  for (const auto estimator : {selection.recommended, selection.paper_rule}) {
+    if (const method::viscous::ViscousCurve* curve = calibration.viscous.find(estimator))
       friction.add(curve->friction_Nm);
   }
   if (speeds.empty || friction.empty) return std::nullopt;
@@ -90,13 +90,14 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
 
-  const std::string recommended = candidate_words(calibration, selection.recommended);
+  const std::string recommended =
+      selection.recommended ? candidate_words(calibration, *selection.recommended) : std::string();
   const std::string rest = paper_words(calibration) + fit_words(calibration);
-  out.caption = (selection.recommended.empty()
-                     ? tr("Friction with gravity removed; no estimator is recommended.")
-                     : tr("Friction with gravity removed; recommended: {candidate}.",
-                          {{"candidate", recommended}})) +
-                rest;
+  out.caption =
+      (!selection.recommended ? tr("Friction with gravity removed; no estimator is recommended.")
+                              : tr("Friction with gravity removed; recommended: {candidate}.",
+                                   {{"candidate", recommended}})) +
+      rest;
   out.how_to_read =
       calibration.viscous.from_sweep
           ? tr("Each marker is the friction at one angle of the sweep, at the joint's speed there. "
@@ -109,7 +110,7 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
                "fitted laws should pass through the points without a pattern.");
   const std::string slowest = wording::significant(speeds.low, 3);
   const std::string fastest = wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3);
-  out.alt = (selection.recommended.empty()
+  out.alt = (!selection.recommended
                  ? tr("Friction torque against speed from {slowest} to {fastest}; no estimator is "
                       "recommended.",
                       {{"slowest", slowest}, {"fastest", fastest}})

@@ -21,44 +21,39 @@ namespace {
 namespace colour = render::figure::palette;
 using render::figure::LineStyle;
 using render::figure::Marker;
+using truth::ReadingName;
 using wording::tr;
 using wording::tr_count;
 
 constexpr int panel_height_px = 560;
 constexpr render::figure::Colour colour_of_promise{0, 158, 115, 60};
 
-SeriesStyle style_of(const std::string& reading) {
-  if (reading == "A_steady")
-    return {colour::sky_blue, render::figure::LineStyle::dot, render::figure::Marker::circle, 2.5,
-            9.0};
-  if (reading == "B_steady")
-    return {colour::vermilion, render::figure::LineStyle::dot, render::figure::Marker::diamond, 2.5,
-            11.0};
-  if (reading == "fit")
-    return {colour::purple, render::figure::LineStyle::dash_dot, render::figure::Marker::cross, 2.5,
-            12.0};
-  if (reading == "bristle_stiffness") {
-    return {colour::blue, render::figure::LineStyle::solid, render::figure::Marker::circle, 2.5,
-            10.0};
+SeriesStyle style_of(ReadingName reading) {
+  switch (reading) {
+    case ReadingName::A_steady:
+      return {colour::sky_blue, LineStyle::dot, Marker::circle, 2.5, 9.0};
+    case ReadingName::B_steady:
+      return {colour::vermilion, LineStyle::dot, Marker::diamond, 2.5, 11.0};
+    case ReadingName::fit:
+      return {colour::purple, LineStyle::dash_dot, Marker::cross, 2.5, 12.0};
+    case ReadingName::bristle_stiffness:
+      return {colour::blue, LineStyle::solid, Marker::circle, 2.5, 10.0};
+    case ReadingName::static_torque:
+      return {colour::vermilion, LineStyle::dash, Marker::square, 2.5, 10.0};
+    case ReadingName::sweep_friction:
+      return {colour::grey, LineStyle::dot, Marker::plus, 2.5, 12.0};
+    case ReadingName::coulomb:
+      return {colour::green, LineStyle::dash_dot, Marker::triangle, 2.5, 11.0};
+    case ReadingName::viscous:
+      return {colour::orange, LineStyle::dash_dot_dot, Marker::diamond, 2.5, 11.0};
+    case ReadingName::q_peak:
+      return {colour::black, LineStyle::solid, Marker::circle, 2.5, 10.0};
+    default:
+      break;
   }
-  if (reading == "static_torque") {
-    return {colour::vermilion, render::figure::LineStyle::dash, render::figure::Marker::square, 2.5,
-            10.0};
-  }
-  if (reading == "sweep_friction") {
-    return {colour::grey, render::figure::LineStyle::dot, render::figure::Marker::plus, 2.5, 12.0};
-  }
-  if (reading == "coulomb")
-    return {colour::green, render::figure::LineStyle::dash_dot, render::figure::Marker::triangle,
-            2.5, 11.0};
-  if (reading == "viscous") {
-    return {colour::orange, render::figure::LineStyle::dash_dot_dot,
-            render::figure::Marker::diamond, 2.5, 11.0};
-  }
-  if (reading == "q_peak")
-    return {colour::black, render::figure::LineStyle::solid, render::figure::Marker::circle, 2.5,
-            10.0};
-  return estimator_style(reading);
+  const auto estimator = calibration::estimator_of(reading);
+  return estimator ? estimator_style(*estimator)
+                   : SeriesStyle{colour::grey, LineStyle::dot, Marker::none, 2.5};
 }
 
 /// A number of an estimator's errors, as the axis shows it.
@@ -84,15 +79,15 @@ std::string axis_of(const study::StudyFactor& factor) {
 }
 
 render::figure::Panel panel_of(const study::StudyResult& study, const study::StudyFactor& factor,
-                               const std::vector<std::string>& readings, const std::string& y_title,
+                               const std::vector<ReadingName>& readings, const std::string& y_title,
                                const Shown& shown) {
   render::figure::Panel panel;
   panel.x.title = axis_of(factor);
   panel.x.logarithmic = factor.logarithmic;
   panel.y.title = y_title;
-  for (const std::string& reading : readings) {
+  for (const ReadingName reading : readings) {
     render::figure::Series series;
-    series.label = wording::reading_label(reading);
+    series.label = wording::reading_label(to_string(reading));
     for (const study::StudyLevel& level : factor.levels) {
       const study::StudiedReading* r = study.case_of(level).find(reading);
       if (r == nullptr) continue;  // not found at this level: the table says so
@@ -120,7 +115,7 @@ void add_line(render::figure::Panel& panel, double at, const std::string& text) 
 
 render::figure::Panel coverage_panel(const study::StudyResult& study,
                                      const study::StudyFactor& factor,
-                                     const std::vector<std::string>& readings) {
+                                     const std::vector<ReadingName>& readings) {
   render::figure::Panel panel =
       panel_of(study, factor, readings, tr("intervals that hold the truth [%]"), coverage_percent);
   panel.y.minimum = -4;
@@ -158,7 +153,7 @@ std::optional<ReportFigure> finished(ReportFigure out) {
 
 /// "point B −0.61 to −0.59 %": the range of a reading's bias over the levels.
 std::string bias_range(const study::StudyResult& study, const study::StudyFactor& factor,
-                       const std::string& reading) {
+                       ReadingName reading) {
   wording::Extent extent;
   for (const study::StudyLevel& level : factor.levels) {
     const study::StudiedReading* r = study.case_of(level).find(reading);
@@ -166,15 +161,15 @@ std::string bias_range(const study::StudyResult& study, const study::StudyFactor
   }
   if (extent.empty) return {};
   return tr("{estimator} {lowest_percent:+.3f} to {highest_percent:+.3f} %",
-            {{"estimator", wording::words_for("reading", reading)},
+            {{"estimator", wording::words_for("reading", to_string(reading))},
              {"lowest_percent", extent.low},
              {"highest_percent", extent.high}});
 }
 
 std::string bias_words(const study::StudyResult& study, const study::StudyFactor& factor,
-                       const std::vector<std::string>& readings) {
+                       const std::vector<ReadingName>& readings) {
   std::string words;
-  for (const std::string& reading : readings) {
+  for (const ReadingName reading : readings) {
     const std::string range = bias_range(study, factor, reading);
     if (!range.empty()) words += (words.empty() ? "" : ", ") + range;
   }
@@ -183,9 +178,10 @@ std::string bias_words(const study::StudyResult& study, const study::StudyFactor
 
 std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
                                            const study::StudyFactor& factor) {
-  const std::vector<std::string> readings_of_points{"A", "B", "A_steady", "B_steady", "midline"};
-  const std::vector<std::string> averages{"AB", "CD", "EF", "sweep", "fit", "midline"};
-  std::vector<std::string> all{"A", "B", "A_steady", "B_steady"};
+  using enum ReadingName;
+  const std::vector<ReadingName> readings_of_points{A, B, A_steady, B_steady, midline};
+  const std::vector<ReadingName> averages{AB, CD, EF, sweep, fit, midline};
+  std::vector<ReadingName> all{A, B, A_steady, B_steady};
   all.insert(all.end(), averages.begin(), averages.end());
   ReportFigure out = empty_figure(factor, "gravity",
                                   tr("{factor}: gravity torque", {{"factor", title_of(factor)}}));
@@ -211,24 +207,25 @@ std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
       "Errors of the gravity torque in % of the truth, {runs} run a level. Bias: {biases}",
       "Errors of the gravity torque in % of the truth, {runs} runs a level. Bias: {biases}",
       {{"runs", study.options.runs},
-       {"biases", bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"})}});
+       {"biases", bias_words(study, factor, {A, B, midline, fit, sweep})}});
   out.how_to_read =
       tr("A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
          "steady loop they lie symmetrically, so that their mean, the other pair means and the "
          "mid-line do not. An interval keeps its promise within the green band of the lowest "
          "panel, 91 to 99 %; below it is narrower than it claims.");
-  out.alt = tr("Bias, scatter and coverage of the gravity torque against {factor_axis}: {biases}.",
-               {{"factor_axis", axis_of(factor)},
-                {"biases", bias_words(study, factor, {"A", "B", "midline"})}});
+  out.alt = tr(
+      "Bias, scatter and coverage of the gravity torque against {factor_axis}: {biases}.",
+      {{"factor_axis", axis_of(factor)}, {"biases", bias_words(study, factor, {A, B, midline})}});
   return finished(std::move(out));
 }
 
 std::optional<ReportFigure> friction_figure(const study::StudyResult& study,
                                             const study::StudyFactor& factor) {
-  const std::vector<std::string> parameters{"bristle_stiffness", "static_torque", "sweep_friction",
-                                            "coulomb", "viscous"};
-  std::vector<std::string> all = parameters;
-  all.emplace_back("q_peak");
+  const std::vector<ReadingName> parameters{ReadingName::bristle_stiffness,
+                                            ReadingName::static_torque, ReadingName::sweep_friction,
+                                            ReadingName::coulomb, ReadingName::viscous};
+  std::vector<ReadingName> all = parameters;
+  all.push_back(ReadingName::q_peak);
   ReportFigure out =
       empty_figure(factor, "friction",
                    tr("{factor}: angle and friction parameters", {{"factor", title_of(factor)}}));
@@ -239,8 +236,8 @@ std::optional<ReportFigure> friction_figure(const study::StudyResult& study,
       panel_of(study, factor, parameters, tr("standard deviation [%]"), scatter_percent);
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
-  render::figure::Panel angle =
-      panel_of(study, factor, {"q_peak"}, tr("bias of q_{{peak}} [10^{{−3}} °]"), bias_millidegree);
+  render::figure::Panel angle = panel_of(study, factor, {ReadingName::q_peak},
+                                         tr("bias of q_{{peak}} [10^{{−3}} °]"), bias_millidegree);
   add_line(angle, 0, "");
   angle.show_legend = false;
   add_panel(std::move(angle), out);

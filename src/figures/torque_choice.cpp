@@ -20,6 +20,7 @@ namespace tribolog::figures {
 
 namespace {
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 /// Pointers into the calibration, null where there is none; must not outlive it.
@@ -34,21 +35,14 @@ struct Choice {
 constexpr double worth_saying = 0.01;  // of the shift: a peak known better needs no word
 
 const method::hysteresis::LoopPoint* find(const std::vector<method::hysteresis::LoopPoint>& points,
-                                          const std::string& name) {
+                                          Estimator name) {
   for (const method::hysteresis::LoopPoint& point : points) {
-    if (name.size() == 1 && point.name == name.front()) return &point;
+    if (point.name == name) return &point;
   }
   return nullptr;
 }
 
-/// A and B, C and D, E and F lie opposite each other on the steady loop.
-std::string opposite(const std::string& name) {
-  static const std::string pairs = "ABCDEF";
-  const std::size_t at = name.size() == 1 ? pairs.find(name) : std::string::npos;
-  return at == std::string::npos ? std::string() : std::string(1, pairs[at ^ 1U]);
-}
-
-std::string mass_words(const calibration::Calibration& calibration, const std::string& estimator) {
+std::string mass_words(const calibration::Calibration& calibration, Estimator estimator) {
   const method::hysteresis::SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return {};
   return " (" + wording::with_interval(mass->mass_kg, wording::AxisScale{1.0, "kg"}) + ")";
@@ -56,12 +50,14 @@ std::string mass_words(const calibration::Calibration& calibration, const std::s
 
 Choice choice_of(const calibration::Calibration& calibration) {
   const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
-  const std::string& name = calibration.selection.paper_rule;
   Choice choice;
-  choice.chosen = find(loop.points, name);
-  choice.other = find(loop.points, opposite(name));
-  choice.chosen_steady = find(loop.steady_points, name);
-  choice.other_steady = find(loop.steady_points, opposite(name));
+  if (const std::optional<Estimator> name = calibration.selection.paper_rule) {
+    const Estimator opposite = method::hysteresis::opposite_point(*name);
+    choice.chosen = find(loop.points, *name);
+    choice.other = find(loop.points, opposite);
+    choice.chosen_steady = find(loop.steady_points, *name);
+    choice.other_steady = find(loop.steady_points, opposite);
+  }
   if (loop.midline_Nm) choice.midline = &*loop.midline_Nm;
   return choice;
 }
@@ -77,13 +73,13 @@ ChoiceWords choice_words(const calibration::Calibration& calibration, const Choi
                          const wording::AxisScale& torque) {
   ChoiceWords words;
   if (choice.chosen != nullptr) {
-    const std::string name(1, choice.chosen->name);
+    const Estimator name = choice.chosen->name;
     words.torque = wording::with_unit(choice.chosen->torque_Nm, torque, 4);
-    words.point = name + mass_words(calibration, name);
+    words.point = to_string(name) + mass_words(calibration, name);
   }
   if (choice.midline != nullptr) {
-    words.midline =
-        wording::with_interval(*choice.midline, torque) + mass_words(calibration, "midline");
+    words.midline = wording::with_interval(*choice.midline, torque) +
+                    mass_words(calibration, Estimator::midline);
   }
   return words;
 }
@@ -191,8 +187,8 @@ void add_dimension(render::figure::Panel& panel, double from, double to, double 
 void add_reading(render::figure::Panel& panel, const method::hysteresis::LoopPoint* point,
                  bool is_steady, const LoopView& view, const wording::AxisScale& torque) {
   if (point == nullptr) return;
-  const std::string name(1, point->name);
-  const SeriesStyle style = estimator_style(name);
+  const std::string name = to_string(point->name);
+  const SeriesStyle style = estimator_style(point->name);
   const double x = view.angle(point->q_rad);
   if (point->torque_high_Nm > point->torque_low_Nm && std::isfinite(x)) {
     panel.error_bars.push_back(
@@ -217,8 +213,8 @@ render::figure::Panel whole_loop(const calibration::Calibration& calibration, Lo
   panel.y.title = wording::axis_title(tr("driving torque T"), torque);
   add_loop(panel, calibration, view, torque, true);
   if (choice.chosen == nullptr) return panel;
-  const std::string name(1, choice.chosen->name);
-  const SeriesStyle style = estimator_style(name);
+  const std::string name = to_string(choice.chosen->name);
+  const SeriesStyle style = estimator_style(choice.chosen->name);
   const double x = view.angle(choice.chosen->q_rad);
   add_visible(panel,
               render::figure::PointLabel{x, torque(choice.chosen->torque_Nm),

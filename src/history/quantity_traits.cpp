@@ -1,31 +1,37 @@
 #include "history/quantity_traits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <optional>
 
 #include "history/comparison.h"
 #include "history/joint_trend.h"
+#include "joint/quantity.h"
 
 namespace tribolog::history {
 
 QuantityTraits traits_of(const std::string& name) {
-  static const std::array<std::pair<const char*, QuantityTraits>, 11> known{{
-      {"cog_angle", {false, true, false, true}},
-      {"gravity_torque", {false, true, false, false}},
-      {"surrogate_mass", {false, true, false, false}},
-      {"coulomb_torque", {true, false, false, false}},
-      {"stribeck_speed", {true, false, false, false}},
-      {"viscous_coefficient", {true, false, false, false}},
-      {"viscous_curve", {true, false, false, false}},
-      {"break_away_torque", {true, false, true, false}},
-      {"bristle_stiffness", {false, false, true, false}},
-      {"bristle_damping", {true, false, true, false}},
-      {"inertia", {false, true, true, false}},
-  }};
-  for (const auto& [key, traits] : known) {
-    if (name == key) return traits;
+  using joint::Quantity;
+  const std::optional<Quantity> known = joint::quantity_of(name);
+  if (!known) return {};
+  switch (*known) {
+    case Quantity::cog_angle:
+      return {false, true, false, true};
+    case Quantity::gravity_torque:
+    case Quantity::surrogate_mass:
+      return {false, true, false, false};
+    case Quantity::coulomb_torque:
+    case Quantity::stribeck_speed:
+    case Quantity::viscous_coefficient:
+    case Quantity::viscous_curve:
+      return {true, false, false, false};
+    case Quantity::break_away_torque:
+    case Quantity::bristle_damping:
+      return {true, false, true, false};
+    case Quantity::bristle_stiffness:
+      return {false, false, true, false};
+    case Quantity::inertia:
+      return {false, true, true, false};
   }
   return {};
 }

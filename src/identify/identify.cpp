@@ -19,6 +19,7 @@ namespace {
 
 using calibration::Calibration;
 using joint::Role;
+using method::gravity::SweepKind;
 
 /// What the steps hand on: the calibration as it grows, and what no calibration holds.
 struct Progress {
@@ -62,16 +63,19 @@ struct Step {
 
 /// The gravity peak: of the sweeps the one with the narrower interval; without any, the runs'.
 void choose_gravity_peak(Calibration& c) {
-  for (const method::gravity::CogSweepResult* sweep : {&c.rough, &c.precise}) {
-    if (!sweep->found) continue;
-    if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
-      c.q_peak_rad = sweep->q_peak_rad;
-      c.q_peak_source = sweep->stage.name;
+  using method::gravity::PeakSource;
+  for (const PeakSource source : {PeakSource::rough_sweep, PeakSource::precise_sweep}) {
+    const method::gravity::CogSweepResult& sweep =
+        source == PeakSource::rough_sweep ? c.rough : c.precise;
+    if (!sweep.found) continue;
+    if (!c.q_peak_rad || sweep.q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
+      c.q_peak_rad = sweep.q_peak_rad;
+      c.q_peak_source = source;
     }
   }
   if (!c.q_peak_rad && c.run_gravity.found) {
     c.q_peak_rad = c.run_gravity.q_peak_rad;
-    c.q_peak_source = "runs";
+    c.q_peak_source = PeakSource::runs;
   }
 }
 
@@ -103,7 +107,7 @@ constexpr Step papers_chain[] = {
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
-       p.rough = method::gravity::identify_cog_sweep("cog_rough", p.rough_sweep, p.n);
+       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n);
        p.c.rough = p.rough.result;
      }},
     {"centre of gravity, precise sweep",
@@ -111,7 +115,7 @@ constexpr Step papers_chain[] = {
        std::optional<statistics::Estimate> amplitude;
        if (p.c.rough.found) amplitude = p.c.rough.gravity_Nm;
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
-       p.precise = method::gravity::identify_cog_sweep("cog_precise", p.precise_sweep, p.n,
+       p.precise = method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n,
                                                        amplitude, p.c.rough.ripple);
        p.c.precise = p.precise.result;
      }},

@@ -12,6 +12,7 @@
 #include "friction/static_friction.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
+#include "joint/quantity.h"
 #include "joint/recording.h"
 
 namespace tribolog::robot {
@@ -30,11 +31,12 @@ struct AcceptanceLimit {
 
 /// A quantity on a side of the gear and in a unit, of which a limit may speak.
 struct LimitedQuantity {
-  std::string key;       ///< "coulomb_joint_Nm"
-  std::string quantity;  ///< Key of the verdict's quantity: "coulomb_torque".
+  std::string key;  ///< "coulomb_joint_Nm"
+  Quantity quantity{};
   std::string unit;      ///< "N·m"
   double factor{1.0};    ///< From SI to the unit.
   int gear_power{0};     ///< From the motor's side: times gear ratio to this power.
+  bool at_joint{false};  ///< As its key says.
 };
 
 const std::vector<LimitedQuantity>& limited_quantities();

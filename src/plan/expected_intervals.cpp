@@ -14,25 +14,28 @@
 #include "study/study.h"
 
 namespace tribolog::plan {
+
+using truth::ReadingName;
+
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What a plan is made for, in the order of the table: the paper's single points are not.
-constexpr std::array wanted{"midline",
-                            "fit",
-                            "sweep",
-                            "q_peak",
-                            "bristle_stiffness",
-                            "static_torque",
-                            "break_away",
-                            "sweep_friction",
-                            "coulomb",
-                            "viscous",
-                            "asperity_torque",
-                            "stribeck_speed",
-                            "viscous_coefficient",
-                            "viscous_power"};
+constexpr std::array wanted{ReadingName::midline,
+                            ReadingName::fit,
+                            ReadingName::sweep,
+                            ReadingName::q_peak,
+                            ReadingName::bristle_stiffness,
+                            ReadingName::static_torque,
+                            ReadingName::break_away,
+                            ReadingName::sweep_friction,
+                            ReadingName::coulomb,
+                            ReadingName::viscous,
+                            ReadingName::asperity_torque,
+                            ReadingName::stribeck_speed,
+                            ReadingName::viscous_coefficient,
+                            ReadingName::viscous_power};
 
 calibration::Calibration identify_once(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
@@ -45,7 +48,8 @@ calibration::Calibration identify_once(const joint::Dataset& dataset, std::uint6
 std::vector<truth::Reading> readings_with_ramps(const calibration::Calibration& c) {
   std::vector<truth::Reading> all = truth::readings_of(c);
   if (c.break_away.mean_Nm) {
-    all.push_back({"break_away", truth::ReadingKind::static_torque, *c.break_away.mean_Nm});
+    all.push_back(
+        {ReadingName::break_away, truth::ReadingKind::static_torque, *c.break_away.mean_Nm});
   }
   return all;
 }
@@ -58,12 +62,12 @@ std::vector<truth::Reading> truths_of(const simulate::Scenario& joint,
       simulate::simulated_dataset(joint, simulate::with_noise(ideal, {}, joint.gear_ratio));
   std::vector<truth::Reading> truths = study::true_readings(joint, dataset);
   const std::vector<truth::Reading> found = readings_with_ramps(identify_once(dataset, 1));
-  if (const truth::Reading* ramps = truth::find_reading(found, "break_away"))
+  if (const truth::Reading* ramps = truth::find_reading(found, ReadingName::break_away))
     truths.push_back(*ramps);
   return truths;
 }
 
-ExpectedInterval expected(const char* name, const truth::Reading& truth,
+ExpectedInterval expected(ReadingName name, const truth::Reading& truth,
                           const std::vector<std::vector<truth::Reading>>& runs) {
   std::vector<statistics::Estimate> estimates;
   std::vector<double> half_widths;
@@ -91,7 +95,7 @@ ExpectedInterval expected(const char* name, const truth::Reading& truth,
 
 }  // namespace
 
-const ExpectedInterval* ExpectedIntervals::find(const std::string& name) const {
+const ExpectedInterval* ExpectedIntervals::find(ReadingName name) const {
   const auto it = std::find_if(quantities.begin(), quantities.end(),
                                [&](const ExpectedInterval& e) { return e.name == name; });
   return it == quantities.end() ? nullptr : &*it;
@@ -117,7 +121,7 @@ ExpectedIntervals expect_intervals(const ExperimentPlan& plan, const Expectation
         runs[run] = readings_with_ramps(identify_once(dataset, noise.seed));
       },
       options.threads);
-  for (const char* name : wanted) {
+  for (const ReadingName name : wanted) {
     if (const truth::Reading* truth = truth::find_reading(truths, name)) {
       out.quantities.push_back(expected(name, *truth, runs));
     }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "plan/experiment_plan.h"
@@ -13,7 +12,7 @@
 namespace tribolog::plan {
 
 struct ExpectedInterval {
-  std::string name;  ///< Of the reading (truth/readings.h), or "break_away"; words: "expected".
+  truth::ReadingName name{};  ///< Words: "expected".
   truth::ReadingKind quantity{truth::ReadingKind::gravity};
   double truth{};  ///< Of the assumed joint.
   std::size_t runs{};
@@ -27,7 +26,7 @@ struct ExpectedIntervals {
   std::size_t runs{};
   std::uint64_t seed{};
   std::vector<ExpectedInterval> quantities;  ///< What the plan's recordings can show.
-  [[nodiscard]] const ExpectedInterval* find(const std::string& name) const;
+  [[nodiscard]] const ExpectedInterval* find(truth::ReadingName name) const;
 };
 
 struct ExpectationOptions {

@@ -91,8 +91,7 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
   describe_run_gravity(c, section);
 
   const method::viscous::ViscousCurve* recommended = v.find(c.selection.recommended);
-  const method::viscous::ViscousCurve* papers =
-      c.selection.paper_rule.empty() ? nullptr : v.find(c.selection.paper_rule);
+  const method::viscous::ViscousCurve* papers = v.find(c.selection.paper_rule);
   Table table;
   table.id = section.id + "-runs";
   table.caption = tr("Driving torque and friction of each run, at the motor");
@@ -136,14 +135,18 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
 
 namespace {
 
-std::string reference_in_words(const std::string& reference) {
-  if (reference == "analytic") return tr("the analytic curve that the simulation was made with");
-  if (reference == "direction_difference") {
-    return tr(
-        "half the difference of the two directions at the same angle, which gravity cannot "
-        "enter");
+std::string reference_in_words(method::selection::CurveReference reference) {
+  switch (reference) {
+    case method::selection::CurveReference::none:
+      break;
+    case method::selection::CurveReference::analytic:
+      return tr("the analytic curve that the simulation was made with");
+    case method::selection::CurveReference::direction_difference:
+      return tr(
+          "half the difference of the two directions at the same angle, which gravity cannot "
+          "enter");
   }
-  return reference.empty() ? tr("none") : reference;
+  return tr("none");
 }
 
 /// Index of the largest deviation, or the list's size if there is none.
@@ -186,7 +189,7 @@ void describe_quality_errors(const calibration::Calibration& c, Section& section
     const bool has_worst = worst < e.percent.size();
     const bool has_speed = has_worst && worst < c.viscous.runs.size();
     table.rows.push_back(
-        {{estimator_name(e.estimator), point_meaning(e.estimator),
+        {{estimator_name(e.estimator), meaning_of(e.estimator),
           wording::significant(e.rms_percent, digits),
           has_worst ? wording::significant(e.percent[worst], digits) : "–",
           has_speed ? wording::significant(c.viscous.runs[worst].speed_rad_s, digits) : "–"},
@@ -203,9 +206,9 @@ void describe_quality_errors(const calibration::Calibration& c, Section& section
 namespace {
 
 void add_choice(const calibration::Calibration& c, const std::string& label,
-                const std::string& estimator, bool is_chosen, Table& table) {
-  const method::hysteresis::SurrogateMass* mass =
-      estimator.empty() ? nullptr : c.masses.find(estimator);
+                std::optional<method::hysteresis::Estimator> estimator, bool is_chosen,
+                Table& table) {
+  const method::hysteresis::SurrogateMass* mass = c.masses.find(estimator);
   if (mass == nullptr) {
     table.rows.push_back({{label, tr("cannot be said"), "–", "–", "–", "–"}, false});
     return;
@@ -213,7 +216,7 @@ void add_choice(const calibration::Calibration& c, const std::string& label,
   const method::selection::QualityError* error = c.quality.find(estimator);
   constexpr int digits = 3;
   table.rows.push_back(
-      {{label, estimator_name(estimator) + ": " + point_meaning(estimator),
+      {{label, estimator_name(mass->estimator) + ": " + meaning_of(mass->estimator),
         wording::round_by_interval(mass->torque_Nm, wording::plain_scale("N·m")).plus_minus(),
         wording::round_by_interval(mass->mass_kg, wording::plain_scale("kg")).plus_minus(),
         wording::fixed(mass->q_rad * wording::degree_scale().factor, 4),
@@ -226,7 +229,7 @@ void add_choice(const calibration::Calibration& c, const std::string& label,
 void describe_selection(const calibration::Calibration& c, Section& section) {
   const method::selection::SelectionResult& s = c.selection;
   if (!s.why.empty()) section.facts.push_back({tr("Why"), as_sentence(s.why)});
-  if (!s.paper_rule.empty() || !s.recommended.empty()) {
+  if (s.paper_rule || s.recommended) {
     Table table;
     table.id = section.id + "-results";
     table.caption = tr("The choice");

@@ -3,9 +3,11 @@
 
 #include <string>
 
+#include "method/hysteresis/estimator.h"
+
 namespace tribolog::report {
 
-/// What the point is, in words: "z = 0 while the arm rises".
-std::string point_meaning(const std::string& point);
+/// What the estimator is, in words: "z = 0 while the arm rises".
+std::string meaning_of(method::hysteresis::Estimator estimator);
 
 }  // namespace tribolog::report

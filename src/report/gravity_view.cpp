@@ -102,14 +102,6 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
 
 // Stage 4.
 
-namespace {
-
-bool is_chosen(const calibration::Calibration& c, const std::string& estimator) {
-  return estimator == c.selection.recommended;
-}
-
-}  // namespace
-
 void describe_surrogate_masses(const calibration::Calibration& c, Section& section) {
   if (c.masses.masses.empty()) return;
   section.facts.push_back(
@@ -132,10 +124,10 @@ void describe_surrogate_masses(const calibration::Calibration& c, Section& secti
     const wording::RoundedEstimate mass =
         wording::round_by_interval(m.mass_kg, wording::plain_scale("kg"));
     table.rows.push_back(
-        {{estimator_name(m.estimator), point_meaning(m.estimator), torque.plus_minus(),
+        {{estimator_name(m.estimator), meaning_of(m.estimator), torque.plus_minus(),
           wording::fixed(m.q_rad * wording::degree_scale().factor, 3), mass.plus_minus(),
           or_dash(mass.range())},
-         is_chosen(c, m.estimator)});
+         m.estimator == c.selection.recommended});
   }
   table.note = tr("Torques are at the motor. The marked row is the one this program recommends.");
   section.tables.push_back(table);

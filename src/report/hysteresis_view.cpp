@@ -120,11 +120,10 @@ Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points
   const int rate_decimals =
       column_decimals(points, &method::hysteresis::LoopPoint::dz_rad_s, bristle.factor);
   for (const method::hysteresis::LoopPoint& p : points) {
-    const std::string name(1, p.name);
     const wording::RoundedEstimate torque = wording::round_by_interval(
         {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, {}}, wording::plain_scale("N·m"));
     table.rows.push_back(
-        {{name, point_meaning(name), wording::fixed(p.t_s, 4),
+        {{to_string(p.name), meaning_of(p.name), wording::fixed(p.t_s, 4),
           wording::fixed(p.q_rad * wording::degree_scale().factor, 4), torque.plus_minus(),
           or_dash(torque.range()), wording::fixed(p.z_rad * bristle.factor, z_decimals),
           wording::fixed(p.dz_rad_s * bristle.factor, rate_decimals)},

@@ -65,7 +65,9 @@ std::optional<std::pair<std::string, wording::Scale>> words_for(
   }
   const std::size_t dot = q.name.find('.');
   if (dot == std::string::npos) return std::nullopt;
-  const std::string estimator = estimator_name(q.name.substr(dot + 1));
+  const auto named = method::hysteresis::estimator_of(q.name.substr(dot + 1));
+  if (!named) return std::nullopt;
+  const std::string estimator = estimator_name(*named);
   if (q.name.starts_with("mass_kg.")) {
     return std::pair{tr("Surrogate mass, {estimator}", {{"estimator", estimator}}), kilogram(size)};
   }
@@ -117,7 +119,8 @@ Table choices_table(const std::vector<method::intervals::ChoiceShare>& choices) 
   table.caption = tr("How often the paper's rule chose each point");
   table.columns = {{tr("Point"), "", false}, {tr("Share of the resamples"), "%", true}};
   for (const method::intervals::ChoiceShare& choice : choices) {
-    table.rows.push_back({{choice.estimator, wording::fixed(100 * choice.share, 1)}, false});
+    table.rows.push_back(
+        {{to_string(choice.estimator), wording::fixed(100 * choice.share, 1)}, false});
   }
   return table;
 }
@@ -166,7 +169,8 @@ Table masses_table(const method::intervals::CrossChecksResult& r) {
         c.resampled_kg
             ? wording::round_by_interval(*c.resampled_kg, wording::plain_scale("kg")).range()
             : "";
-    Row row{{std::to_string(k + 1) + ". " + wording::words_for("estimator", c.method),
+    Row row{{std::to_string(k + 1) + ". " +
+                 wording::words_for("estimator", method::intervals::to_string(c.method)),
              closed.estimate, or_dash(closed.range()), or_dash(resampled)},
             c.is_recommended};
     if (c.is_recommended) {

@@ -12,6 +12,10 @@ namespace tribolog::report {
 
 namespace {
 
+using joint::Quantity;
+using method::gravity::PeakSource;
+using method::hysteresis::Estimator;
+using method::hysteresis::LuGreParameterName;
 using wording::tr;
 
 }  // namespace
@@ -72,22 +76,29 @@ void add_both_sides(const std::string& quantity, const statistics::Estimate& mot
   table.rows.push_back(estimate_row(at_joint(quantity), joint, scale_for(joint.value)));
 }
 
-std::string estimator_name(const std::string& estimator) {
-  if (estimator.size() == 1) return tr("Point {point}", {{"point", estimator}});
-  if (estimator.size() == 2) {
+std::string estimator_name(Estimator estimator) {
+  if (const auto pair = method::hysteresis::points_of_pair(estimator)) {
     return tr("Mean of {first_point} and {second_point}",
-              {{"first_point", estimator.substr(0, 1)}, {"second_point", estimator.substr(1)}});
+              {{"first_point", to_string(pair->first)}, {"second_point", to_string(pair->second)}});
   }
-  if (estimator == "midline") return tr("Mid-line");
-  if (estimator == "fit") return tr("LuGre fit");
-  if (estimator == "sweep") return tr("Sweep");
-  if (estimator == "runs") return tr("Runs at constant speed");
-  if (estimator == "stated") return tr("Stated");
-  return estimator;
+  switch (estimator) {
+    case Estimator::midline:
+      return tr("Mid-line");
+    case Estimator::fit:
+      return tr("LuGre fit");
+    case Estimator::sweep:
+      return tr("Sweep");
+    case Estimator::runs:
+      return tr("Runs at constant speed");
+    case Estimator::stated:
+      return tr("Stated");
+    default:
+      return tr("Point {point}", {{"point", to_string(estimator)}});
+  }
 }
 
 const method::hysteresis::SurrogateMass* recommended_mass(const calibration::Calibration& c) {
-  return c.selection.recommended.empty() ? nullptr : c.masses.find(c.selection.recommended);
+  return c.masses.find(c.selection.recommended);
 }
 
 // The first table of the report: what the reader came for.
@@ -137,12 +148,12 @@ class KeyNumbers {
 
   void angles() {
     const std::string peak = tr("Joint angle of largest gravity torque, q_peak");
-    if (c_.q_peak_rad && refused("cog_angle")) {
+    if (c_.q_peak_rad && refused(Quantity::cog_angle)) {
       see_the_verdict(peak);
       return;
     }
     if (c_.q_peak_rad) {
-      if (c_.q_peak_source == "runs") {
+      if (c_.q_peak_source == PeakSource::runs) {
         angle(peak, *c_.q_peak_rad,
               tr("stage {stage}, fit of the runs at constant speed",
                  {{"stage", stage_number(StageId::viscous_curves)}}));
@@ -150,10 +161,11 @@ class KeyNumbers {
         return;
       }
       angle(peak, *c_.q_peak_rad,
-            c_.q_peak_source == "cog_precise" ? tr("stage {stage}, fit of the precise sweep",
-                                                   {{"stage", stage_number(StageId::cog_precise)}})
-                                              : tr("stage {stage}, fit of the rough sweep",
-                                                   {{"stage", stage_number(StageId::cog_rough)}}));
+            c_.q_peak_source == PeakSource::precise_sweep
+                ? tr("stage {stage}, fit of the precise sweep",
+                     {{"stage", stage_number(StageId::cog_precise)}})
+                : tr("stage {stage}, fit of the rough sweep",
+                     {{"stage", stage_number(StageId::cog_rough)}}));
     } else {
       missing(peak, StageId::cog_rough);
     }
@@ -171,7 +183,7 @@ class KeyNumbers {
 
   void gravity() {
     const std::string name = tr("Gravity torque");
-    if (refused("gravity_torque") && recommended_mass(c_) != nullptr) {
+    if (refused(Quantity::gravity_torque) && recommended_mass(c_) != nullptr) {
       see_the_verdict(name);
     } else if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
       sides(name, mass->gravity_Nm, n_, wording::torque_scale, from_mass(*mass));
@@ -187,7 +199,7 @@ class KeyNumbers {
     const std::string r =
         wording::with_unit(wording::as_stated(c_.manifest.surrogate_distance_m), "m");
     const std::string name = tr("Surrogate mass at r = {distance}", {{"distance", r}});
-    if (refused("surrogate_mass") && recommended_mass(c_) != nullptr) {
+    if (refused(Quantity::surrogate_mass) && recommended_mass(c_) != nullptr) {
       see_the_verdict(name);
       return;
     }
@@ -196,8 +208,7 @@ class KeyNumbers {
     } else {
       missing(name, StageId::surrogate_masses);
     }
-    const method::hysteresis::SurrogateMass* papers =
-        c_.selection.paper_rule.empty() ? nullptr : c_.masses.find(c_.selection.paper_rule);
+    const method::hysteresis::SurrogateMass* papers = c_.masses.find(c_.selection.paper_rule);
     if (papers != nullptr) {
       mass_row(tr("Surrogate mass at r = {distance}, by the paper's rule", {{"distance", r}}),
                *papers, false);
@@ -219,14 +230,14 @@ class KeyNumbers {
 
   void friction() {
     const method::hysteresis::HysteresisResult& loop = c_.hysteresis;
-    const auto shown = [&](const char* name) {
+    const auto shown = [&](LuGreParameterName name) {
       return c_.lugre ? c_.lugre->shown(name) : std::nullopt;
     };
     const std::string from_loop =
         tr("stage {stage}, LuGre fit of the loops", {{"stage", stage_number(StageId::parameters)}});
     const std::string break_away = tr("Break-away torque");
-    const auto level = shown("static_Nm");
-    if (refused("break_away_torque") && (level || c_.break_away.mean_Nm)) {
+    const auto level = shown(LuGreParameterName::static_torque);
+    if (refused(Quantity::break_away_torque) && (level || c_.break_away.mean_Nm)) {
       see_the_verdict(break_away);
     } else if (c_.break_away.mean_Nm) {
       sides(
@@ -241,9 +252,9 @@ class KeyNumbers {
     }
     coulomb_and_viscous();
     if (loop.found && std::isfinite(loop.loop_height_Nm)) loop_height(loop.loop_height_Nm);
-    const auto stiffness = shown("bristle_stiffness_Nm_rad");
+    const auto stiffness = shown(LuGreParameterName::bristle_stiffness);
     const std::string name = tr("Bristle stiffness σ₀");
-    if (refused("bristle_stiffness") && stiffness) {
+    if (refused(Quantity::bristle_stiffness) && stiffness) {
       see_the_verdict(name);
     } else if (stiffness) {
       sides(name, *stiffness, n_ * n_, wording::stiffness_scale, from_loop);
@@ -261,11 +272,9 @@ class KeyNumbers {
   }
 
   /// A number that its verdict refuses is none to file.
-  [[nodiscard]] bool refused(const std::string& key) const {
-    const auto& all = c_.judgement.quantities;
-    return std::any_of(all.begin(), all.end(), [&](const calibration::QuantityVerdict& q) {
-      return q.key == key && q.verdict == calibration::Verdict::not_identifiable;
-    });
+  [[nodiscard]] bool refused(Quantity quantity) const {
+    const calibration::QuantityVerdict* verdict = c_.judgement.find(quantity);
+    return verdict != nullptr && verdict->verdict == calibration::Verdict::not_identifiable;
   }
 
   void see_the_verdict(const std::string& quantity) {
@@ -279,7 +288,7 @@ class KeyNumbers {
     const std::string from_sweep =
         tr("stage {stage}, sweep", {{"stage", stage_number(StageId::cog_rough)}});
     const std::string coulomb = tr("Coulomb torque");
-    if (refused("coulomb_torque") && (line || c_.rough.coulomb_Nm)) {
+    if (refused(Quantity::coulomb_torque) && (line || c_.rough.coulomb_Nm)) {
       see_the_verdict(coulomb);
     } else if (line) {
       sides(coulomb, line->coulomb_Nm, n_, wording::torque_scale, from_line);
@@ -289,7 +298,7 @@ class KeyNumbers {
       missing(coulomb, StageId::parameters);
     }
     const std::string viscous = tr("Viscous coefficient");
-    if (refused("viscous_coefficient") && (line || c_.rough.viscous_Nms_rad)) {
+    if (refused(Quantity::viscous_coefficient) && (line || c_.rough.viscous_Nms_rad)) {
       see_the_verdict(viscous);
     } else if (line) {
       sides(viscous, line->viscous_Nms_rad, n_ * n_, wording::viscous_scale, from_line);

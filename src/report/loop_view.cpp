@@ -13,6 +13,7 @@ namespace tribolog::report {
 
 namespace {
 
+using method::hysteresis::LuGreParameterName;
 using wording::to_translate;
 using wording::tr;
 using wording::tr_count;
@@ -29,17 +30,22 @@ wording::Scale weakening_scale(double) { return wording::plain_scale("N·m·s²/
 wording::Scale speed_scale(double) { return wording::plain_scale("rad/s"); }
 wording::Scale inertia_scale(double) { return wording::plain_scale("kg·m²"); }
 
-const std::map<std::string, LuGreWords> words{
-    {"bristle_stiffness_Nm_rad",
+const std::map<LuGreParameterName, LuGreWords> words{
+    {LuGreParameterName::bristle_stiffness,
      {to_translate("Bristle stiffness σ₀"), 2, wording::stiffness_scale}},
-    {"bristle_damping_Nms_rad", {to_translate("Bristle damping σ₁"), 2, wording::viscous_scale}},
-    {"viscous_Nms_rad", {to_translate("Viscous coefficient σ₂"), 2, wording::viscous_scale}},
-    {"static_Nm", {to_translate("Break-away torque T_s"), 1, wording::torque_scale}},
-    {"coulomb_Nm", {to_translate("Coulomb torque T_c"), 1, wording::torque_scale}},
-    {"stribeck_speed_rad_s", {to_translate("Stribeck velocity ω_s"), -1, speed_scale}},
-    {"speed_weakening_Nms2_rad2",
+    {LuGreParameterName::bristle_damping,
+     {to_translate("Bristle damping σ₁"), 2, wording::viscous_scale}},
+    {LuGreParameterName::viscous,
+     {to_translate("Viscous coefficient σ₂"), 2, wording::viscous_scale}},
+    {LuGreParameterName::static_torque,
+     {to_translate("Break-away torque T_s"), 1, wording::torque_scale}},
+    {LuGreParameterName::coulomb_torque,
+     {to_translate("Coulomb torque T_c"), 1, wording::torque_scale}},
+    {LuGreParameterName::stribeck_speed, {to_translate("Stribeck velocity ω_s"), -1, speed_scale}},
+    {LuGreParameterName::speed_weakening,
      {to_translate("Start of the fall of friction with speed"), 3, weakening_scale}},
-    {"inertia_kgm2", {to_translate("Inertia J of motor, gear and arm"), 2, inertia_scale}}};
+    {LuGreParameterName::inertia,
+     {to_translate("Inertia J of motor, gear and arm"), 2, inertia_scale}}};
 
 void add_both_sides(const LuGreWords& quantity, const statistics::Estimate& motor, double n,
                     Table& table) {

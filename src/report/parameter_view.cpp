@@ -53,12 +53,9 @@ Table waiboer_table(const method::viscous::WaiboerFit& f, const Section& section
 void describe_parameters(const calibration::Calibration& c, Section& section) {
   const double n = c.manifest.drive.gear_ratio();
   const method::selection::FrictionParametersResult& f = c.friction;
-  if (!f.curve.empty()) {
+  if (f.curve) {
     section.facts.push_back(
-        {tr("Curve fitted"),
-         f.curve == "direction_difference"
-             ? tr("half the difference of the two directions")
-             : tr("that of {estimator}", {{"estimator", estimator_name(f.curve)}})});
+        {tr("Curve fitted"), tr("that of {estimator}", {{"estimator", estimator_name(*f.curve)}})});
   }
   describe_curve_models(c, section);
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));

@@ -103,12 +103,12 @@ Table expected_table(const plan::ExpectedIntervals& expected) {
                    {tr("Identified"), "", true},
                    {tr("Interval holds the truth"), "", true}};
   for (const plan::ExpectedInterval& e : expected.quantities) {
-    table.rows.push_back({{wording::capitalised(wording::words_for("expected", e.name)),
+    table.rows.push_back({{wording::capitalised(wording::words_for("expected", to_string(e.name))),
                            exports::experiment::interval_text(e.truth, e.half_width, e.quantity),
                            exports::experiment::quantity_text(e.scatter, e.quantity, 2),
                            tr("{runs} of {all_runs}", {{"runs", e.found}, {"all_runs", e.runs}}),
                            tr("{runs} of {all_runs}", {{"runs", e.inside}, {"all_runs", e.found}})},
-                          e.name == "midline"});
+                          e.name == truth::ReadingName::midline});
   }
   table.note =
       tr_count(static_cast<std::int64_t>(expected.runs),

@@ -53,7 +53,7 @@ std::string review_json(const calibration::Calibration& c) {
   if (!drawn.empty()) add_loop_quantities(scales, from_first_sample, quantities);
   if (has_curves) add_run_quantities(c, quantities);
   all["quantities"] = std::move(quantities);
-  const figures::SeriesStyle fit = figures::estimator_style("fit");
+  const figures::SeriesStyle fit = figures::estimator_style(method::hysteresis::Estimator::fit);
   all["fit_style"] = style(fit.colour, fit.line);
   all["points"] = points(c, scales);
   all["midline"] = midline(h, scales);
@@ -159,8 +159,8 @@ Json runs(const calibration::Calibration& c) {
         wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus(), "N·m"));
     if (!c.viscous.from_sweep) names.push_back(shown_text(log_name(run.recording)));
   }
-  const bool has_reference =
-      !c.quality.reference.empty() && c.quality.reference_Nm.size() == speed.size();
+  const bool has_reference = c.quality.reference != method::selection::CurveReference::none &&
+                             c.quality.reference_Nm.size() == speed.size();
   Json out;
   out["from_sweep"] = c.viscous.from_sweep;
   out["reference"] =
@@ -170,8 +170,7 @@ Json runs(const calibration::Calibration& c) {
   out["names"] = std::move(names);
   out["f"] = has_reference ? column(c.quality.reference_Nm, friction_scale(c)) : Json(nullptr);
   out["band"] = reference_band(c);
-  out["style"] =
-      style(figures::estimator_style("reference").colour, render::figure::LineStyle::solid);
+  out["style"] = style(figures::reference_style.colour, render::figure::LineStyle::solid);
   return out;
 }
 
@@ -183,9 +182,9 @@ Json candidates(const calibration::Calibration& c, const wording::AxisScale& tor
     const wording::RoundedEstimate kg =
         wording::round_by_interval(mass.mass_kg, wording::plain_scale("kg"));
     Json one;
-    one["name"] = shown_text(mass.estimator);
+    one["name"] = to_string(mass.estimator);
     one["words"] = shown_text(figures::estimator_words(mass.estimator));
-    one["what"] = point_meaning(mass.estimator);
+    one["what"] = meaning_of(mass.estimator);
     one["mass"] = wording::with_unit(kg.plus_minus(), "kg");
     one["T"] = entry(mass.torque_Nm.value, torque);
     one["torque"] = wording::with_unit(

@@ -197,8 +197,8 @@ Json point_list(const std::vector<method::hysteresis::LoopPoint>& list,
   Json out = Json::array();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const method::hysteresis::LoopPoint& p = list[i];
-    out.push_back({{"name", std::string(1, p.name)},
-                   {"where", point_meaning(std::string(1, p.name))},
+    out.push_back({{"name", to_string(p.name)},
+                   {"where", meaning_of(p.name)},
                    {"t", entry(p.t_s, time)},
                    {"q", entry(p.q_rad, angle)},
                    {"T", entry(p.torque_Nm, scales.torque)},

@@ -57,14 +57,14 @@ std::string coverage_text(const study::StudiedReading& r) {
                      wording::fixed(100 * c.low, 1), wording::fixed(100 * c.high, 1));
 }
 
-std::string capital_words(const std::string& reading) {
-  return wording::capitalised(wording::words_for("reading", reading));
+std::string capital_words(truth::ReadingName reading) {
+  return wording::capitalised(wording::words_for("reading", to_string(reading)));
 }
 
 /// Readings that a factor's cases show, in their order.
-std::vector<std::string> readings_of_factor(const study::StudyResult& study,
-                                            const study::StudyFactor& factor) {
-  std::vector<std::string> names;
+std::vector<truth::ReadingName> readings_of_factor(const study::StudyResult& study,
+                                                   const study::StudyFactor& factor) {
+  std::vector<truth::ReadingName> names;
   // A level may lose some; the base case has them all.
   for (const study::StudyLevel& level : factor.levels) {
     if (!level.is_base) continue;
@@ -87,7 +87,7 @@ Table level_table(const study::StudyResult& study, const study::StudyFactor& fac
         {level.is_base ? tr("{level}, base", {{"level", level.text}}) : wording::words(level.text),
          "", true});
   }
-  for (const std::string& name : readings_of_factor(study, factor)) {
+  for (const truth::ReadingName name : readings_of_factor(study, factor)) {
     Row row{{capital_words(name)}, name == study::recommended_reading(study)};
     std::string unit;
     std::vector<std::string> cells;
@@ -147,7 +147,7 @@ Table trust_table(const study::StudyResult& study, study::Criterion criterion,
   for (const study::StudiedReading& r : study.base_case().readings) {
     Row row{{capital_words(r.name)}, r.name == study::recommended_reading(study)};
     for (const study::StudyFactor& factor : study.factors) {
-      const std::vector<std::string> shown = readings_of_factor(study, factor);
+      const std::vector<truth::ReadingName> shown = readings_of_factor(study, factor);
       const bool is_studied = std::find(shown.begin(), shown.end(), r.name) != shown.end();
       row.cells.push_back(
           is_studied ? range_text(factor, study::trusted_range(study, factor, r.name, criterion))
@@ -175,11 +175,13 @@ void fill_trust(const study::StudyResult& study, TemplateValues& values) {
 
 void fill_verdict(const study::StudyResult& study, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const std::string best = study::recommended_reading(study);
-  const study::StudiedCase& base = study.base_case();
-  const bool covers = study::holds(base, best, study::Criterion::coverage);
-  const bool fine = covers && study::holds(base, best, study::Criterion::fine);
-  const bool coarse = covers && study::holds(base, best, study::Criterion::coarse);
+  const std::optional<truth::ReadingName> best = study::recommended_reading(study);
+  const auto best_holds = [&](study::Criterion criterion) {
+    return best && study::holds(study.base_case(), *best, criterion);
+  };
+  const bool covers = best_holds(study::Criterion::coverage);
+  const bool fine = covers && best_holds(study::Criterion::fine);
+  const bool coarse = covers && best_holds(study::Criterion::coarse);
   verdict.set("WORD", fine     ? tr("TO BE TRUSTED IN THE BASE CASE")
                       : coarse ? tr("TO BE TRUSTED WITHIN 0.3 % IN THE BASE CASE")
                                : tr("NOT TO BE TRUSTED IN THE BASE CASE"));
@@ -275,7 +277,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 Json errors_json(const study::StudiedReading& r) {
   const study::ErrorStatistics& e = r.errors;
   const study::PracticalBounds bounds = study::practical_bounds(r.quantity, e.truth);
-  return {{"estimator", r.name},
+  return {{"estimator", to_string(r.name)},
           {"unit", truth::unit_of(r.quantity)},
           {"truth", number(e.truth)},
           {"runs", e.runs},

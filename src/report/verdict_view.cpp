@@ -23,13 +23,13 @@ Outcome outcome_of(calibration::Verdict verdict) {
 
 /// "≤ 12 N·m", of a half width "± ≤ 5 %".
 std::string rule_of(const calibration::LimitOutcome& limit) {
-  const bool is_of_width = limit.rule.starts_with("half_width");
-  const bool is_percent = limit.rule == "half_width_percent";
-  const char* const sign = limit.rule == "min" ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
-  const bool at_joint = limit.key.find("_joint") != std::string::npos;
+  using calibration::LimitRule;
+  const bool is_percent = limit.rule == LimitRule::half_width_percent;
+  const bool is_of_width = is_percent || limit.rule == LimitRule::half_width;
+  const char* const sign = limit.rule == LimitRule::min ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
   const std::string rule =
       sign + wording::with_unit(wording::as_stated(limit.limit), is_percent ? "%" : limit.unit);
-  return at_joint ? tr("{limit} at the joint", {{"limit", rule}}) : rule;
+  return limit.at_joint ? tr("{limit} at the joint", {{"limit", rule}}) : rule;
 }
 
 LimitCell cell_of(const calibration::LimitOutcome& limit) {
@@ -58,9 +58,9 @@ void add_estimate(const calibration::QuantityVerdict& q, QuantityRow& row) {
 
 void add_change(const history::Comparison& since_last, const calibration::QuantityVerdict& q,
                 QuantityRow& row) {
-  const auto found =
-      std::find_if(since_last.quantities.begin(), since_last.quantities.end(),
-                   [&](const history::ComparedQuantity& c) { return c.name == q.key; });
+  const auto found = std::find_if(
+      since_last.quantities.begin(), since_last.quantities.end(),
+      [&](const history::ComparedQuantity& c) { return c.name == to_string(q.quantity); });
   if (found == since_last.quantities.end()) return;
   row.change_word = wording::words(history::statement_of(found->word));
   row.is_changed = found->word == history::ChangeWord::changed;
@@ -103,7 +103,7 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
   std::vector<QuantityRow> rows;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
-    row.words = wording::words_for("quantity", q.key);
+    row.words = wording::words_for("quantity", to_string(q.quantity));
     row.outcome = outcome_of(q.verdict);
     row.verdict_word = verdict_in_words(q.verdict);
     add_estimate(q, row);
@@ -177,9 +177,9 @@ std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult
   std::vector<DataCheckRow> rows;
   for (const method::checks::DataCheck& check : checks.checks) {
     DataCheckRow row;
-    row.id = "check-" + check.name;
+    row.id = "check-" + to_string(check.name);
     std::replace(row.id.begin(), row.id.end(), '_', '-');
-    row.title = wording::words_for("check", check.name);
+    row.title = wording::words_for("check", to_string(check.name));
     row.measure = wording::words(check.measure);
     row.outcome = outcome_of(check.state);
     row.state_word = word_of(check.state);
@@ -215,7 +215,7 @@ std::string simulations_inside(const calibration::ReturnedQuantity& q) {
 
 Row row_of(const calibration::ReturnedQuantity& q) {
   const wording::Scale scale = scale_of(q);
-  const std::string name = wording::capitalised(wording::words_for("reading", q.name));
+  const std::string name = wording::capitalised(wording::words_for("reading", to_string(q.name)));
   const statistics::Estimate put_in = statistics::symmetric_estimate(q.put_in, q.half_width);
   const wording::RoundedEstimate rounded = wording::round_by_interval(put_in, scale);
   if (q.found == 0) {

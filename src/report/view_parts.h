@@ -105,8 +105,8 @@ struct Gear {
 void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
                     const Gear& gear, wording::Scale (*scale_for)(double), Table& table);
 
-/// "recommended estimator (midline)" and the like; what tables call the estimators.
-std::string estimator_name(const std::string& estimator);
+/// What tables call the estimators: "Mid-line", "Point B".
+std::string estimator_name(method::hysteresis::Estimator estimator);
 /// The chosen surrogate mass, or nullptr.
 const method::hysteresis::SurrogateMass* recommended_mass(
     const calibration::Calibration& calibration);

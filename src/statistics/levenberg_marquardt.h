@@ -19,7 +19,6 @@ namespace tribolog::statistics {
 
 /// A number that the fit gives, as a function of its parameters.
 struct LinearisedReading {
-  std::string name;
   double value{};
   Eigen::VectorXd gradient;  ///< Of ln(value), or of the value, by the fit's parameters.
   bool logarithmic{true};

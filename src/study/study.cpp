@@ -104,7 +104,7 @@ std::vector<StudyFactor> chosen(std::vector<StudyFactor> all,
 
 }  // namespace
 
-const StudiedReading* StudiedCase::find(const std::string& reading) const {
+const StudiedReading* StudiedCase::find(truth::ReadingName reading) const {
   const auto it = std::find_if(readings.begin(), readings.end(),
                                [&](const StudiedReading& r) { return r.name == reading; });
   return it == readings.end() ? nullptr : &*it;

@@ -105,7 +105,7 @@ struct StudyOptions {
 
 /// One estimator in one case.
 struct StudiedReading {
-  std::string name;  ///< Of the reading, readings.h.
+  truth::ReadingName name{};
   truth::ReadingKind quantity{truth::ReadingKind::gravity};
   ErrorStatistics errors;
 };
@@ -113,7 +113,7 @@ struct StudiedReading {
 struct StudiedCase {
   std::string name;
   std::vector<StudiedReading> readings;  ///< Those found in at least one run, in their order.
-  [[nodiscard]] const StudiedReading* find(const std::string& reading) const;
+  [[nodiscard]] const StudiedReading* find(truth::ReadingName reading) const;
 };
 
 struct StudyResult {
@@ -132,7 +132,7 @@ struct StudyResult {
 /// angle of the peak, the pre-sliding parameters of LuGre, the curve's. The straight line
 /// (Coulomb, viscous), the sweep's friction and eq. (6) where another law was simulated have no
 /// truth of their own: theirs is what the chain finds without any noise in the same motions, so
-/// that noise alone is judged. A name that has no truth is absent.
+/// that noise alone is judged. What has no truth is absent.
 std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario);
 /// The same from other motions of that joint: the dataset is of the scenario's joint, without
 /// noise.

@@ -6,6 +6,9 @@
 #include "joint/degrees.h"
 
 namespace tribolog::study {
+
+using truth::ReadingName;
+
 namespace {
 
 std::size_t base_level(const StudyFactor& factor) {
@@ -16,7 +19,7 @@ std::size_t base_level(const StudyFactor& factor) {
 
 double percent(double error, double truth) { return 100 * error / truth; }
 
-bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
+bool is_found_mostly(const StudiedCase& studied, ReadingName reading) {
   constexpr double share = 0.95;
   const StudiedReading* r = studied.find(reading);
   return r != nullptr &&
@@ -30,7 +33,7 @@ bool is_biased(const ErrorStatistics& e) {
 Statement bias_of(const StudiedReading& r) {
   const ErrorStatistics& e = r.errors;
   return {is_biased(e) ? Code("study.biased") : Code("study.free_of_bias"),
-          {{"estimator", Statement{Code::of("reading." + r.name)}},
+          {{"estimator", Statement{Code::of("reading." + to_string(r.name))}},
            {"bias_percent", percent(e.bias, e.truth)},
            {"standard_error_percent", percent(e.bias_standard_error, e.truth)}}};
 }
@@ -40,7 +43,7 @@ void add_bias_findings(const StudiedCase& base, std::vector<Statement>& findings
   std::vector<Statement> unbiased;
   for (const StudiedReading& r : base.readings) {
     if (r.quantity != truth::ReadingKind::gravity) continue;
-    const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
+    const bool is_extreme = r.name >= ReadingName::C && r.name <= ReadingName::F;
     if (is_extreme) continue;  // their pair means stand for them
     (is_biased(r.errors) ? biased : unbiased).push_back(bias_of(r));
   }
@@ -52,8 +55,8 @@ void add_bias_findings(const StudiedCase& base, std::vector<Statement>& findings
 }
 
 void add_steady_finding(const StudiedCase& base, std::vector<Statement>& findings) {
-  const StudiedReading* a = base.find("A_steady");
-  const StudiedReading* b = base.find("B_steady");
+  const StudiedReading* a = base.find(ReadingName::A_steady);
+  const StudiedReading* b = base.find(ReadingName::B_steady);
   if (a == nullptr || b == nullptr || a->errors.bias * b->errors.bias >= 0) return;
   findings.push_back({"study.steady_loop",
                       {{"point_a_bias_percent", percent(a->errors.bias, a->errors.truth)},
@@ -73,7 +76,7 @@ std::string topic_of(Criterion criterion) {
 }
 
 /// Levels at which the reading leaves a criterion, over all factors.
-std::vector<Statement> limits_of(const StudyResult& study, const std::string& reading,
+std::vector<Statement> limits_of(const StudyResult& study, ReadingName reading,
                                  Criterion criterion) {
   std::vector<Statement> limits;
   for (const StudyFactor& factor : study.factors) {
@@ -90,9 +93,9 @@ std::vector<Statement> limits_of(const StudyResult& study, const std::string& re
   return limits;
 }
 
-Statement limit_finding(const StudyResult& study, const std::string& reading, Criterion criterion) {
+Statement limit_finding(const StudyResult& study, ReadingName reading, Criterion criterion) {
   const std::string topic = topic_of(criterion);
-  const Statement estimator{Code::of("studied." + reading)};
+  const Statement estimator{Code::of("studied." + to_string(reading))};
   if (!holds(study.base_case(), reading, criterion)) {
     return {Code::of(topic + "not_in_base_case"), {{"estimator", estimator}}};
   }
@@ -111,7 +114,7 @@ PracticalBounds practical_bounds(truth::ReadingKind quantity, double truth) {
   return {0.01 * std::abs(truth), 0.05 * std::abs(truth)};
 }
 
-bool holds(const StudiedCase& studied, const std::string& reading, Criterion criterion) {
+bool holds(const StudiedCase& studied, ReadingName reading, Criterion criterion) {
   if (!is_found_mostly(studied, reading)) return false;
   const StudiedReading* r = studied.find(reading);
   const PracticalBounds bounds = practical_bounds(r->quantity, r->errors.truth);
@@ -126,8 +129,8 @@ bool holds(const StudiedCase& studied, const std::string& reading, Criterion cri
   return r->errors.all_alike() || !r->errors.intervals_too_narrow();
 }
 
-TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,
-                           const std::string& reading, Criterion criterion) {
+TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor, ReadingName reading,
+                           Criterion criterion) {
   const auto good = [&](std::size_t level) {
     return holds(study.case_of(factor.levels[level]), reading, criterion);
   };
@@ -141,23 +144,22 @@ TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,
   return range;
 }
 
-std::string recommended_reading(const StudyResult& study) {
-  for (const char* reading : {"midline", "sweep"}) {
+std::optional<ReadingName> recommended_reading(const StudyResult& study) {
+  for (const ReadingName reading : {ReadingName::midline, ReadingName::sweep}) {
     if (study.base_case().find(reading) != nullptr) return reading;
   }
-  return {};
+  return std::nullopt;
 }
 
 Statement study_sentence(const StudyResult& study) {
   const StudiedCase& base = study.base_case();
-  const std::string recommended = recommended_reading(study);
-  const StudiedReading* best = base.find(recommended);
-  if (best == nullptr) return {"study.no_gravity"};
-  const ErrorStatistics& e = best->errors;
-  std::string code = "study_sentence." + recommended;
+  const std::optional<ReadingName> recommended = recommended_reading(study);
+  if (!recommended) return {"study.no_gravity"};
+  const ErrorStatistics& e = base.find(*recommended)->errors;
+  std::string code = "study_sentence." + to_string(*recommended);
   std::vector<StatedValue> values{{"error_percent", std::abs(percent(e.error_95, e.truth))},
                                   {"coverage_percent", 100 * e.coverage.value}};
-  if (const StudiedReading* b = base.find("B")) {
+  if (const StudiedReading* b = base.find(ReadingName::B)) {
     code += "_beside_B";
     values.emplace_back("point_b_bias_percent", percent(b->errors.bias, b->errors.truth));
     values.emplace_back("bias_percent", percent(e.bias, e.truth));
@@ -170,7 +172,7 @@ std::vector<Statement> study_findings(const StudyResult& study) {
   const StudiedCase& base = study.base_case();
   add_bias_findings(base, findings);
   add_steady_finding(base, findings);
-  for (const char* reading : {"midline", "fit", "sweep"}) {
+  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::sweep}) {
     if (base.find(reading) == nullptr) continue;
     for (const Criterion criterion : {Criterion::fine, Criterion::coarse, Criterion::coverage}) {
       findings.push_back(limit_finding(study, reading, criterion));

@@ -28,7 +28,7 @@ enum class Criterion {
 
 /// Does the criterion hold in a case? A quantity that was found in fewer than 95 of 100 runs does
 /// not meet any.
-bool holds(const StudiedCase& studied, const std::string& reading, Criterion criterion);
+bool holds(const StudiedCase& studied, truth::ReadingName reading, Criterion criterion);
 
 /// The unbroken row of levels about the base case at which a criterion holds.
 struct TrustedRange {
@@ -39,11 +39,11 @@ struct TrustedRange {
 };
 
 TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,
-                           const std::string& reading, Criterion criterion);
+                           truth::ReadingName reading, Criterion criterion);
 
-/// The estimator that a calibration would recommend: "midline", or "sweep" where no oscillation is
-/// recorded. Empty: neither was found.
-std::string recommended_reading(const StudyResult& study);
+/// The estimator that a calibration would recommend: midline, or sweep where no oscillation is
+/// recorded. Absent: neither was found.
+std::optional<truth::ReadingName> recommended_reading(const StudyResult& study);
 
 /// How far the recommended estimator, the fit and point B can be trusted in the base case, in one
 /// sentence.

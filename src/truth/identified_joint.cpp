@@ -18,6 +18,8 @@
 namespace tribolog::truth {
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 /// Sliding friction over the motor's speed, continuous through zero.
 class SlidingFriction final : public friction::StaticFriction {
  public:
@@ -146,24 +148,25 @@ class Maker {
       return {};
     }
     const method::hysteresis::LuGreFit& fit = *c_.lugre;
-    const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
-    const auto level = fit.shown("static_Nm");
+    const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
+    const auto level = fit.shown(LuGreParameterName::static_torque);
     if (!stiffness || !level) {
       why_not = {"truth.loop_parameters_not_shown"};
       return {};
     }
     // What they do not show stays out; neither damping may push.
-    const auto size_of = [&](const char* name) {
+    const auto size_of = [&](LuGreParameterName name) {
       const auto shown = fit.shown(name);
       return shown ? std::max(0.0, shown->value) : 0.0;
     };
-    const auto coulomb = fit.shown("coulomb_Nm");
-    const auto stribeck = fit.shown("stribeck_speed_rad_s");
+    const auto coulomb = fit.shown(LuGreParameterName::coulomb_torque);
+    const auto stribeck = fit.shown(LuGreParameterName::stribeck_speed);
     const bool weakens = coulomb && stribeck && coulomb->value < level->value;
     const friction::LuGreFriction friction(
-        {stiffness->value, size_of("bristle_damping_Nms_rad"), size_of("viscous_Nms_rad"),
-         weakens ? coulomb->value : level->value, level->value, weakens ? stribeck->value : 1.0});
-    const double inertia = size_of("inertia_kgm2");
+        {stiffness->value, size_of(LuGreParameterName::bristle_damping),
+         size_of(LuGreParameterName::viscous), weakens ? coulomb->value : level->value,
+         level->value, weakens ? stribeck->value : 1.0});
+    const double inertia = size_of(LuGreParameterName::inertia);
     const method::hysteresis::LuGreInput input{&r, motion ? &*motion : nullptr,
                                                trace.motion ? &*trace.motion : nullptr};
     const std::shared_ptr<const simulate::Motion> along = input.motor_motion(n_);
@@ -207,8 +210,8 @@ bool is_read_from(const Reading& reading, joint::Role role) {
     case ReadingKind::sweep_friction:
       return role == joint::Role::rough_sweep;
     case ReadingKind::gravity:
-      return role ==
-             (reading.name == "sweep" ? joint::Role::rough_sweep : joint::Role::oscillation);
+      return role == (reading.name == ReadingName::sweep ? joint::Role::rough_sweep
+                                                         : joint::Role::oscillation);
     case ReadingKind::stiffness:
     case ReadingKind::static_torque:
       return role == joint::Role::oscillation;

@@ -1,19 +1,21 @@
 #include "truth/readings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace tribolog::truth {
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 class Reader {
  public:
-  void add(const std::string& name, ReadingKind quantity, const statistics::Estimate& estimate) {
+  void add(ReadingName name, ReadingKind quantity, const statistics::Estimate& estimate) {
     if (std::isfinite(estimate.value)) all_.push_back({name, quantity, estimate});
   }
-  void add(const std::string& name, ReadingKind quantity,
+  void add(ReadingName name, ReadingKind quantity,
            const std::optional<statistics::Estimate>& estimate) {
     if (estimate) add(name, quantity, *estimate);
   }
@@ -23,11 +25,12 @@ class Reader {
   std::vector<Reading> all_;
 };
 
-void read_masses(const calibration::Calibration& c, const char* const* first,
-                 const char* const* last, Reader& out) {
-  for (const char* const* name = first; name != last; ++name) {
-    if (const method::hysteresis::SurrogateMass* mass = c.masses.find(*name)) {
-      out.add(*name, ReadingKind::gravity, mass->gravity_Nm);
+void read_masses(const calibration::Calibration& c, std::initializer_list<ReadingName> names,
+                 Reader& out) {
+  for (const ReadingName name : names) {
+    if (const method::hysteresis::SurrogateMass* mass =
+            c.masses.find(calibration::estimator_of(name))) {
+      out.add(name, ReadingKind::gravity, mass->gravity_Nm);
     }
   }
 }
@@ -35,9 +38,10 @@ void read_masses(const calibration::Calibration& c, const char* const* first,
 /// A and B of the steady loop, with the interval of their mean over the cycles.
 void read_steady_points(const calibration::Calibration& c, Reader& out) {
   for (const method::hysteresis::LoopPoint& point : c.hysteresis.steady_points) {
-    if (point.name != 'A' && point.name != 'B') continue;
+    const bool is_a = point.name == method::hysteresis::Estimator::A;
+    if (!is_a && point.name != method::hysteresis::Estimator::B) continue;
     const double cosine = c.q_peak_rad ? std::cos(point.q_rad - c.q_peak_rad->value) : 1.0;
-    out.add(std::string(1, point.name) + "_steady", ReadingKind::gravity,
+    out.add(is_a ? ReadingName::A_steady : ReadingName::B_steady, ReadingKind::gravity,
             statistics::scaled({point.torque_Nm,
                                 point.torque_low_Nm,
                                 point.torque_high_Nm,
@@ -48,22 +52,24 @@ void read_steady_points(const calibration::Calibration& c, Reader& out) {
 
 void read_loop_fit(const method::hysteresis::LuGreFit& fit, Reader& out) {
   if (!fit.converged) return;
-  out.add("fit", ReadingKind::gravity, fit.gravity_Nm);
-  out.add("bristle_stiffness", ReadingKind::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
-  out.add("static_torque", ReadingKind::static_torque, fit.shown("static_Nm"));
+  out.add(ReadingName::fit, ReadingKind::gravity, fit.gravity_Nm);
+  out.add(ReadingName::bristle_stiffness, ReadingKind::stiffness,
+          fit.shown(LuGreParameterName::bristle_stiffness));
+  out.add(ReadingName::static_torque, ReadingKind::static_torque,
+          fit.shown(LuGreParameterName::static_torque));
 }
 
 void read_curve(const method::selection::FrictionParametersResult& friction, Reader& out) {
   if (const auto& line = friction.coulomb_viscous) {
-    out.add("coulomb", ReadingKind::coulomb, line->coulomb_Nm);
-    out.add("viscous", ReadingKind::viscous, line->viscous_Nms_rad);
+    out.add(ReadingName::coulomb, ReadingKind::coulomb, line->coulomb_Nm);
+    out.add(ReadingName::viscous, ReadingKind::viscous, line->viscous_Nms_rad);
   }
   if (const auto& w = friction.waiboer; w && w->converged) {
-    out.add("asperity_torque", ReadingKind::asperity_torque, w->asperity_torque_Nm);
-    out.add("stribeck_speed", ReadingKind::stribeck_speed, w->stribeck_speed_rad_s);
-    out.add("stribeck_power", ReadingKind::stribeck_power, w->stribeck_power);
-    out.add("viscous_coefficient", ReadingKind::viscous_factor, w->viscous_coefficient);
-    out.add("viscous_power", ReadingKind::viscous_power, w->viscous_power);
+    out.add(ReadingName::asperity_torque, ReadingKind::asperity_torque, w->asperity_torque_Nm);
+    out.add(ReadingName::stribeck_speed, ReadingKind::stribeck_speed, w->stribeck_speed_rad_s);
+    out.add(ReadingName::stribeck_power, ReadingKind::stribeck_power, w->stribeck_power);
+    out.add(ReadingName::viscous_coefficient, ReadingKind::viscous_factor, w->viscous_coefficient);
+    out.add(ReadingName::viscous_power, ReadingKind::viscous_power, w->viscous_power);
   }
 }
 
@@ -96,26 +102,24 @@ std::string unit_of(ReadingKind quantity) {
 
 std::vector<Reading> readings_of(const calibration::Calibration& c) {
   Reader out;
-  constexpr std::array points{"A", "B", "C", "D", "E", "F"};
-  constexpr std::array averages{"AB", "CD", "EF", "midline", "sweep"};
-  read_masses(c, points.data(), points.data() + points.size(), out);
+  using enum ReadingName;
+  read_masses(c, {A, B, C, D, E, F}, out);
   read_steady_points(c, out);
-  read_masses(c, averages.data(), averages.data() + averages.size(), out);
+  read_masses(c, {AB, CD, EF, midline, sweep}, out);
   if (c.lugre) read_loop_fit(*c.lugre, out);
-  out.add("q_peak", ReadingKind::peak_angle, c.q_peak_rad);
-  if (c.rough.found) out.add("sweep_friction", ReadingKind::sweep_friction, c.rough.coulomb_Nm);
+  out.add(ReadingName::q_peak, ReadingKind::peak_angle, c.q_peak_rad);
+  if (c.rough.found)
+    out.add(ReadingName::sweep_friction, ReadingKind::sweep_friction, c.rough.coulomb_Nm);
   read_curve(c.friction, out);
   return out.all();
 }
 
-const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name) {
+const Reading* find_reading(const std::vector<Reading>& readings, ReadingName name) {
   const auto it = std::find_if(readings.begin(), readings.end(),
                                [&](const Reading& r) { return r.name == name; });
   return it == readings.end() ? nullptr : &*it;
 }
 
-bool is_single_point(const std::string& name) {
-  return name.size() == 1 || name == "A_steady" || name == "B_steady";
-}
+bool is_single_point(ReadingName name) { return name <= ReadingName::B_steady; }
 
 }  // namespace tribolog::truth

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a calibration that can be held against a known truth, each by a name.
+// The numbers of a calibration that can be held against a known truth.
 
 #include <optional>
 #include <string>
@@ -8,6 +8,8 @@
 #include "calibration/calibration.h"
 
 namespace tribolog::truth {
+
+using calibration::ReadingName;
 
 /// What a number is of; numbers of one kind share a unit and the bounds of what matters.
 enum class ReadingKind {
@@ -29,12 +31,7 @@ enum class ReadingKind {
 std::string unit_of(ReadingKind quantity);
 
 struct Reading {
-  /// Stable: "A" to "F" (the paper's reading), "A_steady", "B_steady" (of the steady loop), "AB",
-  /// "CD", "EF", "midline", "sweep", "fit", all of gravity; "q_peak", "bristle_stiffness",
-  /// "static_torque", "sweep_friction", "coulomb", "viscous",
-  /// "asperity_torque", "stribeck_speed", "stribeck_power", "viscous_coefficient",
-  /// "viscous_power".
-  std::string name;
+  ReadingName name{};
   ReadingKind quantity{ReadingKind::gravity};
   statistics::Estimate estimate;
 };
@@ -42,10 +39,10 @@ struct Reading {
 /// All that were found, in the order of the names above.
 std::vector<Reading> readings_of(const calibration::Calibration& calibration);
 
-const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name);
+const Reading* find_reading(const std::vector<Reading>& readings, ReadingName name);
 
 /// The reading is one of the paper's single points or the same point of the steady loop: it keeps
 /// the friction of its instant and is off by that, as its definition has it.
-bool is_single_point(const std::string& name);
+bool is_single_point(ReadingName name);
 
 }  // namespace tribolog::truth

@@ -102,7 +102,7 @@ calibration::ReturnedQuantity returned(const Reading& put_in,
 }
 
 Statement finding_of(const calibration::ReturnedQuantity& q, std::size_t runs) {
-  const Statement name(Code::of("reading." + q.name));
+  const Statement name(Code::of("reading." + to_string(q.name)));
   if (q.found == 0) {
     return {"truth.not_found", {{"reading", name}, {"runs", runs}}};
   }

@@ -6,6 +6,8 @@
 namespace tribolog::verdict {
 namespace {
 
+using calibration::LimitRule;
+
 calibration::LimitState against_bound(const statistics::Estimate& e, double bound, bool is_upper) {
   const bool low_keeps = is_upper ? e.low <= bound : e.low >= bound;
   const bool high_keeps = is_upper ? e.high <= bound : e.high >= bound;
@@ -15,14 +17,15 @@ calibration::LimitState against_bound(const statistics::Estimate& e, double boun
 }
 
 /// @param unit of the estimate; the limit's is "%" for some.
-Statement statement_of(const calibration::LimitOutcome& o, const std::string& quantity,
+Statement statement_of(const calibration::LimitOutcome& o, joint::Quantity quantity,
                        const std::string& unit) {
-  const bool at_joint = o.key.find("_joint") != std::string::npos;
-  const Statement limited(Code::of((at_joint ? "quantity_at_joint." : "quantity.") + quantity));
-  const Statement limit(Code::of("limit." + o.rule), {{"limit", o.limit}, {"unit", o.unit}});
+  const std::string name = to_string(quantity);
+  const Statement limited(Code::of((o.at_joint ? "quantity_at_joint." : "quantity.") + name));
+  const Statement limit(Code::of("limit." + to_string(o.rule)),
+                        {{"limit", o.limit}, {"unit", o.unit}});
   if (o.state == calibration::LimitState::unknown) {
     return {"limit.no_estimate",
-            {{"quantity", Statement(Code::of("quantity." + quantity))}, {"limit", limit}}};
+            {{"quantity", Statement(Code::of("quantity." + name))}, {"limit", limit}}};
   }
   const statistics::Estimate& e = *o.estimate;
   const Code code = o.state == calibration::LimitState::inside    ? Code{"limit.kept"}
@@ -50,23 +53,23 @@ class LimitJudge {
   }
 
   void judge() {
-    if (limit_.min) bound("min", *limit_.min, false);
-    if (limit_.max) bound("max", *limit_.max, true);
-    if (limit_.half_width) width("half_width", *limit_.half_width, key_.unit, 1);
+    if (limit_.min) bound(LimitRule::min, *limit_.min, false);
+    if (limit_.max) bound(LimitRule::max, *limit_.max, true);
+    if (limit_.half_width) width(LimitRule::half_width, *limit_.half_width, key_.unit, 1);
     if (limit_.half_width_percent) {
       const double value = estimate_ ? std::abs(estimate_->value) : 1.0;
-      width("half_width_percent", *limit_.half_width_percent, "%", 100 / value);
+      width(LimitRule::half_width_percent, *limit_.half_width_percent, "%", 100 / value);
     }
   }
 
  private:
-  void bound(const std::string& rule, double limit, bool is_upper) {
+  void bound(LimitRule rule, double limit, bool is_upper) {
     calibration::LimitState state = calibration::LimitState::unknown;
     if (estimate_) state = against_bound(*estimate_, limit, is_upper);
     add(rule, limit, key_.unit, state);
   }
 
-  void width(const std::string& rule, double limit, const std::string& unit, double factor) {
+  void width(LimitRule rule, double limit, const std::string& unit, double factor) {
     calibration::LimitState state = calibration::LimitState::unknown;
     if (estimate_) {
       state = estimate_->half_width() * factor <= limit ? calibration::LimitState::inside
@@ -75,16 +78,15 @@ class LimitJudge {
     add(rule, limit, unit, state);
   }
 
-  void add(const std::string& rule, double limit, const std::string& unit,
-           calibration::LimitState state) {
-    calibration::LimitOutcome o{key_.key, rule, limit, unit, estimate_, state, {}};
-    o.outcome = statement_of(o, quantity_.key, key_.unit);
+  void add(LimitRule rule, double limit, const std::string& unit, calibration::LimitState state) {
+    calibration::LimitOutcome o{key_.key, key_.at_joint, rule, limit, unit, estimate_, state, {}};
+    o.outcome = statement_of(o, key_.quantity, key_.unit);
     if (state != calibration::LimitState::inside) {
-      calibration::lower(
-          quantity_, calibration::Verdict::doubtful, o.outcome,
-          state == calibration::LimitState::outside && (rule == "min" || rule == "max")
-              ? Statement{"record.second_measurement"}
-              : Statement{"record.more_of_the_same"});
+      calibration::lower(quantity_, calibration::Verdict::doubtful, o.outcome,
+                         state == calibration::LimitState::outside &&
+                                 (rule == LimitRule::min || rule == LimitRule::max)
+                             ? Statement{"record.second_measurement"}
+                             : Statement{"record.more_of_the_same"});
     }
     quantity_.limits.push_back(std::move(o));
   }
@@ -103,7 +105,7 @@ void apply_limits(const std::vector<joint::AcceptanceLimit>& limits, double gear
     const joint::LimitedQuantity* key = joint::find_limited_quantity(limit.quantity);
     if (key == nullptr) continue;
     for (calibration::QuantityVerdict& quantity : quantities) {
-      if (quantity.key != key->quantity) continue;
+      if (quantity.quantity != key->quantity) continue;
       quantity.decides = true;
       LimitJudge(limit, *key, gear_ratio, quantity).judge();
     }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,37 +16,67 @@
 
 namespace tribolog::verdict {
 
+namespace {
+
+using joint::Quantity;
+using method::checks::CheckName;
+using method::hysteresis::Estimator;
+
+using Quantities = std::vector<Quantity>;
+
+const Quantities gravity{Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass};
+const Quantities mass{Quantity::gravity_torque, Quantity::surrogate_mass};
+const Quantities bristle{Quantity::bristle_stiffness, Quantity::bristle_damping};
+const Quantities curve{Quantity::coulomb_torque, Quantity::stribeck_speed,
+                       Quantity::viscous_coefficient, Quantity::viscous_curve};
+const Quantities slopes{Quantity::stribeck_speed, Quantity::viscous_coefficient,
+                        Quantity::viscous_curve};
+const Quantities per_speed{Quantity::bristle_damping, Quantity::inertia};
+
+Quantities operator+(const Quantities& a, const Quantities& b) {
+  Quantities all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+}  // namespace
+
 // What a quantity that does not come back from its own simulation means for the verdict on it.
 
 namespace {
 
-/// Keys of the quantities that a reading of the check stands for.
-std::vector<std::string> quantities_of(const std::string& reading, const std::string& recommended) {
-  static const std::map<std::string, std::string> keys{
-      {"q_peak", "cog_angle"},
-      {"bristle_stiffness", "bristle_stiffness"},
-      {"static_torque", "break_away_torque"},
-      {"coulomb", "coulomb_torque"},
-      {"viscous", "viscous_coefficient"},
-      {"stribeck_speed", "stribeck_speed"},
-  };
-  if (reading == recommended) return {"gravity_torque", "surrogate_mass"};
-  const auto it = keys.find(reading);
-  return it == keys.end() ? std::vector<std::string>{} : std::vector<std::string>{it->second};
+/// The quantities that a reading of the check stands for.
+Quantities quantities_of(calibration::ReadingName reading, std::optional<Estimator> recommended) {
+  using calibration::ReadingName;
+  switch (reading) {
+    case ReadingName::q_peak:
+      return {Quantity::cog_angle};
+    case ReadingName::bristle_stiffness:
+      return {Quantity::bristle_stiffness};
+    case ReadingName::static_torque:
+      return {Quantity::break_away_torque};
+    case ReadingName::coulomb:
+      return {Quantity::coulomb_torque};
+    case ReadingName::viscous:
+      return {Quantity::viscous_coefficient};
+    case ReadingName::stribeck_speed:
+      return {Quantity::stribeck_speed};
+    default:
+      break;
+  }
+  const std::optional<Estimator> estimator = calibration::estimator_of(reading);
+  return estimator && estimator == recommended ? mass : Quantities{};
 }
 
 /// Makes the quantities doubtful that the method cannot find again.
 /// @param recommended estimator of the mass: gravity torque and mass stand on it alone.
-void apply_truth_check(const calibration::TruthCheckResult& check, const std::string& recommended,
+void apply_truth_check(const calibration::TruthCheckResult& check,
+                       std::optional<Estimator> recommended,
                        std::vector<calibration::QuantityVerdict>& quantities) {
   for (const calibration::TruthFinding& finding : check.findings) {
-    for (const std::string& key : quantities_of(finding.name, recommended)) {
-      const auto it =
-          std::find_if(quantities.begin(), quantities.end(),
-                       [&](const calibration::QuantityVerdict& q) { return q.key == key; });
-      if (it == quantities.end()) continue;
-      calibration::lower(*it, calibration::Verdict::doubtful, finding.finding,
-                         {"record.better_motion"});
+    for (const Quantity quantity : quantities_of(finding.name, recommended)) {
+      calibration::lower(verdict_on(quantity, quantities), calibration::Verdict::doubtful,
+                         finding.finding, {"record.better_motion"});
     }
   }
 }
@@ -63,71 +94,58 @@ struct Sources {
   bool break_away_from_ramps{};  ///< Not from the oscillation.
 };
 
-using Keys = std::vector<std::string>;
-
-const Keys gravity{"cog_angle", "gravity_torque", "surrogate_mass"};
-const Keys mass{"gravity_torque", "surrogate_mass"};
-const Keys bristle{"bristle_stiffness", "bristle_damping"};
-const Keys curve{"coulomb_torque", "stribeck_speed", "viscous_coefficient", "viscous_curve"};
-const Keys slopes{"stribeck_speed", "viscous_coefficient", "viscous_curve"};
-const Keys per_speed{"bristle_damping", "inertia"};
-
-Keys operator+(const Keys& a, const Keys& b) {
-  Keys all = a;
-  all.insert(all.end(), b.begin(), b.end());
-  return all;
-}
-
 struct Consequence {
-  std::string check;
-  Keys touched;
+  CheckName check;
+  Quantities touched;
   calibration::Verdict lowered_to;
 };
 
 std::vector<Consequence> consequences(const Sources& sources) {
-  const Keys torque = mass + bristle + curve + Keys{"break_away_torque", "inertia"};
-  const Keys everything = torque + Keys{"cog_angle"};
-  const Keys of_loop =
-      sources.break_away_from_ramps ? bristle : bristle + Keys{"break_away_torque"};
+  const Quantities torque =
+      mass + bristle + curve + Quantities{Quantity::break_away_torque, Quantity::inertia};
+  const Quantities everything = torque + Quantities{Quantity::cog_angle};
+  const Quantities of_loop =
+      sources.break_away_from_ramps ? bristle : bristle + Quantities{Quantity::break_away_torque};
   const auto doubtful = calibration::Verdict::doubtful;
   const auto none = calibration::Verdict::not_identifiable;
   std::vector<Consequence> all{
-      {"effort_provenance", everything, doubtful},
-      {"effort_column", everything, doubtful},
-      {"static_torque", torque, doubtful},
-      {"joint_moves", everything, doubtful},
-      {"angle_unit", everything, doubtful},
-      {"clock_jitter", slopes + per_speed, doubtful},
-      {"clock_gaps", slopes + per_speed + Keys{"break_away_torque"}, doubtful},
-      {"speed_scale", slopes + per_speed, doubtful},
-      {"run_directions", {"coulomb_torque"}, none},
-      {"run_directions", {"viscous_curve"}, doubtful},
-      {"run_common_angles", curve, doubtful},
-      {"run_speeds", slopes, none},
-      {"run_speeds", {"coulomb_torque"}, doubtful},
-      {"stick_slip", curve, doubtful},
-      {"torque_alive", torque, doubtful},
-      {"torque_noise", everything, none},
-      {"torque_saturation", everything, doubtful},
-      {"torque_step", torque, doubtful},
-      {"friction_dissipates", everything, none},
-      {"power", torque, doubtful},
-      {"torque_ripple", mass, doubtful},
-      {"friction_drift", curve + Keys{"break_away_torque"}, doubtful},
-      {"temperature", curve + Keys{"break_away_torque"}, doubtful},
-      {"encoder_step", of_loop, none},
-      {"oscillation_cycles", mass + of_loop, doubtful},
-      {"oscillation_at_peak", mass, doubtful},
-      {"gravity_within_torque", gravity, none},
-      {"sweep_directions", {"cog_angle"}, doubtful}};
+      {CheckName::effort_provenance, everything, doubtful},
+      {CheckName::effort_column, everything, doubtful},
+      {CheckName::static_torque, torque, doubtful},
+      {CheckName::joint_moves, everything, doubtful},
+      {CheckName::angle_unit, everything, doubtful},
+      {CheckName::clock_jitter, slopes + per_speed, doubtful},
+      {CheckName::clock_gaps, slopes + per_speed + Quantities{Quantity::break_away_torque},
+       doubtful},
+      {CheckName::speed_scale, slopes + per_speed, doubtful},
+      {CheckName::run_directions, {Quantity::coulomb_torque}, none},
+      {CheckName::run_directions, {Quantity::viscous_curve}, doubtful},
+      {CheckName::run_common_angles, curve, doubtful},
+      {CheckName::run_speeds, slopes, none},
+      {CheckName::run_speeds, {Quantity::coulomb_torque}, doubtful},
+      {CheckName::stick_slip, curve, doubtful},
+      {CheckName::torque_alive, torque, doubtful},
+      {CheckName::torque_noise, everything, none},
+      {CheckName::torque_saturation, everything, doubtful},
+      {CheckName::torque_step, torque, doubtful},
+      {CheckName::friction_dissipates, everything, none},
+      {CheckName::power, torque, doubtful},
+      {CheckName::torque_ripple, mass, doubtful},
+      {CheckName::friction_drift, curve + Quantities{Quantity::break_away_torque}, doubtful},
+      {CheckName::temperature, curve + Quantities{Quantity::break_away_torque}, doubtful},
+      {CheckName::encoder_step, of_loop, none},
+      {CheckName::oscillation_cycles, mass + of_loop, doubtful},
+      {CheckName::oscillation_at_peak, mass, doubtful},
+      {CheckName::gravity_within_torque, gravity, none},
+      {CheckName::sweep_directions, {Quantity::cog_angle}, doubtful}};
   if (!sources.break_away_from_ramps) {
-    all.push_back({"oscillation_slides", {"break_away_torque"}, none});
+    all.push_back({CheckName::oscillation_slides, {Quantity::break_away_torque}, none});
   }
-  if (sources.mass_from_sweep) all.push_back({"sweep_directions", mass, doubtful});
+  if (sources.mass_from_sweep) all.push_back({CheckName::sweep_directions, mass, doubtful});
   if (!sources.friction_from_runs) {
-    all.push_back({"sweep_directions", {"coulomb_torque"}, none});
-    all.push_back({"sweep_directions", {"viscous_curve"}, doubtful});
-    all.push_back({"sweep_common_angles", curve, doubtful});
+    all.push_back({CheckName::sweep_directions, {Quantity::coulomb_torque}, none});
+    all.push_back({CheckName::sweep_directions, {Quantity::viscous_curve}, doubtful});
+    all.push_back({CheckName::sweep_common_angles, curve, doubtful});
   }
   return all;
 }
@@ -139,8 +157,8 @@ void apply_data_checks(const method::checks::DataChecksResult& checks, const Sou
     const method::checks::DataCheck* check = checks.find(consequence.check);
     if (check == nullptr || check->state != method::checks::CheckState::fails) continue;
     for (calibration::QuantityVerdict& quantity : quantities) {
-      const Keys& touched = consequence.touched;
-      if (std::find(touched.begin(), touched.end(), quantity.key) == touched.end()) continue;
+      const Quantities& touched = consequence.touched;
+      if (std::find(touched.begin(), touched.end(), quantity.quantity) == touched.end()) continue;
       calibration::lower(
           quantity, consequence.lowered_to,
           {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
@@ -156,13 +174,14 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   }
   for (const Statement& finding : c.cross_checks.findings) {
     if (!c.cross_checks.doubtful) break;
-    for (std::size_t k = 1; k < 3; ++k) {
-      calibration::lower(all[k], calibration::Verdict::doubtful, finding,
+    for (const Quantity quantity : mass) {
+      calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful, finding,
                          {"record.eight_positions"});
     }
   }
   const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
-                        c.selection.recommended == "sweep", c.break_away.mean_Nm.has_value()};
+                        c.selection.recommended == Estimator::sweep,
+                        c.break_away.mean_Nm.has_value()};
   apply_data_checks(c.data_checks, sources, all);
   apply_truth_check(c.truth_check, c.selection.recommended, all);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), all);
@@ -171,8 +190,9 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
 
 /// The check's title and what it found.
 Statement finding_of(const method::checks::DataCheck& check) {
-  return {"verdict.check",
-          {{"check", Statement(Code::of("check." + check.name))}, {"found", check.found}}};
+  return {
+      "verdict.check",
+      {{"check", Statement(Code::of("check." + to_string(check.name)))}, {"found", check.found}}};
 }
 
 /// Most important first: what is wrong with the data, what does not agree, broken limits, what is
@@ -216,7 +236,7 @@ Statement sentence_of(const calibration::Calibration& c, calibration::Verdict ov
     return {"verdict.no_torque"};
   }
   if (overall == calibration::Verdict::not_identifiable) {
-    if (!failing.empty() && c.q_peak_rad && !c.selection.recommended.empty()) {
+    if (!failing.empty() && c.q_peak_rad && c.selection.recommended) {
       return {"verdict.data_cannot_carry", {{"found", failing.front()->found}}};
     }
     if (has_angle) return {"verdict.no_mass"};
@@ -238,11 +258,11 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   calibration::Judgement out;
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
-  const auto is_known = [&](std::size_t k) {
-    return out.quantities[k].verdict != calibration::Verdict::not_identifiable;
+  const auto is_known = [&](Quantity quantity) {
+    return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;
   };
-  const bool has_angle = is_known(0);
-  const bool has_mass = is_known(1) && is_known(2);
+  const bool has_angle = is_known(Quantity::cog_angle);
+  const bool has_mass = is_known(Quantity::gravity_torque) && is_known(Quantity::surrogate_mass);
   bool limit_broken = false;
   out.verdict = calibration::Verdict::usable;
   for (const calibration::QuantityVerdict& quantity : out.quantities) {
@@ -259,12 +279,21 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   return out;
 }
 
-calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& unit,
+calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
+                                         std::vector<calibration::QuantityVerdict>& all) {
+  const auto it = std::find_if(all.begin(), all.end(), [&](const calibration::QuantityVerdict& q) {
+    return q.quantity == quantity;
+  });
+  if (it == all.end()) throw std::logic_error("missing verdict: " + to_string(quantity));
+  return *it;
+}
+
+calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::string& unit,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment) {
   constexpr double widest_usable = 0.3;
   calibration::QuantityVerdict q;
-  q.key = key;
+  q.quantity = quantity;
   q.unit = unit;
   if (!estimate || !std::isfinite(estimate->value)) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_absent, experiment);

@@ -21,6 +21,10 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
 /// From the runs, or else from the sweep; motor side.
 std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c);
 
+/// The verdict on one of them. @param all holds it.
+calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
+                                         std::vector<calibration::QuantityVerdict>& all);
+
 /// What to record for each family.
 inline constexpr Code record_a_sweep{"record.sweep"};
 inline constexpr Code record_an_oscillation{"record.oscillation"};
@@ -29,7 +33,7 @@ inline constexpr Code record_runs{"record.runs"};
 /// A positive quantity by its estimate: absent or with an interval that reaches zero it is not
 /// identifiable; with one wider than 30 % of it, doubtful.
 /// @param why_absent where there is no estimate.
-calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& unit,
+calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::string& unit,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment);
 

@@ -3,6 +3,9 @@
 
 namespace tribolog::verdict {
 
+using joint::Quantity;
+using method::hysteresis::LuGreParameterName;
+
 namespace {
 
 /// Why no sweep gave the angle: the sweep that was recorded speaks first.
@@ -19,7 +22,7 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   constexpr double widest_usable_rad = 5 * joint::rad_per_degree;
   constexpr double widest_known_rad = 30 * joint::rad_per_degree;
   calibration::QuantityVerdict q;
-  q.key = "cog_angle";
+  q.quantity = Quantity::cog_angle;
   q.unit = "rad";
   if (!c.q_peak_rad) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_no_angle(c), record_a_sweep);
@@ -36,7 +39,8 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
         record_a_sweep);
   }
   const statistics::StageReport& source =
-      c.q_peak_source == "cog_precise" ? c.precise.stage : c.rough.stage;
+      c.q_peak_source == method::gravity::PeakSource::precise_sweep ? c.precise.stage
+                                                                    : c.rough.stage;
   if (source.state == statistics::StageState::partial) {
     calibration::lower(q, calibration::Verdict::doubtful, source.reason, record_a_sweep);
   }
@@ -56,13 +60,13 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
     mass_kg = mass->mass_kg;
   }
   std::vector<calibration::QuantityVerdict> all{
-      angle(c), by_estimate("gravity_torque", "N·m", gravity_Nm, why, both),
-      by_estimate("surrogate_mass", "kg", mass_kg, why, both)};
+      angle(c), by_estimate(Quantity::gravity_torque, "N·m", gravity_Nm, why, both),
+      by_estimate(Quantity::surrogate_mass, "kg", mass_kg, why, both)};
   // Each independent way to gravity has to be there, or the mass stands on one alone.
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
-    for (std::size_t k = 1; k < all.size(); ++k) {
-      calibration::lower(all[k], calibration::Verdict::doubtful,
+    for (const Quantity quantity : {Quantity::gravity_torque, Quantity::surrogate_mass}) {
+      calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful,
                          {"verdict.nothing_independent", {{"why", stage->reason}}}, both);
     }
   }
@@ -86,8 +90,8 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
   calibration::QuantityVerdict q =
-      by_estimate("break_away_torque", "N·m", from_ramps ? ramps.mean_Nm : loop_level_Nm, why,
-                  record_an_oscillation);
+      by_estimate(Quantity::break_away_torque, "N·m", from_ramps ? ramps.mean_Nm : loop_level_Nm,
+                  why, record_an_oscillation);
   if (!ramps.ramps.empty() && !from_ramps) {
     calibration::lower(q, calibration::Verdict::doubtful,
                        {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},
@@ -128,7 +132,7 @@ void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::Quant
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
   const auto& fit = c.lugre;
   // A parameter that the loops do not show says why, and what would show it.
-  const auto of_fit = [&](const std::string& key, const std::string& unit, const char* name,
+  const auto of_fit = [&](Quantity quantity, const std::string& unit, LuGreParameterName name,
                           const std::optional<statistics::Estimate>& instead) {
     Statement why = why_no_fit(c);
     Statement experiment = record_an_oscillation;
@@ -140,19 +144,21 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
       why = p.why_not;
       experiment = p.experiment;
     }
-    return by_estimate(key, unit, estimate, why, experiment);
+    return by_estimate(quantity, unit, estimate, why, experiment);
   };
   std::vector<calibration::QuantityVerdict> all{
-      break_away(c, fit ? fit->shown("static_Nm") : std::nullopt, why_no_fit(c)),
-      of_fit("bristle_stiffness", "N·m/rad", "bristle_stiffness_Nm_rad", {}),
-      of_fit("bristle_damping", "N·m·s/rad", "bristle_damping_Nms_rad", {}),
-      of_fit("inertia", "kg·m²", "inertia_kgm2", c.rough.inertia_kgm2)};
+      break_away(c, fit ? fit->shown(LuGreParameterName::static_torque) : std::nullopt,
+                 why_no_fit(c)),
+      of_fit(Quantity::bristle_stiffness, "N·m/rad", LuGreParameterName::bristle_stiffness, {}),
+      of_fit(Quantity::bristle_damping, "N·m·s/rad", LuGreParameterName::bristle_damping, {}),
+      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, c.rough.inertia_kgm2)};
   if (fit && fit->converged) {
-    for (std::size_t k = 1; k < 3; ++k) judge_by_misfit(*fit, all[k]);
+    judge_by_misfit(*fit, verdict_on(Quantity::bristle_stiffness, all));
+    judge_by_misfit(*fit, verdict_on(Quantity::bristle_damping, all));
   }
   // The method does not rest on these two, and slow loops hardly show them.
-  all[2].decides = false;
-  all[3].decides = false;
+  verdict_on(Quantity::bristle_damping, all).decides = false;
+  verdict_on(Quantity::inertia, all).decides = false;
   return all;
 }
 
@@ -160,7 +166,7 @@ namespace {
 
 calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
   calibration::QuantityVerdict q;
-  q.key = "viscous_curve";
+  q.quantity = Quantity::viscous_curve;
   const statistics::StageReport& stage = c.viscous.stage;
   if (c.viscous.runs.empty() || c.viscous.curves.empty()) {
     calibration::lower(q, calibration::Verdict::not_identifiable, stage.reason, record_runs);
@@ -193,13 +199,14 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
   if (waiboer && waiboer->converged) stribeck = waiboer->stribeck_speed_rad_s;
   // Which model of the curve was chosen, and what it shows of each parameter, enters here.
   std::vector<calibration::QuantityVerdict> all{
-      by_estimate("coulomb_torque", "N·m", coulomb_torque(c), why, record_runs),
-      by_estimate("stribeck_speed", "rad/s", stribeck,
+      by_estimate(Quantity::coulomb_torque, "N·m", coulomb_torque(c), why, record_runs),
+      by_estimate(Quantity::stribeck_speed, "rad/s", stribeck,
                   why.empty() ? Statement{"verdict.no_stribeck_model"} : why,
                   {"record.speeds_about_the_dip"}),
-      by_estimate("viscous_coefficient", "N·m·s/rad", viscous, why, record_runs), viscous_curve(c)};
+      by_estimate(Quantity::viscous_coefficient, "N·m·s/rad", viscous, why, record_runs),
+      viscous_curve(c)};
   // A curve without a dip has none.
-  all[1].decides = false;
+  verdict_on(Quantity::stribeck_speed, all).decides = false;
   return all;
 }
 

@@ -45,11 +45,21 @@ TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
   calibration::Calibration c = complete_calibration();
   c.truth_check.runs = 2;
   c.truth_check.quantities = {
-      {"midline", "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
-      {"q_peak", "rad", -0.4, std::nan(""), std::nan(""), std::nan(""), 0, 0, {}, false}};
+      {calibration::ReadingName::midline, "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
+      {calibration::ReadingName::q_peak,
+       "rad",
+       -0.4,
+       std::nan(""),
+       std::nan(""),
+       std::nan(""),
+       0,
+       0,
+       {},
+       false}};
   c.truth_check.left_out = {
       {"truth.not_simulated", {{"recording", "run.csv"}, {"why", Statement{"truth.no_curve"}}}}};
-  c.truth_check.findings = {{"midline", Statement::verbatim("the mid-line does not come back")}};
+  c.truth_check.findings = {
+      {calibration::ReadingName::midline, Statement::verbatim("the mid-line does not come back")}};
   expect_valid(c);
   const json check = parsed(c)["truth_check"];
   EXPECT_EQ(check["quantities"][0]["came_back"], 3.8);

@@ -29,7 +29,7 @@ TEST(ReadCalibration, FindsWhatWasWritten) {
   ASSERT_EQ(read.quantities.size(), c.judgement.quantities.size());
   for (std::size_t k = 0; k < read.quantities.size(); ++k) {
     const QuantityVerdict& stated = c.judgement.quantities[k];
-    EXPECT_EQ(read.quantities[k].name, stated.key);
+    EXPECT_EQ(read.quantities[k].name, to_string(stated.quantity));
     EXPECT_EQ(read.quantities[k].unit, stated.unit);
     EXPECT_EQ(read.quantities[k].verdict, stated.verdict);
     ASSERT_EQ(read.quantities[k].estimate.has_value(), stated.estimate.has_value());
@@ -40,7 +40,7 @@ TEST(ReadCalibration, FindsWhatWasWritten) {
   }
   ASSERT_EQ(read.inputs.size(), c.inputs.size());
   EXPECT_EQ(read.inputs.front().sha256, c.inputs.front().sha256);
-  EXPECT_EQ(read.curves.friction.estimator, c.selection.recommended);
+  EXPECT_EQ(read.curves.friction.estimator, to_string(c.selection.recommended));
   EXPECT_EQ(read.curves.friction.speed_rad_s.size(), c.viscous.runs.size());
   EXPECT_FALSE(read.curves.friction.from_sweep);
 }

@@ -37,7 +37,7 @@ TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
   calibration.hysteresis.points.clear();
   calibration.curves.loops.front().z_rad.clear();
   calibration.curves.loops.front().dz_rad_s.clear();
-  calibration.selection.paper_rule.clear();
+  calibration.selection.paper_rule.reset();
   EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
             (std::vector<int>{11, 13, 14, 15, 18, 19, 20, 21, 22}));
 }

@@ -10,6 +10,8 @@
 namespace tribolog::test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 constexpr double rate_Hz = 100.0;
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -95,7 +97,7 @@ method::gravity::CogSweepResult sweep_result(const std::string& name,
   return result;
 }
 
-method::hysteresis::LoopPoint reading(char name, const joint::Recording& recording,
+method::hysteresis::LoopPoint reading(Estimator name, const joint::Recording& recording,
                                       std::size_t at) {
   return {name,
           recording.t_s[at],
@@ -127,9 +129,9 @@ method::hysteresis::HysteresisResult loop_result(const joint::Recording& recordi
   loop.bristle_source = {"loop.bristle_recorded"};
   loop.oscillations.push_back({known::centre_rad, known::amplitude_rad, known::frequency_Hz,
                                known::cycles, known::cycles - 1.0, 0.0});
-  loop.points = {reading('A', recording, 0),   reading('C', recording, 50),
-                 reading('F', recording, 80),  reading('B', recording, 105),
-                 reading('D', recording, 150), reading('E', recording, 180)};
+  loop.points = {reading(Estimator::A, recording, 0),   reading(Estimator::C, recording, 50),
+                 reading(Estimator::F, recording, 80),  reading(Estimator::B, recording, 105),
+                 reading(Estimator::D, recording, 150), reading(Estimator::E, recording, 180)};
   for (const method::hysteresis::LoopPoint& point : loop.points) {
     loop.steady_points.push_back(point);
     loop.steady_points.back().torque_Nm += 0.2;
@@ -141,7 +143,7 @@ method::hysteresis::HysteresisResult loop_result(const joint::Recording& recordi
   return loop;
 }
 
-method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
+method::hysteresis::SurrogateMass mass(Estimator estimator, double torque_Nm) {
   const statistics::Estimate torque =
       statistics::symmetric_estimate(torque_Nm, 0.01, Statement::verbatim("by hand"));
   return {estimator, torque, known::centre_rad, statistics::scaled(torque, known::kg_per_Nm),
@@ -177,7 +179,7 @@ void add_runs(calibration::Calibration& calibration, const std::vector<double>& 
     calibration.quality.errors.push_back(std::move(error));
   }
   calibration.quality.stage = {"quality_errors", statistics::StageState::done, {}};
-  calibration.quality.reference = "direction_difference";
+  calibration.quality.reference = method::selection::CurveReference::direction_difference;
 }
 
 void add_laws(calibration::Calibration& calibration) {
@@ -219,19 +221,20 @@ calibration::Calibration hand_made_calibration(const joint::Dataset& dataset) {
   calibration.curves.precise = sweep_curves(dataset.recordings[1]);
   calibration.curves.loops = {trace_of(dataset.recordings[2])};
   calibration.q_peak_rad = calibration.precise.q_peak_rad;
-  calibration.q_peak_source = "cog_precise";
+  calibration.q_peak_source = method::gravity::PeakSource::precise_sweep;
   calibration.hysteresis = loop_result(dataset.recordings[2]);
   calibration.masses.stage = {"surrogate_masses", statistics::StageState::done, {}};
   calibration.masses.distance_m = 0.5;
   calibration.masses.gravity_m_s2 = 9.81;
-  calibration.masses.masses = {mass("A", 4.8),         mass("B", 3.96),    mass("C", 4.9),
-                               mass("D", 3.1),         mass("E", 3.7),     mass("F", 4.3),
-                               mass("AB", 4.02),       mass("CD", 4.01),   mass("EF", 3.98),
-                               mass("midline", 4.005), mass("sweep", 4.03)};
+  calibration.masses.masses = {
+      mass(Estimator::A, 4.8),         mass(Estimator::B, 3.96),    mass(Estimator::C, 4.9),
+      mass(Estimator::D, 3.1),         mass(Estimator::E, 3.7),     mass(Estimator::F, 4.3),
+      mass(Estimator::AB, 4.02),       mass(Estimator::CD, 4.01),   mass(Estimator::EF, 3.98),
+      mass(Estimator::midline, 4.005), mass(Estimator::sweep, 4.03)};
   add_runs(calibration, {-300.0, -100.0, -10.0, -1.0, 1.0, 10.0, 100.0, 300.0});
   calibration.selection.stage = {"selection", statistics::StageState::done, {}};
-  calibration.selection.paper_rule = "B";
-  calibration.selection.recommended = "midline";
+  calibration.selection.paper_rule = Estimator::B;
+  calibration.selection.recommended = Estimator::midline;
   calibration.selection.q_c_rad =
       statistics::symmetric_estimate(-known::q_peak_rad, 0.0005, Statement::verbatim("by hand"));
   add_laws(calibration);
@@ -245,15 +248,15 @@ calibration::Calibration sweep_only_calibration(const joint::Dataset& dataset) {
   calibration.rough.constant_speed = false;
   calibration.curves.rough = sweep_curves(dataset.recordings[0]);
   calibration.q_peak_rad = calibration.rough.q_peak_rad;
-  calibration.q_peak_source = "cog_rough";
+  calibration.q_peak_source = method::gravity::PeakSource::rough_sweep;
   calibration.precise.stage = {"cog_precise", statistics::StageState::skipped,
                                Statement::verbatim("no recording")};
   calibration.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
                                   Statement::verbatim("encoder too coarse")};
-  calibration.masses.masses = {mass("sweep", 4.03)};
+  calibration.masses.masses = {mass(Estimator::sweep, 4.03)};
   add_runs(calibration, {-60.0, -50.0, -40.0, 40.0, 50.0, 60.0});
   calibration.viscous.from_sweep = true;
-  calibration.selection.recommended = "sweep";
+  calibration.selection.recommended = Estimator::sweep;
   add_laws(calibration);
   calibration.friction.waiboer.reset();
   return calibration;

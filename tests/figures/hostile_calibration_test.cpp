@@ -13,6 +13,8 @@
 namespace tribolog::hostile_calibration_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double huge = 1e300;
@@ -44,9 +46,9 @@ class HostileCalibration : public ::testing::Test {
 TEST_F(HostileCalibration, FoundButEmpty) {
   calibration::Calibration empty;
   empty.rough.found = empty.precise.found = empty.hysteresis.found = true;
-  empty.selection.recommended = std::string("midline");
-  empty.selection.paper_rule = std::string("B");
-  empty.quality.reference = std::string("analytic");
+  empty.selection.recommended = Estimator::midline;
+  empty.selection.paper_rule = Estimator::B;
+  empty.quality.reference = method::selection::CurveReference::analytic;
   expect_drawable(figures::figure_set(joint::Dataset{}, empty));
   expect_drawable(figures::figure_set(dataset_, empty));
 }
@@ -136,12 +138,20 @@ TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
   expect_figures_survive();
 }
 
-TEST_F(HostileCalibration, NamesThatNobodyKnows) {
-  calibration_.selection.recommended = std::string("_{<b>");
-  calibration_.selection.paper_rule.clear();
-  calibration_.quality.reference = std::string("archived");
-  for (method::hysteresis::LoopPoint& point : calibration_.hysteresis.points) point.name = '_';
-  calibration_.viscous.curves.front().estimator.clear();
+TEST_F(HostileCalibration, NothingChosenAndEveryPointTheSame) {
+  calibration_.selection.recommended.reset();
+  calibration_.selection.paper_rule.reset();
+  calibration_.quality.reference = method::selection::CurveReference::none;
+  for (method::hysteresis::LoopPoint& point : calibration_.hysteresis.points) {
+    point.name = Estimator::A;
+  }
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, AnEstimatorWithoutMassOrCurveIsRecommended) {
+  calibration_.selection.recommended = Estimator::stated;
+  calibration_.selection.paper_rule = Estimator::runs;
+  calibration_.viscous.curves.front().estimator = Estimator::fit;
   expect_figures_survive();
 }
 

@@ -37,9 +37,9 @@ TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
   const auto bristle = bristle_loop_figure(calibration_);
   const auto rate = bristle_rate_loop_figure(calibration_);
   ASSERT_TRUE(torque && bristle && rate);
-  ASSERT_EQ(calibration_.hysteresis.points.size(), method::hysteresis::loop_point_names.size());
+  ASSERT_EQ(calibration_.hysteresis.points.size(), method::hysteresis::loop_points.size());
   for (const method::hysteresis::LoopPoint& expected : calibration_.hysteresis.points) {
-    const std::string name(1, expected.name);
+    const std::string name = to_string(expected.name);
     SCOPED_TRACE(name);
     const struct {
       const ReportFigure& figure;
@@ -107,7 +107,7 @@ TEST_F(LoopFigures, ChoiceMarksThePapersPointAndItsShiftFromThePeak) {
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->figure.panels.size(), 2U);
   const method::hysteresis::LoopPoint& chosen = calibration_.hysteresis.points[3];
-  ASSERT_EQ(chosen.name, 'B');
+  ASSERT_EQ(chosen.name, method::hysteresis::Estimator::B);
   const render::figure::PointLabel* label =
       point(figure->figure.panels[0], "B, the paper's choice");
   ASSERT_NE(label, nullptr);

@@ -69,7 +69,7 @@ TEST_F(RunFigures, CloseUpDrawsNoSeriesOutsideItsAxes) {
   // A is far off forward only: its other side stays.
   const auto& runs = calibration_.viscous.runs;
   for (method::selection::QualityError& error : calibration_.quality.errors) {
-    if (error.estimator != "A") continue;
+    if (error.estimator != method::hysteresis::Estimator::A) continue;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       error.percent[i] = runs[i].speed_rad_s > 0.0 ? 40.0 : 0.1;
     }
@@ -143,7 +143,7 @@ TEST_F(RunFigures, ErrorCaptionNamesBothSelections) {
 }
 
 TEST_F(RunFigures, AnalyticReferenceIsDrawnAsACurve) {
-  calibration_.quality.reference = "analytic";
+  calibration_.quality.reference = method::selection::CurveReference::analytic;
   calibration_.manifest.reference = std::make_shared<friction::WaiboerFriction>(
       friction::WaiboerFriction::Parameters{0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
   const auto figure = friction_against_reference_figure(calibration_);

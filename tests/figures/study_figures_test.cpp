@@ -14,7 +14,9 @@
 namespace tribolog::study_figures_test {
 namespace {
 
-study::StudiedReading reading(const std::string& name, truth::ReadingKind quantity, double truth,
+using calibration::ReadingName;
+
+study::StudiedReading reading(ReadingName name, truth::ReadingKind quantity, double truth,
                               double bias) {
   study::ErrorStatistics e;
   e.runs = e.found = 10;
@@ -36,10 +38,10 @@ study::StudyResult two_levels() {
       {17, Statement{"study_level.counts", {{"counts", 131072}}}, false, "two", {}});
   study.factors.push_back(factor);
   study.cases = {{"one",
-                  {reading("B", truth::ReadingKind::gravity, 4, -0.02),
-                   reading("midline", truth::ReadingKind::gravity, 4, 0.004),
-                   reading("q_peak", truth::ReadingKind::peak_angle, -0.4, 1e-5)}},
-                 {"two", {reading("B", truth::ReadingKind::gravity, 4, -0.04)}}};
+                  {reading(ReadingName::B, truth::ReadingKind::gravity, 4, -0.02),
+                   reading(ReadingName::midline, truth::ReadingKind::gravity, 4, 0.004),
+                   reading(ReadingName::q_peak, truth::ReadingKind::peak_angle, -0.4, 1e-5)}},
+                 {"two", {reading(ReadingName::B, truth::ReadingKind::gravity, 4, -0.04)}}};
   return study;
 }
 
@@ -82,9 +84,17 @@ TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
   calibration::Calibration c;
   EXPECT_FALSE(figures::truth_check_figure(c));
   c.truth_check.runs = 3;
-  c.truth_check.quantities = {
-      {"midline", "N·m", 4, 4, 0, 1, 3, 2, {-0.5, 0.5, 2}, true},
-      {"fit", "N·m", 4, 4, 0, 1, 2, 0, {-40, std::numeric_limits<double>::infinity()}, false}};
+  c.truth_check.quantities = {{ReadingName::midline, "N·m", 4, 4, 0, 1, 3, 2, {-0.5, 0.5, 2}, true},
+                              {ReadingName::fit,
+                               "N·m",
+                               4,
+                               4,
+                               0,
+                               1,
+                               2,
+                               0,
+                               {-40, std::numeric_limits<double>::infinity()},
+                               false}};
   const auto figure = figures::truth_check_figure(c);
   ASSERT_TRUE(figure);
   const render::figure::Panel& panel = figure->figure.panels[0];

@@ -20,6 +20,9 @@
 namespace tribolog::broken_datasets_test {
 namespace {
 
+using method::checks::CheckName;
+using method::hysteresis::Estimator;
+
 using std::numbers::pi;
 
 /// The joint that is broken below: noise of a real drive, eight positions, so that it is usable.
@@ -95,7 +98,7 @@ void written_by(joint::Dataset& d, const joint::LoggedEffort& effort) {
 
 struct Breach {
   std::string name;
-  std::string check;  ///< The data check that fails.
+  CheckName check;  ///< The data check that fails.
   std::function<void(joint::Dataset&)> make;
   std::string word;  ///< In what it found; may be empty.
 };
@@ -122,107 +125,109 @@ TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
     return wording::words(finding).find(wording::words(check->found)) != std::string::npos;
   }));
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.reasons.empty()) << q.key;
-    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.experiment.empty()) << q.key;
+    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.reasons.empty())
+        << to_string(q.quantity);
+    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.experiment.empty())
+        << to_string(q.quantity);
   }
 }
 
 const std::vector<Breach>& breaches() {
   static const std::vector<Breach> all{
-      {"constant_joint", "joint_moves",
+      {"constant_joint", CheckName::joint_moves,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            std::fill(r.q_rad.begin(), r.q_rad.end(), r.q_rad.front());
          });
        },
        "stands still"},
-      {"one_recording_without_motion", "joint_moves",
+      {"one_recording_without_motion", CheckName::joint_moves,
        [](joint::Dataset& d) {
          auto& q = d.recordings.back().q_rad;
          std::fill(q.begin(), q.end(), q.front());
        },
        "1 of"},
-      {"target_torque", "effort_provenance",
+      {"target_torque", CheckName::effort_provenance,
        [](joint::Dataset& d) {
          d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
        },
        "no measurement"},
-      {"target_column_as_measurement", "effort_column",
+      {"target_column_as_measurement", CheckName::effort_column,
        [](joint::Dataset& d) {
          written_by(d, {"UR RTDE", "target_moment_2", joint::EffortKind::target_torque,
                         joint::Side::joint, true, false});
        },
        "a target of its controller"},
-      {"current_column_as_torque", "effort_column",
+      {"current_column_as_torque", CheckName::effort_column,
        [](joint::Dataset& d) {
          written_by(d, {"UR RTDE", "actual_current_2", joint::EffortKind::motor_current,
                         joint::Side::motor, false, false});
        },
        "a motor_current"},
-      {"motor_torque_as_joint_torque", "static_torque",
+      {"motor_torque_as_joint_torque", CheckName::static_torque,
        [](joint::Dataset& d) {
          d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
          each(d, [](joint::Recording& r) { scale(r.torque_Nm, 0.01); });
        },
        "one over the gear ratio"},
-      {"torque_sign_against_the_weight", "static_torque",
+      {"torque_sign_against_the_weight", CheckName::static_torque,
        [](joint::Dataset& d) {
          d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
          each(d, [](joint::Recording& r) { scale(r.torque_Nm, -1); });
        },
        "sign of the effort"},
-      {"dead_torque", "torque_alive",
+      {"dead_torque", CheckName::torque_alive,
        [](joint::Dataset& d) {
          each(d,
               [](joint::Recording& r) { std::fill(r.torque_Nm.begin(), r.torque_Nm.end(), 1.25); });
        },
        "dead"},
-      {"degrees_as_radians", "angle_unit",
+      {"degrees_as_radians", CheckName::angle_unit,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 180 / pi); }); },
        "degrees"},
-      {"radians_as_degrees", "gravity_within_torque",
+      {"radians_as_degrees", CheckName::gravity_within_torque,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, pi / 180); }); },
        "offset"},
-      {"motor_angle_as_joint_angle", "angle_unit",
+      {"motor_angle_as_joint_angle", CheckName::angle_unit,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 100); }); },
        "motor's angle"},
-      {"millinewtonmetre_as_newtonmetre", "power",
+      {"millinewtonmetre_as_newtonmetre", CheckName::power,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, 1000); }); },
        "mN"},
-      {"joint_torque_as_motor_torque", "power",
+      {"joint_torque_as_motor_torque", CheckName::power,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, 100); }); },
        "joint"},
-      {"speed_off_by_2", "speed_scale",
+      {"speed_off_by_2", CheckName::speed_scale,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 2); }); },
        "two samples"},
-      {"speed_off_by_5_3", "speed_scale",
+      {"speed_off_by_5_3", CheckName::speed_scale,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 5.0 / 3); }); },
        "10 ms"},
-      {"speed_in_degrees", "speed_scale",
+      {"speed_in_degrees", CheckName::speed_scale,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 180 / pi); }); },
        "degrees"},
-      {"speed_of_the_motor", "speed_scale",
+      {"speed_of_the_motor", CheckName::speed_scale,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 100); }); },
        "gear ratio"},
-      {"speed_in_rpm", "speed_scale",
+      {"speed_in_rpm", CheckName::speed_scale,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 60 / (2 * pi)); });
        },
        "revolutions"},
-      {"speed_sign", "speed_scale",
+      {"speed_sign", CheckName::speed_scale,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, -1); }); },
        "sign"},
-      {"wrong_gear_ratio_with_motor_speed", "speed_scale",
+      {"wrong_gear_ratio_with_motor_speed", CheckName::speed_scale,
        // The motor's speed was divided by the stated 80, the joint's angle needs no ratio.
        [](joint::Dataset& d) {
          d.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
          each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 100.0 / 80); });
        },
        "1.25"},
-      {"torque_sign", "friction_dissipates",
+      {"torque_sign", CheckName::friction_dissipates,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, -1); }); },
        "sign"},
-      {"angle_sign", "friction_dissipates",
+      {"angle_sign", CheckName::friction_dissipates,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            scale(r.q_rad, -1);
@@ -230,28 +235,28 @@ const std::vector<Breach>& breaches() {
          });
        },
        "sign"},
-      {"clipped_torque", "torque_saturation",
+      {"clipped_torque", CheckName::torque_saturation,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            for (double& t : r.torque_Nm) t = std::min(t, 4.0);
          });
        },
        "flat at 4 "},
-      {"coarse_torque", "torque_step",
+      {"coarse_torque", CheckName::torque_step,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            for (double& t : r.torque_Nm) t = 0.5 * std::round(t / 0.5);
          });
        },
        "0.5 N"},
-      {"coarse_encoder", "encoder_step",
+      {"coarse_encoder", CheckName::encoder_step,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            for (double& q : r.q_rad) q = 2e-5 * std::round(q / 2e-5);
          });
        },
        "10 steps"},
-      {"jittering_clock", "clock_jitter",
+      {"jittering_clock", CheckName::clock_jitter,
        // Rows are written when the network delivers them, at any time.
        [](joint::Dataset& d) {
          std::uint64_t stream = 0;
@@ -262,7 +267,7 @@ const std::vector<Breach>& breaches() {
          });
        },
        "scatters"},
-      {"gaps", "clock_gaps",
+      {"gaps", CheckName::clock_gaps,
        // A fifth of the time is missing, 50 ms at a time.
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
@@ -270,21 +275,21 @@ const std::vector<Breach>& breaches() {
          });
        },
        "gaps"},
-      {"sweep_in_one_direction", "sweep_directions",
+      {"sweep_in_one_direction", CheckName::sweep_directions,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            if (r.role != joint::Role::oscillation) only_there(r);
          });
        },
        "only ever rises"},
-      {"runs_in_one_direction", "run_directions",
+      {"runs_in_one_direction", CheckName::run_directions,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            if (r.role == joint::Role::constant_speed) only_there(r);
          });
        },
        "only ever rises"},
-      {"directions_without_common_angles", "run_common_angles",
+      {"directions_without_common_angles", CheckName::run_common_angles,
        // The way back was driven somewhere else.
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
@@ -293,10 +298,10 @@ const std::vector<Breach>& breaches() {
          });
        },
        "share no angle"},
-      {"one_speed_only", "run_speeds",
+      {"one_speed_only", CheckName::run_speeds,
        [](joint::Dataset& d) { keep_role(d, joint::Role::constant_speed, 1); },
        "1 different speed"},
-      {"oscillation_30_deg_off_the_peak", "oscillation_at_peak",
+      {"oscillation_30_deg_off_the_peak", CheckName::oscillation_at_peak,
        [](joint::Dataset& d) {
          simulate::Scenario s = good_joint();
          s.oscillation->centre_rad += pi / 6;
@@ -304,7 +309,7 @@ const std::vector<Breach>& breaches() {
          d = simulate::simulated_dataset(s);
        },
        "peak at"},
-      {"oscillation_stays_elastic", "oscillation_slides",
+      {"oscillation_stays_elastic", CheckName::oscillation_slides,
        [](joint::Dataset& d) {
          simulate::Scenario s = good_joint();
          s.oscillation->amplitude_rad /= 25;
@@ -313,7 +318,7 @@ const std::vector<Breach>& breaches() {
          d = simulate::simulated_dataset(s);
        },
        "stiffness is left"},
-      {"too_few_cycles", "oscillation_cycles",
+      {"too_few_cycles", CheckName::oscillation_cycles,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            if (r.role != joint::Role::oscillation) return;
@@ -321,7 +326,7 @@ const std::vector<Breach>& breaches() {
          });
        },
        "1.5 cycles"},
-      {"stick_slip", "stick_slip",
+      {"stick_slip", CheckName::stick_slip,
        // Half a second of rest, then the way of a second in the half that is left.
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
@@ -335,7 +340,7 @@ const std::vector<Breach>& breaches() {
          });
        },
        "springs on"},
-      {"friction_falls_while_warming_up", "friction_drift",
+      {"friction_falls_while_warming_up", CheckName::friction_drift,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
            if (r.role != joint::Role::rough_sweep) return;
@@ -348,21 +353,21 @@ const std::vector<Breach>& breaches() {
          });
        },
        "pairs of strokes"},
-      {"temperature_rises", "temperature",
+      {"temperature_rises", CheckName::temperature,
        [](joint::Dataset& d) {
          double temperature_C = 24;
          each(d,
               [&](joint::Recording& r) { r.temperature_C.assign(r.size(), temperature_C += 0.6); });
        },
        "°C"},
-      {"ripple_at_one_position", "torque_ripple",
+      {"ripple_at_one_position", CheckName::torque_ripple,
        [](joint::Dataset& d) {
          simulate::Scenario s = test::noisy_paper_joint(1);
          s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
          d = simulate::simulated_dataset(s);
        },
        "6.00 periods"},
-      {"torque_is_noise", "torque_noise",
+      {"torque_is_noise", CheckName::torque_noise,
        [](joint::Dataset& d) {
          statistics::RandomStream random(7, 1);
          each(d, [&](joint::Recording& r) {
@@ -370,12 +375,12 @@ const std::vector<Breach>& breaches() {
          });
        },
        "white noise"},
-      {"speed_and_torque_exchanged", "speed_scale",
+      {"speed_and_torque_exchanged", CheckName::speed_scale,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) { std::swap(r.dq_rad_s, r.torque_Nm); });
        },
        ""},
-      {"angle_and_torque_exchanged", "speed_scale",
+      {"angle_and_torque_exchanged", CheckName::speed_scale,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) { std::swap(r.q_rad, r.torque_Nm); });
        },
@@ -397,7 +402,7 @@ TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
   for (const method::checks::DataCheck& check : c.data_checks.checks) {
     EXPECT_TRUE(check.state == method::checks::CheckState::passed ||
                 check.state == method::checks::CheckState::not_applicable)
-        << check.name << ": " << wording::words(check.found);
+        << to_string(check.name) << ": " << wording::words(check.found);
   }
 }
 
@@ -405,7 +410,7 @@ TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
   joint::Dataset d = good_dataset();
   d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
   for (const calibration::QuantityVerdict& q : identify::identify(d).judgement.quantities) {
-    EXPECT_NE(q.verdict, calibration::Verdict::usable) << q.key;
+    EXPECT_NE(q.verdict, calibration::Verdict::usable) << to_string(q.quantity);
   }
 }
 
@@ -413,7 +418,8 @@ TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
   joint::Dataset d = good_dataset();
   d.manifest.effort_is_confirmed = false;
   const calibration::Calibration c = identify::identify(d);
-  EXPECT_EQ(c.data_checks.find("effort_provenance")->state, method::checks::CheckState::warns);
+  EXPECT_EQ(c.data_checks.find(CheckName::effort_provenance)->state,
+            method::checks::CheckState::warns);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
       << wording::words(c.judgement.sentence);
   const auto& findings = c.judgement.findings;
@@ -430,7 +436,7 @@ TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
     for (std::size_t i = 0; i < r.size(); ++i) r.torque_Nm[i] -= 0.99 * friction_of(r, i);
   });
   const calibration::Calibration c = identify::identify(d);
-  const method::checks::DataCheck* check = c.data_checks.find("link_side_torque");
+  const method::checks::DataCheck* check = c.data_checks.find(CheckName::link_side_torque);
   EXPECT_EQ(check->state, method::checks::CheckState::warns) << wording::words(check->found);
   EXPECT_NE(wording::words(check->found).find("little gear friction"), std::string::npos)
       << wording::words(check->found);
@@ -442,11 +448,12 @@ TEST(BrokenDatasets, RippleAtEightPositionsIsToldButFailsNothing) {
   s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
   const joint::Dataset d = simulate::simulated_dataset(s);
   const calibration::Calibration c = identify::identify(d);
-  const method::checks::DataCheck* check = c.data_checks.find("torque_ripple");
+  const method::checks::DataCheck* check = c.data_checks.find(CheckName::torque_ripple);
   EXPECT_EQ(check->state, method::checks::CheckState::passed) << wording::words(check->found);
   EXPECT_NE(wording::words(check->found).find("6.00 periods"), std::string::npos)
       << wording::words(check->found);
-  EXPECT_EQ(c.data_checks.find("ripple_period")->state, method::checks::CheckState::passed);
+  EXPECT_EQ(c.data_checks.find(CheckName::ripple_period)->state,
+            method::checks::CheckState::passed);
 }
 
 // Torque stated on the motor's side and angle on the joint's: the gear ratio then scales masses and
@@ -458,7 +465,7 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
   joint::Dataset rippled = simulate::simulated_dataset(s);
   rippled.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
   const method::checks::DataChecksResult seen = identify::identify(rippled).data_checks;
-  const method::checks::DataCheck* period = seen.find("ripple_period");
+  const method::checks::DataCheck* period = seen.find(CheckName::ripple_period);
   EXPECT_EQ(period->state, method::checks::CheckState::warns);
   // 6 periods in 1/100 of a joint's turn are 7.5 in 1/80.
   EXPECT_NE(wording::words(period->found).find("7.50 periods"), std::string::npos)
@@ -468,13 +475,13 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
   const calibration::Calibration right = identify::identify(smooth);
   smooth.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
   const calibration::Calibration wrong = identify::identify(smooth);
-  EXPECT_EQ(wrong.data_checks.find("ripple_period")->state,
+  EXPECT_EQ(wrong.data_checks.find(CheckName::ripple_period)->state,
             method::checks::CheckState::not_applicable);
-  EXPECT_NE(wording::words(wrong.data_checks.find("ripple_period")->found)
+  EXPECT_NE(wording::words(wrong.data_checks.find(CheckName::ripple_period)->found)
                 .find("nothing in these logs checks"),
             std::string::npos);
-  const double mass = right.masses.find("midline")->mass_kg.value;
-  EXPECT_NEAR(wrong.masses.find("midline")->mass_kg.value / mass, 0.8, 1e-6);
+  const double mass = right.masses.find(Estimator::midline)->mass_kg.value;
+  EXPECT_NEAR(wrong.masses.find(Estimator::midline)->mass_kg.value / mass, 0.8, 1e-6);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@
 namespace tribolog::contradicting_ramps_test {
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 /// The ramps of a joint that sticks twice as hard as the one that made the loops.
 joint::Dataset loops_and_contradicting_ramps(double largest_torque_Nm) {
   simulate::Scenario loops = test::noisy_paper_joint(3);
@@ -52,7 +54,7 @@ calibration::Calibration identified(const joint::Dataset& dataset) {
 
 const calibration::QuantityVerdict& break_away_verdict(const calibration::Calibration& c) {
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    if (q.key == "break_away_torque") return q;
+    if (q.quantity == joint::Quantity::break_away_torque) return q;
   }
   throw std::logic_error("no verdict on the break-away torque");
 }
@@ -60,10 +62,10 @@ const calibration::QuantityVerdict& break_away_verdict(const calibration::Calibr
 TEST(ContradictingRamps, TheLevelHasNoNumberNoIntervalAndAReason) {
   const calibration::Calibration c = identified(loops_and_contradicting_ramps(2.5));
   ASSERT_TRUE(c.lugre && c.lugre->converged);
-  EXPECT_FALSE(c.lugre->shown("static_Nm"));
+  EXPECT_FALSE(c.lugre->shown(LuGreParameterName::static_torque));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
   // What they do not contradict stays, resampled, with numbers of its own.
-  const auto stiffness = c.lugre->shown("bristle_stiffness_Nm_rad");
+  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
   ASSERT_TRUE(stiffness);
   EXPECT_LE(stiffness->low, 465.42);
   EXPECT_GE(stiffness->high, 465.42);
@@ -95,7 +97,7 @@ TEST(ContradictingRamps, TheJsonSaysWhy) {
 TEST(ContradictingRamps, RampsThatNeverSlideLeaveNoNumberAtAll) {
   const calibration::Calibration c = identified(loops_and_contradicting_ramps(1.6));
   ASSERT_EQ(c.break_away.censored, c.break_away.ramps.size());
-  EXPECT_FALSE(c.lugre->shown("static_Nm"));
+  EXPECT_FALSE(c.lugre->shown(LuGreParameterName::static_torque));
   const calibration::QuantityVerdict& q = break_away_verdict(c);
   EXPECT_FALSE(q.estimate);
   EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);

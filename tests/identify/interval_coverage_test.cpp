@@ -18,6 +18,8 @@
 namespace tribolog::interval_coverage_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 constexpr std::size_t seeds = 200;
 
 /// Of 200 intervals at 95 %, 190 hold the truth; 4 standard errors are 12. The bounds are those
@@ -48,8 +50,9 @@ std::map<std::string, double> known_truths() {
   const calibration::Calibration c = identify::identify(clean, closed_forms);
   std::map<std::string, double> truth;
   for (const method::hysteresis::SurrogateMass& m : c.masses.masses) {
-    truth["mass_kg." + m.estimator] =
-        m.estimator.size() == 1 ? m.mass_kg.value : test::true_surrogate_mass_kg;
+    truth["mass_kg." + to_string(m.estimator)] = method::hysteresis::point_index(m.estimator)
+                                                     ? m.mass_kg.value
+                                                     : test::true_surrogate_mass_kg;
   }
   truth["q_peak_rad"] = truth["q_peak_rough_rad"] = test::true_q_peak_rad();
   truth["coulomb_of_sweep_Nm"] = c.rough.coulomb_Nm->value;
@@ -93,7 +96,7 @@ Coverage coverage_of(const std::function<simulate::Scenario(std::uint64_t)>& sce
       out.share[q.name] += e.low <= at->second && at->second <= e.high ? 1.0 : 0.0;
       out.width_ratio[q.name] += q.ratio() / seeds;
     }
-    const method::intervals::CurveBand& band = *c.intervals.band("midline");
+    const method::intervals::CurveBand& band = *c.intervals.band(Estimator::midline);
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       const double torque = curve.torque_Nm(c.viscous.runs[i].speed_rad_s);
       const bool covered = band.low_Nm[i] <= torque && torque <= band.high_Nm[i];
@@ -101,7 +104,8 @@ Coverage coverage_of(const std::function<simulate::Scenario(std::uint64_t)>& sce
     }
     out.largest_mass_error = std::max(
         out.largest_mass_error,
-        std::abs(c.masses.find("midline")->mass_kg.value / test::true_surrogate_mass_kg - 1));
+        std::abs(c.masses.find(Estimator::midline)->mass_kg.value / test::true_surrogate_mass_kg -
+                 1));
   });
   for (auto& [name, share] : out.share) share /= seeds;
   return out;
@@ -175,7 +179,7 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
   const calibration::Calibration after = identify::identify(all, closed_forms);
   EXPECT_FALSE(after.position_plan);
   const double promised = c.position_plan->expected_half_width_Nm;
-  const double brought = after.masses.find("midline")->gravity_Nm.half_width();
+  const double brought = after.masses.find(Estimator::midline)->gravity_Nm.half_width();
   EXPECT_LT(brought, 3 * promised);
   EXPECT_GT(brought, promised / 5);
 }

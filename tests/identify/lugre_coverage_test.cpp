@@ -37,7 +37,7 @@ std::map<std::string, Tally> tally(
     const method::hysteresis::LuGreFit f = test::fit_loops(s);
     const std::lock_guard lock(guard);
     for (const auto& [name, truth] : test::true_parameters(s)) {
-      if (const auto e = f.shown(name)) all[name].add(*e, truth);
+      if (const auto e = f.shown(name)) all[to_string(name)].add(*e, truth);
     }
     if (f.gravity_Nm) all["gravity"].add(*f.gravity_Nm, test::true_gravity_Nm);
   });

@@ -8,6 +8,8 @@
 namespace tribolog::missing_data_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 void expect_every_gap_has_words(const calibration::Calibration& c) {
   for (const statistics::StageReport& stage : c.stages()) {
     EXPECT_FALSE(stage.name.empty());
@@ -29,7 +31,7 @@ TEST(MissingData, EverySubsetOfRolesRuns) {
     const bool has_sweep = (subset & 3) != 0 || has_runs;
     EXPECT_EQ(c.q_peak_rad.has_value(), has_sweep) << subset;
     const bool has_mass = (subset & 4) != 0 || (subset & 1) != 0 || has_runs;
-    EXPECT_EQ(!c.selection.recommended.empty(), has_mass) << subset;
+    EXPECT_EQ(c.selection.recommended.has_value(), has_mass) << subset;
     // The precise sweep adds nothing that the rough one cannot give; the others are needed.
     EXPECT_EQ(c.judgement.verdict == calibration::Verdict::usable, (subset & 13) == 13) << subset;
     if (!has_sweep || !has_mass) {
@@ -44,7 +46,7 @@ TEST(MissingData, RecordingsOfARoleMayBeMany) {
   const std::size_t once = d.recordings.size();
   for (std::size_t i = 0; i < once; ++i) d.recordings.push_back(d.recordings[i]);
   const calibration::Calibration c = identify::identify(d);
-  EXPECT_NEAR(c.masses.find("midline")->mass_kg.value, test::true_surrogate_mass_kg, 0.01);
+  EXPECT_NEAR(c.masses.find(Estimator::midline)->mass_kg.value, test::true_surrogate_mass_kg, 0.01);
   EXPECT_NEAR(c.q_peak_rad->value, test::true_q_peak_rad(), 1e-7);
   EXPECT_EQ(c.viscous.runs.size(), 80U);
 }

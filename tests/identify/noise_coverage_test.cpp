@@ -11,6 +11,8 @@
 namespace tribolog::noise_coverage_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
   constexpr int seeds = 100;
   int covered = 0;
@@ -18,15 +20,15 @@ TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(seed));
     const calibration::Calibration c = identify::identify(dataset);
-    const method::hysteresis::SurrogateMass* m = c.masses.find("midline");
+    const method::hysteresis::SurrogateMass* m = c.masses.find(Estimator::midline);
     ASSERT_NE(m, nullptr) << seed;
     EXPECT_NEAR(m->mass_kg.value / test::true_surrogate_mass_kg, 1, 1e-3) << "seed " << seed;
     covered += m->mass_kg.low <= test::true_surrogate_mass_kg &&
                test::true_surrogate_mass_kg <= m->mass_kg.high;
     EXPECT_TRUE(c.hysteresis.bristle_source.is("loop.bristle_fitted")) << "seed " << seed;
     const auto& rivals = c.selection.paper_rule_rivals;
-    b_is_possible += c.selection.paper_rule == "B" ||
-                     std::find(rivals.begin(), rivals.end(), "B") != rivals.end();
+    b_is_possible += c.selection.paper_rule == Estimator::B ||
+                     std::find(rivals.begin(), rivals.end(), Estimator::B) != rivals.end();
     EXPECT_EQ(c.hysteresis.points.size(), 6U) << "seed " << seed;
   }
   RecordProperty("covered", covered);

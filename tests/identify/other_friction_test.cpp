@@ -13,6 +13,10 @@
 namespace tribolog::other_friction_test {
 namespace {
 
+using method::hysteresis::Estimator;
+using method::hysteresis::LuGreParameterName;
+using method::selection::CurveReference;
+
 /// The paper's contact, as every model is matched to it.
 friction::ContactParameters contact() {
   const friction::LuGreFriction::Parameters p = test::paper_contact().parameters();
@@ -49,9 +53,9 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
     simulate::Scenario scenario = noisy ? test::noisy_paper_joint(7) : test::paper_joint();
     scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
     const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
-    const method::hysteresis::SurrogateMass* midline = c.masses.find("midline");
+    const method::hysteresis::SurrogateMass* midline = c.masses.find(Estimator::midline);
     ASSERT_NE(midline, nullptr);
-    EXPECT_EQ(c.selection.recommended, "midline");
+    EXPECT_EQ(c.selection.recommended, Estimator::midline);
     EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error()) << noisy;
     EXPECT_NEAR(c.precise.q_peak_rad.value, test::true_q_peak_rad(), noisy ? 0.02 : 1e-6);
   }
@@ -61,7 +65,7 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
 const calibration::QuantityVerdict& stiffness_of(const calibration::Calibration& c) {
   const auto& all = c.judgement.quantities;
   return *std::find_if(all.begin(), all.end(), [](const calibration::QuantityVerdict& q) {
-    return q.key == "bristle_stiffness";
+    return q.quantity == joint::Quantity::bristle_stiffness;
   });
 }
 
@@ -69,7 +73,7 @@ TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
   simulate::Scenario scenario = test::noisy_paper_joint(7);
   scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
-  const auto stiffness = c.lugre->shown("bristle_stiffness_Nm_rad");
+  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
   ASSERT_TRUE(stiffness);
   const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
   constexpr double small = 0.05;
@@ -111,7 +115,7 @@ TEST_P(OtherFriction, MidlineGivesTheMassWithOwnParameters) {
   ASSERT_NE(scenario.presliding->named_parameters(),
             friction::dynamic_friction_model(GetParam()).matched_parameters(contact()));
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
-  const method::hysteresis::SurrogateMass* midline = c.masses.find("midline");
+  const method::hysteresis::SurrogateMass* midline = c.masses.find(Estimator::midline);
   ASSERT_NE(midline, nullptr);
   EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error());
 }
@@ -141,7 +145,7 @@ TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
   // 500 random bonds scatter by 1/sqrt(500) of 3/sqrt(5) Coulomb torques, less after averaging.
   const double friction_error_Nm = GetParam() == "haessig_bristles" ? 0.01 : 1e-4;
-  const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
+  const method::viscous::ViscousCurve* curve = c.viscous.find(Estimator::sweep);
   ASSERT_TRUE(curve != nullptr && c.viscous.runs.size() == 40);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     const double speed = c.viscous.runs[i].speed_rad_s;
@@ -149,9 +153,10 @@ TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
                 friction_error_Nm)
         << speed;
   }
-  const method::selection::QualityError* error = c.quality.find("sweep");
+  const method::selection::QualityError* error = c.quality.find(Estimator::sweep);
   ASSERT_NE(error, nullptr);
-  EXPECT_EQ(c.quality.reference, model.traits.remembers_rest ? "direction_difference" : "analytic");
+  EXPECT_EQ(c.quality.reference, model.traits.remembers_rest ? CurveReference::direction_difference
+                                                             : CurveReference::analytic);
   // Half the difference of the directions is good to 2e-3 N·m (viscous_curves_test).
   const double reference_error_Nm = model.traits.remembers_rest ? 2e-3 : friction_error_Nm;
   EXPECT_LT(error->rms_percent, 100 * reference_error_Nm / 3.0) << "of 3 N·m and more";

@@ -14,6 +14,8 @@
 namespace tribolog::paper_joint_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 class PaperJoint : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -35,23 +37,25 @@ joint::Dataset* PaperJoint::dataset_ = nullptr;
 calibration::Calibration* PaperJoint::calibration_ = nullptr;
 
 TEST_F(PaperJoint, SixMassesWithinHalfAPercentOfTable2) {
-  const std::pair<const char*, double> table_2[] = {{"A", 79.999}, {"B", 78.811}, {"C", 97.023},
-                                                    {"D", 61.009}, {"E", 75.494}, {"F", 82.785}};
+  const std::pair<Estimator, double> table_2[] = {{Estimator::A, 79.999}, {Estimator::B, 78.811},
+                                                  {Estimator::C, 97.023}, {Estimator::D, 61.009},
+                                                  {Estimator::E, 75.494}, {Estimator::F, 82.785}};
   for (const auto& [estimator, mass] : table_2) {
     const method::hysteresis::SurrogateMass* ours = c().masses.find(estimator);
-    ASSERT_NE(ours, nullptr) << estimator;
-    EXPECT_NEAR(ours->mass_kg.value / mass, 1, 0.005) << estimator;
+    ASSERT_NE(ours, nullptr) << to_string(estimator);
+    EXPECT_NEAR(ours->mass_kg.value / mass, 1, 0.005) << to_string(estimator);
   }
 }
 
 TEST_F(PaperJoint, ThePaperSelectsB) {
-  EXPECT_EQ(c().selection.paper_rule, "B");
+  EXPECT_EQ(c().selection.paper_rule, Estimator::B);
   EXPECT_TRUE(c().selection.paper_rule_rivals.empty());
 }
 
 TEST_F(PaperJoint, MidlineGivesTheTrueMass) {
-  EXPECT_EQ(c().selection.recommended, "midline");
-  EXPECT_NEAR(c().masses.find("midline")->mass_kg.value / test::true_surrogate_mass_kg, 1, 1e-4);
+  EXPECT_EQ(c().selection.recommended, Estimator::midline);
+  EXPECT_NEAR(c().masses.find(Estimator::midline)->mass_kg.value / test::true_surrogate_mass_kg, 1,
+              1e-4);
 }
 
 TEST_F(PaperJoint, AnglesOfTheCentreOfGravity) {

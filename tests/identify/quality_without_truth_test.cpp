@@ -12,6 +12,8 @@
 namespace tribolog::quality_without_truth_test {
 namespace {
 
+using method::selection::CurveReference;
+
 /// Calibration of the same data without the true curve.
 calibration::Calibration identify_blind(joint::Dataset dataset) {
   dataset.manifest.reference.reset();
@@ -26,7 +28,7 @@ TEST(QualityWithoutTruth, ReferenceAgreesWithTheTrueCurveWithinItsInterval) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const calibration::Calibration c =
         identify_blind(simulate::simulated_dataset(test::noisy_paper_joint(seed)));
-    ASSERT_EQ(c.quality.reference, "direction_difference");
+    ASSERT_EQ(c.quality.reference, CurveReference::direction_difference);
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       const method::viscous::ConstantSpeedRun& run = c.viscous.runs[i];
       if (run.speed_rad_s < 0) continue;  // partners share one reference
@@ -48,7 +50,7 @@ TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
     const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(seed));
     const calibration::Calibration sighted = identify::identify(dataset);
     const calibration::Calibration blind = identify_blind(dataset);
-    EXPECT_EQ(sighted.quality.reference, "analytic");
+    EXPECT_EQ(sighted.quality.reference, CurveReference::analytic);
     EXPECT_EQ(sighted.quality.reference_rms_percent, 0);
     EXPECT_EQ(sighted.selection.recommended, blind.selection.recommended);
     same += sighted.selection.paper_rule == blind.selection.paper_rule;
@@ -110,7 +112,7 @@ TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
   }
   dataset.recordings = std::move(cut);
   const calibration::Calibration c = identify::identify(dataset);
-  EXPECT_TRUE(c.quality.reference.empty());
+  EXPECT_EQ(c.quality.reference, CurveReference::none);
   EXPECT_NE(wording::words(c.quality.stage.reason).find("the directions share no angle"),
             std::string::npos)
       << wording::words(c.quality.stage.reason);

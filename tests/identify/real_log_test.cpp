@@ -17,6 +17,11 @@
 namespace tribolog::real_log_test {
 namespace {
 
+using method::checks::CheckName;
+using method::hysteresis::Estimator;
+using method::hysteresis::LuGreParameterName;
+using method::selection::CurveReference;
+
 using test::findings_of;
 
 calibration::Calibration identify_manifest(const std::string& name, joint::Dataset& dataset) {
@@ -51,7 +56,7 @@ TEST(RealLog, Ur10eJoint2) {
   ASSERT_TRUE(c.friction.coulomb_viscous);
   EXPECT_GT(c.friction.coulomb_viscous->coulomb_Nm.value, 12);
   EXPECT_LT(c.friction.coulomb_viscous->coulomb_Nm.value, 16);
-  EXPECT_EQ(c.quality.reference, "direction_difference");
+  EXPECT_EQ(c.quality.reference, CurveReference::direction_difference);
   EXPECT_EQ(c.hysteresis.stage.state, statistics::StageState::not_identifiable);
   ASSERT_TRUE(c.hysteresis.encoder_step_rad && c.hysteresis.presliding_travel_rad);
   EXPECT_NEAR(*c.hysteresis.encoder_step_rad, 1e-4, 1e-8);
@@ -92,7 +97,7 @@ TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
-  const method::viscous::CurveDirectionLines* lines = c.direction_lines.find("stated");
+  const method::viscous::CurveDirectionLines* lines = c.direction_lines.find(Estimator::stated);
   ASSERT_NE(lines, nullptr);
   ASSERT_TRUE(lines->rising && lines->falling);
   constexpr double three_percent = 0.03;  // as the issue of the log's authors' numbers demands
@@ -115,17 +120,17 @@ TEST(RealLog, CiceseGravityComesFromTheRuns) {
   EXPECT_LE(c.run_gravity.gravity_Nm.low, 38.465);
   EXPECT_GE(c.run_gravity.gravity_Nm.high, 38.465);
   EXPECT_NEAR(c.run_gravity.q_peak_rad.value * joint::degrees_per_rad, 90, 2);
-  EXPECT_EQ(c.q_peak_source, "runs");
-  EXPECT_EQ(c.selection.recommended, "runs");
+  EXPECT_EQ(c.q_peak_source, method::gravity::PeakSource::runs);
+  EXPECT_EQ(c.selection.recommended, Estimator::runs);
   // The oscillations hang 90° below the peak: a mass from them would be friction over nothing.
-  EXPECT_EQ(c.masses.find("midline"), nullptr);
+  EXPECT_EQ(c.masses.find(Estimator::midline), nullptr);
   ASSERT_EQ(c.manifest.known_loads.size(), 1U);
   EXPECT_GT(c.manifest.known_loads[0].samples, 30000U);
   EXPECT_NEAR(c.manifest.known_loads[0].largest_Nm, 1.825, 1e-3);
   EXPECT_TRUE(has_finding(c, "the directions share no angle"));
   EXPECT_TRUE(has_finding(c, "record every speed in both directions over the same angles"));
   EXPECT_TRUE(has_finding(c, "lifts the load all the way"));
-  EXPECT_TRUE(c.quality.reference.empty());
+  EXPECT_EQ(c.quality.reference, CurveReference::none);
 }
 
 TEST(RealLog, CiceseSpeedComesFromTheAngle) {
@@ -175,14 +180,14 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   ASSERT_TRUE(c.lugre && c.lugre->converged);
   const method::hysteresis::LuGreFit& f = *c.lugre;
-  const auto stiffness = f.shown("bristle_stiffness_Nm_rad");
+  const auto stiffness = f.shown(LuGreParameterName::bristle_stiffness);
   ASSERT_TRUE(stiffness);
   ASSERT_EQ(f.loops.size(), 3U);
   ASSERT_EQ(c.loop_shapes.size(), 3U);
   std::size_t k = 0;
   for (const joint::Recording* whole : dataset.with_role(joint::Role::oscillation)) {
     const method::hysteresis::LuGreLoop& loop = f.loops[k];
-    EXPECT_EQ(loop.motion, "spline");
+    EXPECT_EQ(loop.motion, method::hysteresis::LoopMotion::spline);
     ASSERT_TRUE(loop.traced && loop.traced->model_turn_stiffness_Nm_rad);
     EXPECT_TRUE(
         overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
@@ -211,23 +216,22 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   // The joint holds far more in the ramps than the 6 N·m of the loops, which creep.
   EXPECT_NE(wording::words(f.reason).find("the loops creep"), std::string::npos)
       << wording::words(f.reason);
-  EXPECT_FALSE(f.shown("coulomb_Nm"));
-  EXPECT_FALSE(f.shown("inertia_kgm2")) << "at such speeds inertia is nothing";
+  EXPECT_FALSE(f.shown(LuGreParameterName::coulomb_torque));
+  EXPECT_FALSE(f.shown(LuGreParameterName::inertia)) << "at such speeds inertia is nothing";
 }
 
 const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
-                                             std::string_view key) {
-  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    if (q.key == key) return q;
-  }
-  throw std::logic_error("no quantity " + std::string(key));
+                                             joint::Quantity quantity) {
+  const calibration::QuantityVerdict* found = c.judgement.find(quantity);
+  if (found == nullptr) throw std::logic_error("no quantity " + to_string(quantity));
+  return *found;
 }
 
 /// Of the quantity's break-away torque: the ramps', while the loops' own level is withdrawn, and
 /// nothing of it is left among the intervals.
 void expect_level_by_ramps_alone(const calibration::Calibration& c) {
   ASSERT_TRUE(c.lugre && c.lugre->converged);
-  EXPECT_FALSE(c.lugre->shown("static_Nm"));
+  EXPECT_FALSE(c.lugre->shown(LuGreParameterName::static_torque));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
   ASSERT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
   for (const method::intervals::TwoIntervals& q : c.intervals.quantities) {
@@ -237,8 +241,9 @@ void expect_level_by_ramps_alone(const calibration::Calibration& c) {
       EXPECT_FALSE((*e)->method.empty()) << q.name;
     }
   }
-  ASSERT_TRUE(c.break_away.mean_Nm && quantity(c, "break_away_torque").estimate);
-  EXPECT_EQ(quantity(c, "break_away_torque").estimate->value, c.break_away.mean_Nm->value);
+  ASSERT_TRUE(c.break_away.mean_Nm && quantity(c, joint::Quantity::break_away_torque).estimate);
+  EXPECT_EQ(quantity(c, joint::Quantity::break_away_torque).estimate->value,
+            c.break_away.mean_Nm->value);
 }
 
 TEST(RealLog, CiceseRampsContradictTheSinesOfJoint1) {
@@ -261,8 +266,8 @@ TEST(RealLog, CiceseRampsContradictTheSinesOfJoint2) {
     EXPECT_NEAR(ramp.friction_Nm, 1.64, 0.22) << ramp.recording;  // 1.43 to 1.82 N·m by hand
   }
   // The sines of 0.8 N·m never slide: nothing above them can be read from them.
-  EXPECT_FALSE(c.lugre->shown("coulomb_Nm"));
-  EXPECT_NE(quantity(c, "bristle_stiffness").verdict, calibration::Verdict::usable);
+  EXPECT_FALSE(c.lugre->shown(LuGreParameterName::coulomb_torque));
+  EXPECT_NE(quantity(c, joint::Quantity::bristle_stiffness).verdict, calibration::Verdict::usable);
 }
 
 TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
@@ -272,16 +277,18 @@ TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
     const calibration::Calibration c = identify_manifest(manifest, dataset);
     EXPECT_EQ(test::findings_of(c.data_checks), std::vector<std::string>{"encoder_step"})
         << manifest;
-    for (const char* key : {"break_away_torque", "bristle_stiffness", "bristle_damping"}) {
+    for (const joint::Quantity key :
+         {joint::Quantity::break_away_torque, joint::Quantity::bristle_stiffness,
+          joint::Quantity::bristle_damping}) {
       const calibration::QuantityVerdict& q = quantity(c, key);
-      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << key;
+      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << to_string(key);
       EXPECT_NE(wording::words(q.reasons.front()).find("the angle's step of 0.0001 rad"),
                 std::string::npos)
           << wording::words(q.reasons.front());
     }
     // "Pre-sliding takes place inside 6e-4 rad, six steps of the encoder": as a sample every 10 ms
     // shows it.
-    EXPECT_LT(*c.data_checks.find("encoder_step")->measured, 20) << manifest;
+    EXPECT_LT(*c.data_checks.find(CheckName::encoder_step)->measured, 20) << manifest;
   }
 }
 
@@ -291,7 +298,7 @@ TEST(RealLog, CiceseRaisesItsSpeedColumnAndTheLackOfCommonAngles) {
   const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
   EXPECT_EQ(test::findings_of(c.data_checks),
             (std::vector<std::string>{"speed_noise", "run_common_angles", "oscillation_at_peak"}));
-  EXPECT_NE(quantity(c, "coulomb_torque").verdict, calibration::Verdict::usable);
+  EXPECT_NE(quantity(c, joint::Quantity::coulomb_torque).verdict, calibration::Verdict::usable);
 }
 
 TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
@@ -303,7 +310,7 @@ TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
     EXPECT_NEAR(o.encoder_step_rad, 1e-4 * joint::rad_per_degree, 1e-12);
     EXPECT_TRUE(o.step_is_of_print);
   }
-  const method::checks::DataCheck* check = c.data_checks.find("encoder_step");
+  const method::checks::DataCheck* check = c.data_checks.find(CheckName::encoder_step);
   EXPECT_EQ(check->state, method::checks::CheckState::passed);
   EXPECT_NE(wording::words(check->found).find("decimals in the log"), std::string::npos)
       << wording::words(check->found);
@@ -318,14 +325,15 @@ TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
     EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable) << manifest;
     EXPECT_NE(wording::words(c.judgement.sentence).find("No torque was recorded"),
               std::string::npos);
-    const calibration::QuantityVerdict& gravity = quantity(c, "cog_angle");
+    const calibration::QuantityVerdict& gravity = quantity(c, joint::Quantity::cog_angle);
     EXPECT_NE(
         wording::words(gravity.reasons.front()).find("present current with the torque constant"),
         std::string::npos)
         << wording::words(gravity.reasons.front());
     for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << manifest << ": " << q.key;
-      EXPECT_FALSE(q.experiment.empty()) << q.key;
+      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable)
+          << manifest << ": " << to_string(q.quantity);
+      EXPECT_FALSE(q.experiment.empty()) << to_string(q.quantity);
     }
   }
 }
@@ -334,17 +342,18 @@ TEST(RealLog, PendulumThatOnlyRisesCannotTellCoulombFromOffset) {
   TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("bam_up_and_down.toml", dataset);
-  const method::checks::DataCheck* check = c.data_checks.find("sweep_directions");
+  const method::checks::DataCheck* check = c.data_checks.find(CheckName::sweep_directions);
   EXPECT_EQ(check->state, method::checks::CheckState::fails);
   EXPECT_NE(wording::words(check->found).find("only ever rises"), std::string::npos)
       << wording::words(check->found);
-  const auto& reasons = quantity(c, "coulomb_torque").reasons;
+  const auto& reasons = quantity(c, joint::Quantity::coulomb_torque).reasons;
   EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const Statement& reason) {
     return wording::words(reason).find("Coulomb friction and offset cannot be told apart") !=
            std::string::npos;
   }));
   joint::Dataset other;
-  EXPECT_FALSE(identify_manifest("bam_sin_sin.toml", other).data_checks.fails("sweep_directions"));
+  EXPECT_FALSE(
+      identify_manifest("bam_sin_sin.toml", other).data_checks.fails(CheckName::sweep_directions));
 }
 
 }  // namespace

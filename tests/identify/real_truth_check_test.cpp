@@ -9,6 +9,8 @@
 namespace tribolog::real_truth_check_test {
 namespace {
 
+using calibration::ReadingName;
+
 calibration::TruthCheckResult check_of(const std::string& manifest) {
   const joint::Dataset dataset =
       ingest::dataset::read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + manifest);
@@ -22,15 +24,16 @@ TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
     const calibration::TruthCheckResult check = check_of(manifest);
-    for (const char* name : {"sweep", "q_peak", "sweep_friction"}) {
+    for (const ReadingName name :
+         {ReadingName::sweep, ReadingName::q_peak, ReadingName::sweep_friction}) {
       const calibration::ReturnedQuantity* q = check.find(name);
-      ASSERT_NE(q, nullptr) << manifest << name;
-      EXPECT_TRUE(q->comes_back) << manifest << name;
+      ASSERT_NE(q, nullptr) << manifest << to_string(name);
+      EXPECT_TRUE(q->comes_back) << manifest << to_string(name);
       // 14 or fewer of 20 once in 400 checks with honest intervals.
-      EXPECT_GE(q->inside, 15U) << manifest << name;
+      EXPECT_GE(q->inside, 15U) << manifest << to_string(name);
     }
     EXPECT_GT(check.white_Nm, 0);
-    EXPECT_EQ(check.find("midline"), nullptr);
+    EXPECT_EQ(check.find(ReadingName::midline), nullptr);
   }
 }
 
@@ -38,10 +41,11 @@ TEST(RealTruthCheck, WhatCiceseShowsComesBack) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   const calibration::TruthCheckResult check = check_of("cicese_joint1.toml");
   // Driven by torque the angle is no sine: the loops are simulated along the traced motion.
-  ASSERT_NE(check.find("bristle_stiffness"), nullptr);
-  EXPECT_TRUE(check.find("bristle_stiffness")->comes_back);
+  ASSERT_NE(check.find(ReadingName::bristle_stiffness), nullptr);
+  EXPECT_TRUE(check.find(ReadingName::bristle_stiffness)->comes_back);
   ASSERT_FALSE(check.quantities.empty());
-  for (const calibration::ReturnedQuantity& q : check.quantities) EXPECT_EQ(q.found, 20U) << q.name;
+  for (const calibration::ReturnedQuantity& q : check.quantities)
+    EXPECT_EQ(q.found, 20U) << to_string(q.name);
 }
 
 }  // namespace

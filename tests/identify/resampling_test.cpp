@@ -12,6 +12,8 @@
 namespace tribolog::resampling_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 calibration::Calibration with_threads(const joint::Dataset& dataset, std::size_t threads,
                                       std::uint64_t seed) {
   identify::IdentifyOptions options;
@@ -53,8 +55,8 @@ TEST(Resampling, AnErrorOfGravityIsCommonToTheRunsOfACurve) {
   s.noise.ripple = {{0.02, 1.0, 0.4}};
   const joint::Dataset dataset = simulate::simulated_dataset(s);
   const calibration::Calibration c = with_threads(dataset, 0, 1);
-  const method::intervals::CurveBand& loop = *c.intervals.band("midline");
-  const method::intervals::CurveBand& sweep = *c.intervals.band("sweep");
+  const method::intervals::CurveBand& loop = *c.intervals.band(Estimator::midline);
+  const method::intervals::CurveBand& sweep = *c.intervals.band(Estimator::sweep);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     EXPECT_GT(loop.high_Nm[i] - loop.low_Nm[i], 0.03) << i;
     EXPECT_LT(sweep.high_Nm[i] - sweep.low_Nm[i], 0.01) << i;
@@ -70,8 +72,12 @@ TEST(CrossChecks, EveryWayFindsTheMassWithoutNoise) {
   ASSERT_GE(c.cross_checks.checks.size(), 8U);
   for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
     // The linear regression lacks the Stribeck effect.
-    const double allowed = check.method == "classical" ? 2e-3 : 1e-4;
-    EXPECT_NEAR(check.mass_kg.value / test::true_surrogate_mass_kg, 1, allowed) << check.method;
+    const double allowed = check.method == method::intervals::GravityMethod(
+                                               method::selection::IndependentMethod::classical)
+                               ? 2e-3
+                               : 1e-4;
+    EXPECT_NEAR(check.mass_kg.value / test::true_surrogate_mass_kg, 1, allowed)
+        << method::intervals::to_string(check.method);
   }
   EXPECT_FALSE(c.cross_checks.doubtful);
   ASSERT_TRUE(c.cross_checks.classical);
@@ -100,15 +106,15 @@ TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsFound) {
   const calibration::Calibration c = identify::identify(dataset);
   EXPECT_TRUE(c.cross_checks.doubtful);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::doubtful);
-  const auto disagrees = [&](const char* method) {
+  const auto disagrees = [&](Estimator method) {
     for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
-      if (check.method == method) return check.disagrees;
+      if (check.method == method::intervals::GravityMethod(method)) return check.disagrees;
     }
     return false;
   };
-  EXPECT_TRUE(disagrees("sweep"));
-  EXPECT_FALSE(disagrees("AB"));
-  EXPECT_FALSE(disagrees("fit"));
+  EXPECT_TRUE(disagrees(Estimator::sweep));
+  EXPECT_FALSE(disagrees(Estimator::AB));
+  EXPECT_FALSE(disagrees(Estimator::fit));
 }
 
 }  // namespace

@@ -14,19 +14,19 @@
 namespace tribolog::verdict_test {
 namespace {
 
+using method::checks::CheckName;
+
 const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
-                                             std::string_view key) {
-  const auto& all = c.judgement.quantities;
-  const auto it = std::find_if(all.begin(), all.end(),
-                               [&](const calibration::QuantityVerdict& q) { return q.key == key; });
-  if (it == all.end()) throw std::logic_error("no quantity " + std::string(key));
-  return *it;
+                                             joint::Quantity quantity) {
+  const calibration::QuantityVerdict* found = c.judgement.find(quantity);
+  if (found == nullptr) throw std::logic_error("no quantity " + to_string(quantity));
+  return *found;
 }
 
 /// A quantity of 10 N·m at the motor, between 9 and 11.
 std::vector<calibration::QuantityVerdict> ten_Nm() {
   calibration::QuantityVerdict q;
-  q.key = "coulomb_torque";
+  q.quantity = joint::Quantity::coulomb_torque;
   q.estimate = statistics::Estimate{10, 9, 11, {}};
   q.unit = "N·m";
   return {q};
@@ -96,13 +96,14 @@ TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantityThatDecides) {
   const calibration::Calibration c = identify::identify(d);
   ASSERT_EQ(c.judgement.quantities.size(), 11U);
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    if (q.key == "inertia") {  // 0.0001 N·m in a slow loop: it is said to be missing, not guessed
+    if (q.quantity == joint::Quantity::inertia) {  // 0.0001 N·m in a slow loop: it is said to be
+                                                   // missing, not guessed
       EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);
       EXPECT_FALSE(q.experiment.empty());
       continue;
     }
     EXPECT_EQ(q.verdict, calibration::Verdict::usable)
-        << q.key << ": " << wording::words(q.reasons.front());
+        << to_string(q.quantity) << ": " << wording::words(q.reasons.front());
   }
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable);
 }
@@ -112,8 +113,8 @@ TEST(Verdicts, ABrokenLimitMakesAUsableJointDoubtful) {
   d.manifest.limits = {with_max(70, "surrogate_mass_kg")};
   const calibration::Calibration c = identify::identify(d);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::doubtful);
-  EXPECT_EQ(quantity(c, "surrogate_mass").verdict, calibration::Verdict::doubtful);
-  EXPECT_EQ(quantity(c, "gravity_torque").verdict, calibration::Verdict::usable);
+  EXPECT_EQ(quantity(c, joint::Quantity::surrogate_mass).verdict, calibration::Verdict::doubtful);
+  EXPECT_EQ(quantity(c, joint::Quantity::gravity_torque).verdict, calibration::Verdict::usable);
   EXPECT_NE(wording::words(c.judgement.findings.front()).find("breaks the limit"),
             std::string::npos)
       << wording::words(c.judgement.findings.front());
@@ -127,14 +128,14 @@ TEST(Verdicts, OneDirectionLeavesCoulombAndOffsetInseparable) {
   s.constant_speed->both_directions = false;
   const joint::Dataset d = simulate::simulated_dataset(s);
   const calibration::Calibration c = identify::identify(d);
-  const calibration::QuantityVerdict& coulomb = quantity(c, "coulomb_torque");
+  const calibration::QuantityVerdict& coulomb = quantity(c, joint::Quantity::coulomb_torque);
   EXPECT_EQ(coulomb.verdict, calibration::Verdict::not_identifiable);
   EXPECT_NE(wording::words(coulomb.reasons.front())
                 .find("Coulomb friction and offset cannot be told apart"),
             std::string::npos)
       << wording::words(coulomb.reasons.front());
   // The loop goes both ways, so its gravity is as good as ever.
-  EXPECT_EQ(quantity(c, "bristle_stiffness").verdict, calibration::Verdict::usable);
+  EXPECT_EQ(quantity(c, joint::Quantity::bristle_stiffness).verdict, calibration::Verdict::usable);
 }
 
 TEST(Verdicts, WithoutTorqueNothingThatNeedsItIsIdentifiable) {
@@ -144,15 +145,17 @@ TEST(Verdicts, WithoutTorqueNothingThatNeedsItIsIdentifiable) {
   const calibration::Calibration c = identify::identify(d);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable);
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << q.key;
+    EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << to_string(q.quantity);
     EXPECT_NE(wording::words(q.reasons.front()).find("no torque was recorded"), std::string::npos)
-        << q.key;
-    EXPECT_FALSE(q.experiment.empty()) << q.key;
+        << to_string(q.quantity);
+    EXPECT_FALSE(q.experiment.empty()) << to_string(q.quantity);
   }
   // What the motion says is still said.
-  EXPECT_EQ(c.data_checks.find("speed_scale")->state, method::checks::CheckState::passed);
-  EXPECT_EQ(c.data_checks.find("run_common_angles")->state, method::checks::CheckState::passed);
-  EXPECT_EQ(c.data_checks.find("torque_noise")->state, method::checks::CheckState::not_applicable);
+  EXPECT_EQ(c.data_checks.find(CheckName::speed_scale)->state, method::checks::CheckState::passed);
+  EXPECT_EQ(c.data_checks.find(CheckName::run_common_angles)->state,
+            method::checks::CheckState::passed);
+  EXPECT_EQ(c.data_checks.find(CheckName::torque_noise)->state,
+            method::checks::CheckState::not_applicable);
 }
 
 }  // namespace

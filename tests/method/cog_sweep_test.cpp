@@ -17,15 +17,16 @@ constexpr double degree = std::numbers::pi / 180;
 
 method::gravity::CogSweepResult rough_of(const joint::Dataset& d) {
   return method::gravity::identify_cog_sweep(
-             "cog_rough", method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), 100)
+             method::gravity::SweepKind::rough,
+             method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), 100)
       .result;
 }
 
 method::gravity::CogSweepResult precise_of(
     const joint::Dataset& d, const std::optional<statistics::Estimate>& gravity_Nm = {}) {
   return method::gravity::identify_cog_sweep(
-             "cog_precise", method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100,
-             gravity_Nm)
+             method::gravity::SweepKind::precise,
+             method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100, gravity_Nm)
       .result;
 }
 
@@ -125,7 +126,9 @@ TEST(CogSweep, SlowSinesInBothDirectionsGiveAngleGravityAndFriction) {
   for (const double q_peak : {-1.6, 0.3, -3.13}) {
     const joint::Recording r = slow_sine(q_peak, 109, 11);
     const method::gravity::CogSweepResult sweep =
-        method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
+        method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                            method::motion::Sweep({&r}), 1.0)
+            .result;
     ASSERT_TRUE(sweep.found) << q_peak;
     EXPECT_FALSE(sweep.constant_speed);
     EXPECT_NEAR(sweep.q_peak_rad.value, q_peak, 0.02);
@@ -140,7 +143,9 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const joint::Recording r = slow_sine(0.3, 0.0, seed);
     const method::gravity::CogSweepResult sweep =
-        method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
+        method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                            method::motion::Sweep({&r}), 1.0)
+            .result;
     EXPECT_FALSE(sweep.found) << "seed " << seed << ": " << sweep.gravity_Nm.value << " N·m";
     EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
   }
@@ -148,7 +153,7 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
   const method::gravity::CogSweepResult none =
-      method::gravity::identify_cog_sweep("cog_rough", {}, 1.0).result;
+      method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough, {}, 1.0).result;
   EXPECT_FALSE(none.found);
   EXPECT_EQ(none.stage.state, statistics::StageState::skipped);
   EXPECT_NE(wording::words(none.stage.reason).find("slow sweep"), std::string::npos);
@@ -162,7 +167,9 @@ TEST(CogSweep, AStandingJointIsNotIdentifiable) {
     r.torque_Nm.push_back(3);
   }
   const method::gravity::CogSweepResult sweep =
-      method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
+      method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                          method::motion::Sweep({&r}), 1.0)
+          .result;
   EXPECT_FALSE(sweep.found);
   EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
 }

@@ -16,7 +16,8 @@ method::viscous::ConstantSpeedRun run(double speed_rad_s, double q_rad = 0) {
 TEST(CurveSamples, BothDirectionsAndRepetitionsOfASpeedAreOneGroup) {
   method::viscous::ViscousCurvesResult v;
   v.runs = {run(-20), run(-10.1), run(10), run(10.2), run(20.1), run(40)};
-  const auto s = method::viscous::curve_samples(v, {"x", {-3, -2, 2.1, 2.2, 3.1, 5}});
+  const auto s = method::viscous::curve_samples(
+      v, {method::hysteresis::Estimator::A, {-3, -2, 2.1, 2.2, 3.1, 5}});
   ASSERT_EQ(s.size(), 6U);
   EXPECT_EQ(method::viscous::group_count(s), 3U);
   EXPECT_EQ(s[0].group, 0U);
@@ -31,7 +32,7 @@ TEST(CurveSamples, BothDirectionsAndRepetitionsOfASpeedAreOneGroup) {
 TEST(CurveSamples, CellsOfASweepAreGroupedByAngle) {
   method::viscous::ViscousCurvesResult v;
   v.from_sweep = true;
-  method::viscous::ViscousCurve curve{"x", {}};
+  method::viscous::ViscousCurve curve{method::hysteresis::Estimator::A, {}};
   for (int k = 0; k < 24; ++k) {
     for (const double sign : {-1.0, 1.0}) {
       v.runs.push_back(run(sign * (1 + k % 5), 0.1 * k));

@@ -97,7 +97,8 @@ TEST(TorqueRipple, IsFoundAtItsPeriodsAndAmplitudes) {
   const joint::Dataset d = simulate::simulated_dataset(s);
   const method::gravity::CogSweepResult sweep =
       method::gravity::identify_cog_sweep(
-          "cog_rough", method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), s.gear_ratio)
+          method::gravity::SweepKind::rough,
+          method::motion::Sweep(d.with_role(joint::Role::rough_sweep)), s.gear_ratio)
           .result;
   const std::vector<method::gravity::RippleLine>& lines = sweep.ripple.lines;
   ASSERT_EQ(lines.size(), 2U);

@@ -10,12 +10,14 @@
 namespace tribolog::direction_lines_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 /// Runs of each direction at eight speeds, travelling 1 rad, with friction of their own.
 method::viscous::ViscousCurvesResult curves(double rising_Nm, double falling_Nm, double noise_Nm,
                                             std::uint64_t seed) {
   statistics::RandomStream random(seed, 0);
   method::viscous::ViscousCurvesResult v;
-  method::viscous::ViscousCurve curve{"midline", {}};
+  method::viscous::ViscousCurve curve{Estimator::midline, {}};
   for (int k = 1; k <= 8; ++k) {
     for (const double sign : {-1.0, 1.0}) {
       method::viscous::ConstantSpeedRun run;
@@ -42,8 +44,8 @@ method::viscous::ViscousCurvesResult curves(double rising_Nm, double falling_Nm,
 
 TEST(DirectionLines, EachDirectionIsFoundByItself) {
   const method::viscous::DirectionLinesResult r =
-      method::viscous::fit_direction_lines(curves(12.4, 10.9, 0, 1), "midline");
-  const method::viscous::CurveDirectionLines* lines = r.find("midline");
+      method::viscous::fit_direction_lines(curves(12.4, 10.9, 0, 1), Estimator::midline);
+  const method::viscous::CurveDirectionLines* lines = r.find(Estimator::midline);
   ASSERT_NE(lines, nullptr);
   ASSERT_TRUE(lines->rising && lines->falling);
   EXPECT_NEAR(lines->rising->coulomb_Nm.value, 12.4, 1e-10);
@@ -61,14 +63,14 @@ TEST(DirectionLines, ShortWaysAndTheStribeckDipAreLeftOut) {
   brief.highest_rad = 0.1;
   v.runs.push_back(brief);
   v.curves[0].friction_Nm.push_back(15);
-  const auto first = method::viscous::fit_direction_lines(v, "midline");
-  EXPECT_EQ(first.find("midline")->rising->runs_left_out, 1U);
-  EXPECT_NEAR(first.find("midline")->rising->coulomb_Nm.value, 12, 1e-10);
+  const auto first = method::viscous::fit_direction_lines(v, Estimator::midline);
+  EXPECT_EQ(first.find(Estimator::midline)->rising->runs_left_out, 1U);
+  EXPECT_NEAR(first.find(Estimator::midline)->rising->coulomb_Nm.value, 12, 1e-10);
   v.runs.back().highest_rad = 1;  // as long as the others: now it is the Stribeck effect
-  const auto second = method::viscous::fit_direction_lines(v, "midline");
-  EXPECT_EQ(second.find("midline")->rising->runs_left_out, 1U);
-  EXPECT_NEAR(second.find("midline")->rising->coulomb_Nm.value, 12, 1e-10);
-  EXPECT_NEAR(second.find("midline")->rising->slowest_rad_s, 10, 1e-12);
+  const auto second = method::viscous::fit_direction_lines(v, Estimator::midline);
+  EXPECT_EQ(second.find(Estimator::midline)->rising->runs_left_out, 1U);
+  EXPECT_NEAR(second.find(Estimator::midline)->rising->coulomb_Nm.value, 12, 1e-10);
+  EXPECT_NEAR(second.find(Estimator::midline)->rising->slowest_rad_s, 10, 1e-12);
 }
 
 TEST(DirectionLines, PiecesOfARunCountOnce) {
@@ -77,27 +79,30 @@ TEST(DirectionLines, PiecesOfARunCountOnce) {
     v.runs.push_back(v.runs[7]);
     v.curves[0].friction_Nm.push_back(v.curves[0].friction_Nm[7]);
   }
-  EXPECT_EQ(method::viscous::fit_direction_lines(v, "midline").find("midline")->rising->runs, 8U);
+  EXPECT_EQ(method::viscous::fit_direction_lines(v, Estimator::midline)
+                .find(Estimator::midline)
+                ->rising->runs,
+            8U);
 }
 
 TEST(DirectionLines, OneDirectionAloneHasItsLine) {
   method::viscous::ViscousCurvesResult v = curves(12, 12, 0, 1);
   method::viscous::ViscousCurvesResult rising;
-  rising.curves = {{"midline", {}}};
+  rising.curves = {{Estimator::midline, {}}};
   for (std::size_t i = 1; i < v.runs.size(); i += 2) {
     rising.runs.push_back(v.runs[i]);
     rising.curves[0].friction_Nm.push_back(v.curves[0].friction_Nm[i]);
   }
   const method::viscous::DirectionLinesResult r =
-      method::viscous::fit_direction_lines(rising, "midline");
-  EXPECT_TRUE(r.find("midline")->rising);
-  EXPECT_FALSE(r.find("midline")->falling);
-  EXPECT_TRUE(method::viscous::fit_direction_lines(rising, "").curves.empty());
+      method::viscous::fit_direction_lines(rising, Estimator::midline);
+  EXPECT_TRUE(r.find(Estimator::midline)->rising);
+  EXPECT_FALSE(r.find(Estimator::midline)->falling);
+  EXPECT_TRUE(method::viscous::fit_direction_lines(rising, std::nullopt).curves.empty());
 }
 
 method::hysteresis::SurrogateMass weightless(double half_width_Nm) {
   method::hysteresis::SurrogateMass m;
-  m.estimator = "midline";
+  m.estimator = Estimator::midline;
   m.gravity_Nm = statistics::symmetric_estimate(0, half_width_Nm);
   return m;
 }

@@ -59,7 +59,7 @@ TEST(WaiboerFit, TooFewSpeedsAreRefusedInWords) {
 
 TEST(FrictionParameters, AStraightLineIsFoundExactly) {
   method::viscous::ViscousCurvesResult v;
-  method::viscous::ViscousCurve c{"midline", {}};
+  method::viscous::ViscousCurve c{method::hysteresis::Estimator::midline, {}};
   for (int i = 1; i <= 6; ++i) {
     for (const int sign : {-1, 1}) {
       method::viscous::ConstantSpeedRun run;
@@ -70,7 +70,7 @@ TEST(FrictionParameters, AStraightLineIsFoundExactly) {
   }
   v.curves = {c};
   method::selection::SelectionResult s;
-  s.recommended = "midline";
+  s.recommended = method::hysteresis::Estimator::midline;
   const method::selection::FrictionParametersResult f =
       method::selection::fit_friction_parameters(v, s);
   ASSERT_TRUE(f.coulomb_viscous);

@@ -10,6 +10,8 @@
 namespace tribolog::hysteresis_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 const statistics::Estimate peak = statistics::symmetric_estimate(test::true_q_peak_rad(), 1e-6);
 
 method::hysteresis::Hysteresis hysteresis_of(const joint::Dataset& d) {
@@ -25,8 +27,8 @@ TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
   ASSERT_EQ(h.points.size(), 6U);
   EXPECT_TRUE(h.bristle_source.is("loop.bristle_recorded"));
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_EQ(h.points[k].name, method::hysteresis::loop_point_names[k]);
-    EXPECT_NEAR(h.points[k].torque_Nm, solved_Nm[k], 1e-4) << h.points[k].name;
+    EXPECT_EQ(h.points[k].name, method::hysteresis::loop_points[k]);
+    EXPECT_NEAR(h.points[k].torque_Nm, solved_Nm[k], 1e-4) << to_string(h.points[k].name);
   }
   // Order of time: A, C, F, B, D, E.
   const auto t = [&](std::size_t k) { return h.points[k].t_s; };
@@ -59,13 +61,15 @@ TEST(Hysteresis, MidlineAndPairMeansAreFreeOfFriction) {
   const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
   const method::hysteresis::HysteresisResult h = hysteresis_of(d).result;
   const auto m = method::hysteresis::identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
-  for (const char* estimator : {"midline", "AB", "CD", "EF"}) {
-    ASSERT_NE(m.find(estimator), nullptr) << estimator;
-    EXPECT_NEAR(m.find(estimator)->mass_kg.value, test::true_surrogate_mass_kg, 1e-4) << estimator;
+  for (const Estimator estimator :
+       {Estimator::midline, Estimator::AB, Estimator::CD, Estimator::EF}) {
+    ASSERT_NE(m.find(estimator), nullptr) << to_string(estimator);
+    EXPECT_NEAR(m.find(estimator)->mass_kg.value, test::true_surrogate_mass_kg, 1e-4)
+        << to_string(estimator);
   }
   // While single points are not: A and B lie on opposite sides.
-  EXPECT_GT(m.find("A")->mass_kg.value, test::true_surrogate_mass_kg + 0.5);
-  EXPECT_LT(m.find("B")->mass_kg.value, test::true_surrogate_mass_kg - 0.3);
+  EXPECT_GT(m.find(Estimator::A)->mass_kg.value, test::true_surrogate_mass_kg + 0.5);
+  EXPECT_LT(m.find(Estimator::B)->mass_kg.value, test::true_surrogate_mass_kg - 0.3);
 }
 
 TEST(Hysteresis, MidlineHoldsForAnyAmplitudeAndFrequency) {
@@ -114,13 +118,13 @@ TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
     const joint::Dataset d = simulate::simulated_dataset(s);
     const method::motion::Sweep sweep(d.with_role(joint::Role::rough_sweep));
     const method::gravity::CogSweepResult rough =
-        method::gravity::identify_cog_sweep("cog_rough", sweep, 100).result;
+        method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough, sweep, 100).result;
     const method::hysteresis::HysteresisResult h =
         method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), sweep, rough,
                                                 100, rough.q_peak_rad)
             .result;
     return method::hysteresis::identify_surrogate_masses(rough, h, rough.q_peak_rad, 100, 0.5, 9.81)
-        .find("midline")
+        .find(Estimator::midline)
         ->gravity_Nm;
   };
   simulate::Scenario s = test::noisy_paper_joint(3);
@@ -159,8 +163,8 @@ TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
   EXPECT_EQ(h.lugre->fit.loops.size(), 2U);
   const auto m = method::hysteresis::identify_surrogate_masses(
       {}, h.result, peak, 100, 0.5, 9.81, {h.lugre->fit.gravity_Nm, nullptr, {}});
-  ASSERT_NE(m.find("fit"), nullptr);
-  EXPECT_NEAR(m.find("fit")->mass_kg.value, test::true_surrogate_mass_kg,
+  ASSERT_NE(m.find(Estimator::fit), nullptr);
+  EXPECT_NEAR(m.find(Estimator::fit)->mass_kg.value, test::true_surrogate_mass_kg,
               1e-3 * test::true_surrogate_mass_kg);
 }
 
@@ -181,7 +185,7 @@ TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsFittedAlongASpline) {
   const method::hysteresis::Hysteresis h = hysteresis_of(drifting(0));
   ASSERT_TRUE(h.lugre);
   ASSERT_TRUE(h.lugre->fit.converged) << wording::words(h.lugre->fit.reason);
-  EXPECT_EQ(h.lugre->fit.loops.front().motion, "spline");
+  EXPECT_EQ(h.lugre->fit.loops.front().motion, method::hysteresis::LoopMotion::spline);
 }
 
 TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {

@@ -49,7 +49,8 @@ struct Result {
 Result identify(const joint::Recording& r) {
   Result out;
   const method::motion::Sweep sweep({&r});
-  out.sweep = method::gravity::identify_cog_sweep("cog_rough", sweep, 1.0).result;
+  out.sweep =
+      method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough, sweep, 1.0).result;
   out.load = method::viscous::identify_load_dependence(sweep, out.sweep, out.sweep.q_peak_rad, 1.0);
   return out;
 }
@@ -120,7 +121,9 @@ TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
     r.torque_Nm.push_back(i < 8 ? -300.0 : gravity_Nm * std::cos(q_end));
   }
   const method::gravity::CogSweepResult sweep =
-      method::gravity::identify_cog_sweep("cog_rough", method::motion::Sweep({&r}), 1.0).result;
+      method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                          method::motion::Sweep({&r}), 1.0)
+          .result;
   EXPECT_NEAR(sweep.gravity_Nm.value, gravity_Nm, 1.0);
   EXPECT_NEAR(sweep.q_peak_rad.value, q_peak_rad, 0.01);
 }

@@ -15,14 +15,16 @@
 namespace tribolog::lugre_fit_test {
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 const method::hysteresis::LuGreParameter& parameter(const method::hysteresis::LuGreFit& f,
-                                                    const std::string& name) {
+                                                    LuGreParameterName name) {
   return *std::find_if(f.parameters.begin(), f.parameters.end(),
                        [&](const method::hysteresis::LuGreParameter& p) { return p.name == name; });
 }
 
 double relative_error(const method::hysteresis::LuGreFit& f, const simulate::Scenario& s,
-                      const std::string& name) {
+                      LuGreParameterName name) {
   const auto e = f.shown(name);
   return e ? std::abs(e->value / test::true_parameters(s).at(name) - 1) : INFINITY;
 }
@@ -46,8 +48,8 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
   ASSERT_TRUE(f.converged) << wording::words(f.reason);
   ASSERT_TRUE(f.gravity_Nm);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-4);
-  EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 1e-3);
-  EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-3);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::bristle_stiffness), 1e-3);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::static_torque), 1e-3);
   double largest = 0;
   double worst = 0;
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -65,15 +67,15 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
   EXPECT_NE(wording::words(f.reason).find("the mean of each 5 neighbouring samples is fitted"),
             std::string::npos)
       << wording::words(f.reason);
-  EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 2e-3);
-  EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-3);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::bristle_stiffness), 2e-3);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::static_torque), 1e-3);
   // Of each sample, not of the means.
   EXPECT_NEAR(f.residual_Nm, 0.02, 0.001);
   // A tenth of the samples at a tenth of the rate tell the same, within what they can tell.
   s.oscillation->sample_rate_Hz = 5'000;
   const method::hysteresis::LuGreFit fewer = test::fit_loops(s);
-  const statistics::Estimate here = *f.shown("static_Nm");
-  const statistics::Estimate there = *fewer.shown("static_Nm");
+  const statistics::Estimate here = *f.shown(LuGreParameterName::static_torque);
+  const statistics::Estimate there = *fewer.shown(LuGreParameterName::static_torque);
   EXPECT_EQ(wording::words(fewer.reason).find("neighbouring"), std::string::npos);
   EXPECT_LT(std::abs(here.value - there.value), 2 * there.half_width());
   EXPECT_LT(here.half_width(), there.half_width());
@@ -81,46 +83,48 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
 
 TEST(LuGreFit, AtMicroSpeedSaysWhatDoesNotShowAndWhatWouldShowIt) {
   const method::hysteresis::LuGreFit f = test::fit_loops(test::paper_joint());
-  EXPECT_EQ(f.rung, "level");
-  for (const char* name : {"coulomb_Nm", "stribeck_speed_rad_s", "speed_weakening_Nms2_rad2",
-                           "viscous_Nms_rad", "inertia_kgm2"}) {
-    EXPECT_FALSE(f.shown(name)) << name;
-    EXPECT_FALSE(parameter(f, name).why_not.empty()) << name;
-    EXPECT_FALSE(parameter(f, name).experiment.empty()) << name;
+  EXPECT_EQ(f.rung, method::hysteresis::LuGreRung::level);
+  for (const LuGreParameterName name :
+       {LuGreParameterName::coulomb_torque, LuGreParameterName::stribeck_speed,
+        LuGreParameterName::speed_weakening, LuGreParameterName::viscous,
+        LuGreParameterName::inertia}) {
+    EXPECT_FALSE(f.shown(name)) << to_string(name);
+    EXPECT_FALSE(parameter(f, name).why_not.empty()) << to_string(name);
+    EXPECT_FALSE(parameter(f, name).experiment.empty()) << to_string(name);
   }
   EXPECT_NE(wording::words(f.reason).find("Stribeck velocity do not show"), std::string::npos);
-  EXPECT_EQ(f.parameters.size(), std::size(method::hysteresis::lugre_parameter_names));
+  EXPECT_EQ(f.parameters.size(), method::hysteresis::lugre_parameters.size());
 }
 
 TEST(LuGreFit, ALoopBelowTheStribeckVelocityShowsTheStartOfTheFall) {
   const simulate::Scenario s = with_loop(1e-3, 1.0);  // up to 0.63 rad/s of 5
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
-  EXPECT_EQ(f.rung, "curvature");
-  EXPECT_LT(relative_error(f, s, "speed_weakening_Nms2_rad2"), 0.01);
-  EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-5);
-  EXPECT_FALSE(f.shown("coulomb_Nm"));
-  EXPECT_FALSE(f.shown("stribeck_speed_rad_s"));
+  EXPECT_EQ(f.rung, method::hysteresis::LuGreRung::curvature);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::speed_weakening), 0.01);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::static_torque), 1e-5);
+  EXPECT_FALSE(f.shown(LuGreParameterName::coulomb_torque));
+  EXPECT_FALSE(f.shown(LuGreParameterName::stribeck_speed));
 }
 
 TEST(LuGreFit, ALoopPastTheStribeckVelocityShowsTheWholeModel) {
   const simulate::Scenario s = with_loop(0.05, 1.0);  // up to 31 rad/s
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
-  EXPECT_EQ(f.rung, "whole");
+  EXPECT_EQ(f.rung, method::hysteresis::LuGreRung::whole);
   for (const auto& [name, truth] : test::true_parameters(s)) {
-    EXPECT_LT(relative_error(f, s, name), 1e-6) << name << " of " << truth;
+    EXPECT_LT(relative_error(f, s, name), 1e-6) << to_string(name) << " of " << truth;
   }
 }
 
 TEST(LuGreFit, TheExperimentItNamesShowsTheParameter) {
   // Its own words for Tc and ws: peak motor speed of twice the Stribeck velocity, beside this loop.
   simulate::Scenario s = test::noisy_paper_joint(7);
-  ASSERT_FALSE(test::fit_loops(s).shown("coulomb_Nm"));
+  ASSERT_FALSE(test::fit_loops(s).shown(LuGreParameterName::coulomb_torque));
   simulate::OscillationExperiment further = *s.oscillation;
   further.amplitude_rad = 2 * 5.0 / (2 * 3.14159 * further.frequency_Hz * s.gear_ratio);
   s.further_oscillations = {further};
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
-  EXPECT_LT(relative_error(f, s, "coulomb_Nm"), 0.05);
-  EXPECT_LT(relative_error(f, s, "stribeck_speed_rad_s"), 0.05);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::coulomb_torque), 0.05);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::stribeck_speed), 0.05);
 }
 
 TEST(LuGreFit, LoopsTogetherShowMoreThanEachAlone) {
@@ -134,11 +138,14 @@ TEST(LuGreFit, LoopsTogetherShowMoreThanEachAlone) {
   s.further_oscillations = {large, fast};
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
   ASSERT_EQ(f.loops.size(), 3U);
-  for (const char* name : {"bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad", "static_Nm",
-                           "coulomb_Nm", "stribeck_speed_rad_s", "inertia_kgm2"}) {
-    EXPECT_LT(relative_error(f, s, name), 0.02) << name;
+  for (const LuGreParameterName name :
+       {LuGreParameterName::bristle_stiffness, LuGreParameterName::bristle_damping,
+        LuGreParameterName::static_torque, LuGreParameterName::coulomb_torque,
+        LuGreParameterName::stribeck_speed, LuGreParameterName::inertia}) {
+    EXPECT_LT(relative_error(f, s, name), 0.02) << to_string(name);
   }
-  EXPECT_LT(f.shown("static_Nm")->half_width(), alone.shown("static_Nm")->half_width() / 3);
+  EXPECT_LT(f.shown(LuGreParameterName::static_torque)->half_width(),
+            alone.shown(LuGreParameterName::static_torque)->half_width() / 3);
   for (const method::hysteresis::LuGreLoop& loop : f.loops) {
     EXPECT_NEAR(loop.gravity_Nm->value, test::true_gravity_Nm, 2e-3) << loop.recording;
   }
@@ -194,7 +201,7 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
   const method::hysteresis::FittedLuGre before = test::fitted_loops(loops);
   const statistics::LinearisedFit& at = *before.linearised;
   EXPECT_EQ(at.readings.size(),
-            std::size(method::hysteresis::lugre_parameter_names));  // the whole model is shown
+            method::hysteresis::lugre_parameters.size());  // the whole model is shown
   Eigen::VectorXd disturbance(at.residuals.size());
   for (Eigen::Index i = 0; i < disturbance.size(); ++i) {
     disturbance(i) = 1e-4 * std::sin(0.013 * static_cast<double>(i));
@@ -202,10 +209,12 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
   }
   const method::hysteresis::FittedLuGre after = test::fitted_loops(loops);
   const Eigen::VectorXd step = at.jacobian.colPivHouseholderQr().solve(disturbance);
-  for (const statistics::LinearisedReading& r : at.readings) {
-    const double value = after.fit.shown(r.name)->value;
+  ASSERT_EQ(before.readings.size(), at.readings.size());
+  for (std::size_t k = 0; k < at.readings.size(); ++k) {
+    const statistics::LinearisedReading& r = at.readings[k];
+    const double value = after.fit.shown(before.readings[k])->value;
     const double moved = r.logarithmic ? std::log(value / r.value) : value - r.value;
-    EXPECT_NEAR(moved / r.gradient.dot(step), 1, 0.02) << r.name;
+    EXPECT_NEAR(moved / r.gradient.dot(step), 1, 0.02) << to_string(before.readings[k]);
   }
   ASSERT_EQ(at.gravity_columns.size(), 1U);
   EXPECT_NEAR(
@@ -221,14 +230,15 @@ TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
   const method::hysteresis::FittedLuGre made = test::fitted_loops(test::oscillations_of(s));
   const method::hysteresis::LuGreFit& f = made.fit;
   ASSERT_TRUE(f.converged) << wording::words(f.reason);
-  EXPECT_EQ(f.rung, "elastic");
-  EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 0.06);
-  EXPECT_FALSE(f.shown("static_Nm"));
+  EXPECT_EQ(f.rung, method::hysteresis::LuGreRung::elastic);
+  EXPECT_LT(relative_error(f, s, LuGreParameterName::bristle_stiffness), 0.06);
+  EXPECT_FALSE(f.shown(LuGreParameterName::static_torque));
   EXPECT_FALSE(f.gravity_Nm) << "a spring's rest cannot be told from gravity";
   EXPECT_TRUE(made.signals.front().z_rad.empty());
   EXPECT_NE(wording::words(f.reason).find("larger amplitude"), std::string::npos)
       << wording::words(f.reason);
-  EXPECT_NE(wording::words(parameter(f, "static_Nm").experiment).find("of larger amplitude"),
+  EXPECT_NE(wording::words(parameter(f, LuGreParameterName::static_torque).experiment)
+                .find("of larger amplitude"),
             std::string::npos);
 }
 
@@ -250,7 +260,7 @@ TEST(LuGreFit, NoiseAloneShowsNothing) {
   const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   EXPECT_FALSE(f.gravity_Nm);
   for (const method::hysteresis::LuGreParameter& p : f.parameters)
-    EXPECT_FALSE(p.estimate) << p.name;
+    EXPECT_FALSE(p.estimate) << to_string(p.name);
 }
 
 TEST(LuGreFit, NoLoopIsAnError) {

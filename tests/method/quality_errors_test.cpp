@@ -11,6 +11,9 @@
 namespace tribolog::quality_errors_test {
 namespace {
 
+using method::hysteresis::Estimator;
+using method::selection::CurveReference;
+
 TEST(QualityErrors, HandWorkedPercentages) {
   method::viscous::ViscousCurvesResult v;
   method::viscous::ConstantSpeedRun run;
@@ -19,10 +22,10 @@ TEST(QualityErrors, HandWorkedPercentages) {
   run.direction_difference_Nm = 0.5;
   v.runs = {run, run};
   v.runs[1].torque_Nm = 2.0;
-  v.curves = {{"X", {0.54, 0.48}}};
+  v.curves = {{Estimator::A, {0.54, 0.48}}};
   const method::selection::QualityErrorsResult q =
       method::selection::identify_quality_errors(v, nullptr);
-  EXPECT_EQ(q.reference, "direction_difference");
+  EXPECT_EQ(q.reference, CurveReference::direction_difference);
   ASSERT_EQ(q.errors.size(), 1U);
   EXPECT_NEAR(q.errors[0].percent[0], 1.0, 1e-12);
   EXPECT_NEAR(q.errors[0].percent[1], -1.0, 1e-12);
@@ -34,9 +37,9 @@ TEST(QualityErrors, DirectionDifferenceRanksTheCandidatesAsTheTruthDoes) {
   const calibration::Calibration with_truth = identify::identify(d);
   d.manifest.reference.reset();
   const calibration::Calibration without = identify::identify(d);
-  EXPECT_EQ(with_truth.quality.reference, "analytic");
-  EXPECT_EQ(without.quality.reference, "direction_difference");
-  EXPECT_EQ(without.selection.paper_rule, "B");
+  EXPECT_EQ(with_truth.quality.reference, CurveReference::analytic);
+  EXPECT_EQ(without.quality.reference, CurveReference::direction_difference);
+  EXPECT_EQ(without.selection.paper_rule, Estimator::B);
   for (const method::selection::QualityError& e : with_truth.quality.errors) {
     ASSERT_NE(without.quality.find(e.estimator), nullptr);
     EXPECT_NEAR(without.quality.find(e.estimator)->rms_percent, e.rms_percent, 0.02);
@@ -51,7 +54,7 @@ TEST(QualityErrors, RunsWithoutReferenceAreCountedAsLeftOut) {
   v.runs = {run, run, run};
   v.runs[1].direction_difference_Nm = std::nan("");
   v.runs[2].torque_Nm = 0.01;  // a percentage of almost nothing
-  v.curves = {{"X", {0.54, 0.54, 0.54}}};
+  v.curves = {{Estimator::A, {0.54, 0.54, 0.54}}};
   const method::selection::QualityErrorsResult q =
       method::selection::identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.runs_left_out, 2U);
@@ -66,7 +69,7 @@ TEST(QualityErrors, WithoutAnyReferenceItSaysWhatToRecord) {
   run.torque_Nm = 4.0;
   run.direction_difference_Nm = std::nan("");
   v.runs = {run};
-  v.curves = {{"X", {0.54}}};
+  v.curves = {{Estimator::A, {0.54}}};
   const method::selection::QualityErrorsResult q =
       method::selection::identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.stage.state, statistics::StageState::not_identifiable);

@@ -20,10 +20,13 @@
 namespace tribolog::torque_driven_lugre_test {
 namespace {
 
+using method::hysteresis::LoopMotion;
+using method::hysteresis::LuGreParameterName;
+
 constexpr double duration_s = 8;
 constexpr double rate_Hz = 1000;
 
-double error_of(const method::hysteresis::LuGreFit& f, const char* name) {
+double error_of(const method::hysteresis::LuGreFit& f, LuGreParameterName name) {
   const auto e = f.shown(name);
   return e ? std::abs(e->value / test::true_parameters(test::paper_joint()).at(name) - 1)
            : INFINITY;
@@ -44,11 +47,11 @@ TEST(TorqueDrivenLuGre, CleanLoopsGiveStiffnessLevelAndGravity) {
   for (const joint::Recording& loop : clean_loops()) {
     const method::hysteresis::LuGreFit f = test::fit_traced({loop});
     ASSERT_TRUE(f.converged) << wording::words(f.reason);
-    EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-4);
-    EXPECT_LT(error_of(f, "static_Nm"), 1e-4);
+    EXPECT_LT(error_of(f, LuGreParameterName::bristle_stiffness), 1e-4);
+    EXPECT_LT(error_of(f, LuGreParameterName::static_torque), 1e-4);
     ASSERT_TRUE(f.gravity_Nm);
     EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-5);
-    EXPECT_EQ(f.loops.front().motion, "spline");
+    EXPECT_EQ(f.loops.front().motion, LoopMotion::spline);
     EXPECT_EQ(wording::words(f.reason).find("not LuGre's"), std::string::npos)
         << wording::words(f.reason);
     ASSERT_TRUE(f.loops.front().traced->turn_stiffness_Nm_rad);
@@ -64,7 +67,7 @@ TEST(TorqueDrivenLuGre, ARecordingMayBeginAnywhereInALoop) {
     signal->erase(signal->begin(), signal->begin() + 3300);
   }
   const method::hysteresis::LuGreFit f = test::fit_traced({loop});
-  EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-3);
+  EXPECT_LT(error_of(f, LuGreParameterName::bristle_stiffness), 1e-3);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-3);
   EXPECT_GT(std::abs(f.loops.front().start_deflection_rad), 1e-5);
 }
@@ -73,10 +76,10 @@ TEST(TorqueDrivenLuGre, SmallLoopsSayThatSlidingIsNotReached) {
   const joint::Recording loop = test::torque_driven_loop(
       test::paper_joint(), test::growing_sine(0.1, 0.25, 0.5, duration_s), duration_s, rate_Hz);
   const method::hysteresis::LuGreFit f = test::fit_traced({loop});
-  EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-3);
+  EXPECT_LT(error_of(f, LuGreParameterName::bristle_stiffness), 1e-3);
   EXPECT_NE(wording::words(f.reason).find("of the way to sliding"), std::string::npos)
       << wording::words(f.reason);
-  EXPECT_FALSE(f.shown("coulomb_Nm"));
+  EXPECT_FALSE(f.shown(LuGreParameterName::coulomb_torque));
 }
 
 TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
@@ -90,9 +93,9 @@ TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
   ASSERT_TRUE(h.found) << wording::words(h.stage.reason);
   ASSERT_TRUE(made.lugre && made.lugre->fit.converged);
   ASSERT_EQ(made.lugre->fit.loops.size(), 2U);
-  EXPECT_EQ(made.lugre->fit.loops[0].motion, "spline");
-  EXPECT_EQ(made.lugre->fit.loops[1].motion, "harmonics");
-  EXPECT_LT(error_of(made.lugre->fit, "bristle_stiffness_Nm_rad"), 0.02);
+  EXPECT_EQ(made.lugre->fit.loops[0].motion, LoopMotion::spline);
+  EXPECT_EQ(made.lugre->fit.loops[1].motion, LoopMotion::harmonics);
+  EXPECT_LT(error_of(made.lugre->fit, LuGreParameterName::bristle_stiffness), 0.02);
 }
 
 TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {
@@ -108,7 +111,8 @@ TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {
 TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
   // White noise of the torque and an encoder whose step is a hundredth of the loop's width.
   constexpr std::size_t seeds = 100;
-  constexpr std::array<const char*, 2> names{"bristle_stiffness_Nm_rad", "static_Nm"};
+  constexpr std::array<LuGreParameterName, 2> names{LuGreParameterName::bristle_stiffness,
+                                                    LuGreParameterName::static_torque};
   const std::vector<joint::Recording> clean = clean_loops();
   const auto truth = test::true_parameters(test::paper_joint());
   std::array<int, 2> covered{};

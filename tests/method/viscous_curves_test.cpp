@@ -11,6 +11,8 @@
 namespace tribolog::viscous_curves_test {
 namespace {
 
+using method::hysteresis::Estimator;
+
 struct Chain {
   joint::Dataset dataset;
   method::gravity::CogSweepResult rough;
@@ -22,7 +24,8 @@ Chain run(const simulate::Scenario& s) {
   Chain c;
   c.dataset = simulate::simulated_dataset(s);
   const method::motion::Sweep sweep(c.dataset.with_role(joint::Role::rough_sweep));
-  c.rough = method::gravity::identify_cog_sweep("cog_rough", sweep, 100).result;
+  c.rough =
+      method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough, sweep, 100).result;
   c.masses = method::hysteresis::identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100,
                                                            0.5, 9.81);
   c.viscous =
@@ -37,7 +40,7 @@ TEST(ViscousCurves, EveryRunGivesTheTrueFriction) {
   const Chain c = run(s);
   EXPECT_EQ(c.viscous.stage.state, statistics::StageState::done);
   ASSERT_EQ(c.viscous.runs.size(), 40U);
-  const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
+  const method::viscous::ViscousCurve* curve = c.viscous.find(Estimator::sweep);
   ASSERT_NE(curve, nullptr);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     const method::viscous::ConstantSpeedRun& r = c.viscous.runs[i];
@@ -62,7 +65,7 @@ TEST(ViscousCurves, FollowEveryStaticLaw) {
   for (const auto& law : laws) {
     s.sliding = law;
     const Chain c = run(s);
-    const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
+    const method::viscous::ViscousCurve* curve = c.viscous.find(Estimator::sweep);
     ASSERT_TRUE(curve != nullptr && c.viscous.runs.size() == 40) << law->name();
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       const double speed = c.viscous.runs[i].speed_rad_s;

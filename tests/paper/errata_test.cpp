@@ -20,7 +20,7 @@ TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
 TEST(PaperTable, HasTheMassesOfTheDatasetBesideThePrintedOnes) {
   calibration::Calibration c;
   method::hysteresis::SurrogateMass mass;
-  mass.estimator = "A";
+  mass.estimator = method::hysteresis::Estimator::A;
   mass.mass_kg = {80.000, 79.9, 80.1, {}};
   c.masses.masses = {mass};
   const report::Table table = paper::page::table_2(c);

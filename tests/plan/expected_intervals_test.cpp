@@ -16,6 +16,8 @@
 namespace tribolog::test::expected_intervals_test {
 namespace {
 
+using calibration::ReadingName;
+
 /// The paper's joint as its scenario has it, with its own friction and ripple, following the plan.
 std::vector<std::vector<truth::Reading>> independent_runs(const plan::ExperimentPlan& plan,
                                                           std::size_t runs) {
@@ -44,7 +46,7 @@ std::vector<std::vector<truth::Reading>> independent_runs(const plan::Experiment
   return found;
 }
 
-double scatter_of(const std::vector<std::vector<truth::Reading>>& runs, const std::string& name) {
+double scatter_of(const std::vector<std::vector<truth::Reading>>& runs, ReadingName name) {
   std::vector<double> values;
   for (const auto& readings : runs) {
     if (const truth::Reading* r = truth::find_reading(readings, name))
@@ -64,22 +66,24 @@ constexpr double agreement = 3.5;
 TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
   const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   const plan::ExpectedIntervals expected = plan::expect_intervals(plan, {8});
-  EXPECT_NEAR(expected.find("midline")->truth, 3.88318571, 1e-9);
-  ASSERT_NE(expected.find("break_away"), nullptr);
+  EXPECT_NEAR(expected.find(ReadingName::midline)->truth, 3.88318571, 1e-9);
+  ASSERT_NE(expected.find(ReadingName::break_away), nullptr);
   for (const plan::ExpectedInterval& e : expected.quantities) {
     // Of eight intervals of 95 %, fewer than five hold the truth once in 2,700 times.
-    EXPECT_GE(e.inside, 5U) << e.name;
+    EXPECT_GE(e.inside, 5U) << to_string(e.name);
   }
   const auto runs = independent_runs(plan, 10);
-  for (const char* name :
-       {"midline", "fit", "sweep", "q_peak", "bristle_stiffness", "static_torque", "sweep_friction",
-        "stribeck_speed", "viscous_coefficient", "viscous_power", "asperity_torque"}) {
+  for (const ReadingName name :
+       {ReadingName::midline, ReadingName::fit, ReadingName::sweep, ReadingName::q_peak,
+        ReadingName::bristle_stiffness, ReadingName::static_torque, ReadingName::sweep_friction,
+        ReadingName::stribeck_speed, ReadingName::viscous_coefficient, ReadingName::viscous_power,
+        ReadingName::asperity_torque}) {
     const plan::ExpectedInterval* e = expected.find(name);
-    ASSERT_NE(e, nullptr) << name;
-    EXPECT_EQ(e->found, 8U) << name;
+    ASSERT_NE(e, nullptr) << to_string(name);
+    EXPECT_EQ(e->found, 8U) << to_string(name);
     const double scatter = 1.96 * scatter_of(runs, name);
-    EXPECT_LT(e->half_width, agreement * scatter) << name;
-    EXPECT_GT(e->half_width, scatter / agreement) << name;
+    EXPECT_LT(e->half_width, agreement * scatter) << to_string(name);
+    EXPECT_GT(e->half_width, scatter / agreement) << to_string(name);
   }
 }
 
@@ -88,8 +92,9 @@ TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
       plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {4});
   const plan::ExpectedIntervals much =
       plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {4});
-  for (const char* name : {"midline", "sweep", "q_peak", "bristle_stiffness", "sweep_friction"}) {
-    EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << name;
+  for (const ReadingName name : {ReadingName::midline, ReadingName::sweep, ReadingName::q_peak,
+                                 ReadingName::bristle_stiffness, ReadingName::sweep_friction}) {
+    EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << to_string(name);
   }
 }
 
@@ -107,10 +112,10 @@ TEST(ExpectedIntervals, AreTheSameOnAnyNumberOfCores) {
 TEST(ExpectedIntervals, AFirstPlanExpectsWhatItCanShow) {
   const plan::ExpectedIntervals expected =
       plan::expect_intervals(plan::plan_experiment(bare_facts(), {0.25}), {2});
-  EXPECT_NE(expected.find("q_peak"), nullptr);
-  EXPECT_NE(expected.find("stribeck_speed"), nullptr);
-  EXPECT_EQ(expected.find("midline"), nullptr);
-  EXPECT_EQ(expected.find("bristle_stiffness"), nullptr);
+  EXPECT_NE(expected.find(ReadingName::q_peak), nullptr);
+  EXPECT_NE(expected.find(ReadingName::stribeck_speed), nullptr);
+  EXPECT_EQ(expected.find(ReadingName::midline), nullptr);
+  EXPECT_EQ(expected.find(ReadingName::bristle_stiffness), nullptr);
 }
 
 TEST(ExpectedIntervals, NoneWithoutRunsOrRecordings) {

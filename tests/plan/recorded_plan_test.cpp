@@ -21,6 +21,8 @@
 namespace tribolog::test::recorded_plan_test {
 namespace {
 
+using calibration::ReadingName;
+
 constexpr double rate_Hz = 1000;
 
 simulate::Scenario paper_joint_with_noise() {
@@ -57,18 +59,18 @@ TEST(RecordedPlan, EveryRecordingIsCutOutOfTheLog) {
 }
 
 struct Truth {
-  const char* name;
+  ReadingName name;
   double value;
 };
 
 std::vector<Truth> truths_of(const simulate::Scenario& joint) {
   constexpr double gravity_Nm = 3.88318571;
   constexpr double static_Nm = 0.88437633;
-  return {{"midline", gravity_Nm},       {"fit", gravity_Nm},
-          {"sweep", gravity_Nm},         {"q_peak", joint.load.q_peak_rad()},
-          {"bristle_stiffness", 465.42}, {"static_torque", static_Nm},
-          {"asperity_torque", 0.8844},   {"stribeck_speed", 5},
-          {"viscous_coefficient", 0.12}, {"viscous_power", 0.6}};
+  return {{ReadingName::midline, gravity_Nm},       {ReadingName::fit, gravity_Nm},
+          {ReadingName::sweep, gravity_Nm},         {ReadingName::q_peak, joint.load.q_peak_rad()},
+          {ReadingName::bristle_stiffness, 465.42}, {ReadingName::static_torque, static_Nm},
+          {ReadingName::asperity_torque, 0.8844},   {ReadingName::stribeck_speed, 5},
+          {ReadingName::viscous_coefficient, 0.12}, {ReadingName::viscous_power, 0.6}};
 }
 
 TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
@@ -86,12 +88,12 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
     const std::vector<truth::Reading> found = truth::readings_of(c);
     for (const Truth& truth : truths_of(joint)) {
       const truth::Reading* r = truth::find_reading(found, truth.name);
-      ASSERT_NE(r, nullptr) << truth.name << ", seed " << seed;
+      ASSERT_NE(r, nullptr) << to_string(truth.name) << ", seed " << seed;
       ++stated;
       held += r->estimate.low <= truth.value && truth.value <= r->estimate.high ? 1 : 0;
       constexpr double largest_error = 0.01;  // 1 % of the truth
       EXPECT_NEAR(r->estimate.value, truth.value, largest_error * std::abs(truth.value))
-          << truth.name << ", seed " << seed;
+          << to_string(truth.name) << ", seed " << seed;
     }
     ASSERT_TRUE(c.break_away.mean_Nm);
     EXPECT_EQ(c.break_away.censored, 0U);

@@ -15,8 +15,8 @@ namespace {
 calibration::Calibration filled_with(const std::string& text) {
   calibration::Calibration c = complete_calibration();
   joint::Manifest& m = c.manifest;
-  for (std::string* field : {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on,
-                             &m.note, &m.payload, &c.quality.reference, &c.friction.curve}) {
+  for (std::string* field :
+       {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on, &m.note, &m.payload}) {
     *field = text;
   }
   const Statement said = Statement::verbatim(text);
@@ -57,9 +57,10 @@ calibration::Calibration filled_with(const std::string& text) {
   for (method::motion::SpeedSource& source : c.speed_sources) source.recording = text;
   for (method::viscous::ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
   c.truth_check.runs = 1;
-  c.truth_check.quantities = {{"q_peak", text, 1, 2, 0, 1, 1, 0, {1}, false}};
+  c.truth_check.quantities = {
+      {calibration::ReadingName::q_peak, text, 1, 2, 0, 1, 1, 0, {1}, false}};
   c.truth_check.left_out = {said};
-  c.truth_check.findings = {{text, said}};
+  c.truth_check.findings = {{calibration::ReadingName::q_peak, said}};
   for (method::hysteresis::SurrogateMass& mass : c.masses.masses)
     mass.torque_Nm.method = mass.mass_kg.method = said;
   return c;

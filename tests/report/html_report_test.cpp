@@ -95,7 +95,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   since.first.facts.measured_at = "2026-01-04T10:00:00Z";
   since.first.id = "0123456789abcdef";
   history::ComparedQuantity angle;
-  angle.name = c.judgement.quantities.front().key;
+  angle.name = to_string(c.judgement.quantities.front().quantity);
   angle.unit = "rad";
   angle.second = c.judgement.quantities.front().estimate;
   angle.change = history::Change{{0.01, 0.008, 0.012, {}}, {}, 1e-6};

@@ -46,11 +46,11 @@ TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
 
 TEST(ReportView, TheWordsOfABrokenLimitStandOnceOnTheFirstScreen) {
   calibration::LimitOutcome limit;
-  limit.rule = "max";
+  limit.rule = calibration::LimitRule::max;
   limit.state = calibration::LimitState::outside;
   limit.outcome = Statement::verbatim("the surrogate mass is above its limit");
   calibration::QuantityVerdict mass;
-  mass.key = "surrogate_mass";
+  mass.quantity = joint::Quantity::surrogate_mass;
   mass.limits = {limit};
   mass.reasons = {limit.outcome, Statement::verbatim("the loops disagree")};
   calibration::Judgement judgement;
@@ -158,9 +158,19 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
   c.truth_check.runs = 20;
   c.truth_check.white_Nm = 0.02;
   c.truth_check.quantities = {
-      {"midline", "N·m", 3.88319, 3.88325, 0.0002, 0.0005, 20, 19, {0.1, 1.2}, true},
-      {"q_peak", "rad", -0.388, -0.380, 1e-5, 1e-5, 20, 0, {}, false}};
-  c.truth_check.findings = {{"q_peak", Statement::verbatim("the gravity peak does not come back")}};
+      {calibration::ReadingName::midline,
+       "N·m",
+       3.88319,
+       3.88325,
+       0.0002,
+       0.0005,
+       20,
+       19,
+       {0.1, 1.2},
+       true},
+      {calibration::ReadingName::q_peak, "rad", -0.388, -0.380, 1e-5, 1e-5, 20, 0, {}, false}};
+  c.truth_check.findings = {{calibration::ReadingName::q_peak,
+                             Statement::verbatim("the gravity peak does not come back")}};
   auto figures = sample_figures(c);
   figures[0].stage = "known-truth";
   const auto drawn = sample_pictures(figures);
@@ -219,7 +229,7 @@ TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
   c.break_away.mean_Nm = statistics::symmetric_estimate(0.9, 0.02, Statement::verbatim("ramps"));
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, ramps of the torque");
   calibration::QuantityVerdict refused;
-  refused.key = "break_away_torque";
+  refused.quantity = joint::Quantity::break_away_torque;
   refused.verdict = calibration::Verdict::not_identifiable;
   c.judgement.quantities.push_back(refused);
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "see the verdict on it");
@@ -228,11 +238,11 @@ TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
 TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   calibration::Calibration c = complete_calibration();
   method::intervals::CrossCheck ours;
-  ours.method = "midline";
+  ours.method = method::hysteresis::Estimator::midline;
   ours.mass_kg = statistics::symmetric_estimate(79.17, 0.01);
   ours.is_recommended = true;
   method::intervals::CrossCheck other = ours;
-  other.method = "sweep_directions";
+  other.method = method::selection::IndependentMethod::sweep_directions;
   other.mass_kg = statistics::symmetric_estimate(79.97, 0.02);
   other.resampled_kg = statistics::symmetric_estimate(79.97, 0.02);
   other.is_recommended = false;

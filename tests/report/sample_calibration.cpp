@@ -7,6 +7,9 @@
 namespace tribolog::test {
 namespace {
 
+using method::hysteresis::Estimator;
+using method::hysteresis::LuGreParameterName;
+
 constexpr double gear_ratio = 100.0;
 constexpr double q_peak_rad = -0.388019;
 constexpr double gravity_Nm = 3.88318571;
@@ -38,7 +41,7 @@ method::gravity::CogSweepResult sweep(const std::string& name, double half_width
   return r;
 }
 
-method::hysteresis::LoopPoint point(char name, double t_s, double torque_Nm, double z_rad) {
+method::hysteresis::LoopPoint point(Estimator name, double t_s, double torque_Nm, double z_rad) {
   return {name, t_s, q_peak_rad, torque_Nm, torque_Nm - 0.012, torque_Nm + 0.012, z_rad, 0.03};
 }
 
@@ -48,9 +51,9 @@ method::hysteresis::HysteresisResult loop() {
   h.found = true;
   h.bristle_source = {"loop.bristle_recorded"};
   h.oscillations = {{q_peak_rad, 1e-4, 1.0, 10.0, 9.0, 4.8e-7}};
-  h.points = {point('A', 0.0, 3.924, 0.0),      point('B', 0.33, 3.866, 0.0),
-              point('C', 0.25, 4.759, 0.0019),  point('D', 0.75, 2.993, -0.0019),
-              point('E', 0.82, 3.703, -0.0005), point('F', 0.32, 4.061, 0.0005)};
+  h.points = {point(Estimator::A, 0.0, 3.924, 0.0),      point(Estimator::B, 0.33, 3.866, 0.0),
+              point(Estimator::C, 0.25, 4.759, 0.0019),  point(Estimator::D, 0.75, 2.993, -0.0019),
+              point(Estimator::E, 0.82, 3.703, -0.0005), point(Estimator::F, 0.32, 4.061, 0.0005)};
   h.steady_points = h.points;
   h.midline_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043,
                                                 Statement::verbatim("scatter of the cycles"));
@@ -62,8 +65,8 @@ method::hysteresis::HysteresisResult loop() {
 method::hysteresis::LuGreFit loop_fit() {
   method::hysteresis::LuGreFit fit;
   fit.converged = true;
-  fit.rung = "level";
-  const auto shown = [&](const char* name, double value, double half_width) {
+  fit.rung = method::hysteresis::LuGreRung::level;
+  const auto shown = [&](LuGreParameterName name, double value, double half_width) {
     method::hysteresis::LuGreParameter p;
     p.name = name;
     p.estimate = statistics::symmetric_estimate(value, half_width, Statement::verbatim("loop fit"));
@@ -71,21 +74,21 @@ method::hysteresis::LuGreFit loop_fit() {
     p.effect_Nm = 0.08;
     fit.parameters.push_back(p);
   };
-  const auto not_shown = [&](const char* name) {
+  const auto not_shown = [&](LuGreParameterName name) {
     method::hysteresis::LuGreParameter p;
     p.name = name;
     p.why_not = Statement::verbatim("the motor stays below 0.0628 rad/s in the loops");
     p.experiment = Statement::verbatim("an oscillation of 0.016 rad at 1 Hz");
     fit.parameters.push_back(p);
   };
-  shown("bristle_stiffness_Nm_rad", 465.4, 2.3);
-  shown("bristle_damping_Nms_rad", 0.7708, 0.05);
-  shown("viscous_Nms_rad", 0.001, 0.0009);
-  shown("static_Nm", 0.88438, 0.0013);
-  not_shown("coulomb_Nm");
-  not_shown("stribeck_speed_rad_s");
-  not_shown("speed_weakening_Nms2_rad2");
-  not_shown("inertia_kgm2");
+  shown(LuGreParameterName::bristle_stiffness, 465.4, 2.3);
+  shown(LuGreParameterName::bristle_damping, 0.7708, 0.05);
+  shown(LuGreParameterName::viscous, 0.001, 0.0009);
+  shown(LuGreParameterName::static_torque, 0.88438, 0.0013);
+  not_shown(LuGreParameterName::coulomb_torque);
+  not_shown(LuGreParameterName::stribeck_speed);
+  not_shown(LuGreParameterName::speed_weakening);
+  not_shown(LuGreParameterName::inertia);
   fit.gravity_Nm =
       statistics::symmetric_estimate(gravity_Nm, 0.0005, Statement::verbatim("loop fit"));
   fit.identifiability = {
@@ -99,7 +102,7 @@ method::hysteresis::LuGreFit loop_fit() {
   only.recording = "oscillation";
   only.gravity_Nm = fit.gravity_Nm;
   only.residual_Nm = 0.02;
-  only.motion = "spline";
+  only.motion = method::hysteresis::LoopMotion::spline;
   only.motion_residual_rad = 1.5e-6;
   const statistics::Estimate behind_turns{7e4, 6.9e4, 7.1e4, {"interval.scatter_of_strokes"}};
   only.traced = method::hysteresis::TracedLoop{
@@ -112,7 +115,7 @@ method::hysteresis::LuGreFit loop_fit() {
   return fit;
 }
 
-method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
+method::hysteresis::SurrogateMass mass(Estimator estimator, double torque_Nm) {
   const statistics::Estimate torque =
       statistics::symmetric_estimate(torque_Nm, 0.0043, Statement::verbatim("reading"));
   return {estimator, torque, q_peak_rad, statistics::scaled(torque, kg_per_Nm), torque};
@@ -123,12 +126,12 @@ method::hysteresis::SurrogateMassesResult masses() {
   r.stage = {"surrogate_masses", statistics::StageState::done, {}};
   r.distance_m = 0.5;
   r.gravity_m_s2 = 9.81;
-  r.masses = {mass("A", 3.924),    mass("B", 3.866),
-              mass("C", 4.759),    mass("D", 2.993),
-              mass("E", 3.703),    mass("F", 4.061),
-              mass("AB", 3.895),   mass("CD", 3.876),
-              mass("EF", 3.882),   mass("midline", gravity_Nm),
-              mass("sweep", 3.884)};
+  r.masses = {mass(Estimator::A, 3.924),    mass(Estimator::B, 3.866),
+              mass(Estimator::C, 4.759),    mass(Estimator::D, 2.993),
+              mass(Estimator::E, 3.703),    mass(Estimator::F, 4.061),
+              mass(Estimator::AB, 3.895),   mass(Estimator::CD, 3.876),
+              mass(Estimator::EF, 3.882),   mass(Estimator::midline, gravity_Nm),
+              mass(Estimator::sweep, 3.884)};
   return r;
 }
 
@@ -163,12 +166,13 @@ method::viscous::ViscousCurvesResult curves(const method::hysteresis::SurrogateM
 method::selection::QualityErrorsResult errors(const method::viscous::ViscousCurvesResult& of) {
   method::selection::QualityErrorsResult q;
   q.stage = {"quality_errors", statistics::StageState::done, {}};
-  q.reference = "direction_difference";
+  q.reference = method::selection::CurveReference::direction_difference;
   for (const method::viscous::ConstantSpeedRun& run : of.runs) {
     q.reference_Nm.push_back(run.direction_difference_Nm);
   }
   for (const method::viscous::ViscousCurve& curve : of.curves) {
-    method::selection::QualityError e{curve.estimator, {}, curve.estimator == "B" ? 0.41 : 1.9};
+    method::selection::QualityError e{
+        curve.estimator, {}, curve.estimator == Estimator::B ? 0.41 : 1.9};
     e.percent.assign(of.runs.size(), 0.4);
     q.errors.push_back(e);
   }
@@ -176,7 +180,7 @@ method::selection::QualityErrorsResult errors(const method::viscous::ViscousCurv
 }
 
 method::checks::DataChecksResult sample_checks() {
-  method::checks::DataCheck fails{"speed_scale",
+  method::checks::DataCheck fails{method::checks::CheckName::speed_scale,
                                   "run_07.csv",
                                   Statement::verbatim("logged speed / derivative of the angle"),
                                   2.0,
@@ -187,7 +191,7 @@ method::checks::DataChecksResult sample_checks() {
                                   Statement::verbatim("factor 2 ± 0.01"),
                                   Statement::verbatim("speeds are wrong"),
                                   Statement::verbatim("correct the unit")};
-  method::checks::DataCheck warns{"clock_gaps",
+  method::checks::DataCheck warns{method::checks::CheckName::clock_gaps,
                                   "sweep.csv",
                                   Statement::verbatim("time lost in gaps"),
                                   1.25,
@@ -198,7 +202,7 @@ method::checks::DataChecksResult sample_checks() {
                                   Statement::verbatim("3 gaps"),
                                   Statement::verbatim("unknown in the gaps"),
                                   Statement::verbatim("log locally")};
-  method::checks::DataCheck absent{"temperature",
+  method::checks::DataCheck absent{method::checks::CheckName::temperature,
                                    "",
                                    {},
                                    std::nullopt,
@@ -214,13 +218,14 @@ method::checks::DataChecksResult sample_checks() {
 
 std::vector<calibration::QuantityVerdict> sample_quantities(const statistics::Estimate& peak_rad) {
   calibration::QuantityVerdict angle;
-  angle.key = "cog_angle";
+  angle.quantity = joint::Quantity::cog_angle;
   angle.estimate = peak_rad;
   angle.unit = "rad";
-  angle.limits = {{"q_peak_deg", "max", -20, "°", statistics::scaled(peak_rad, 57.29577951308232),
-                   calibration::LimitState::inside, Statement::verbatim("angle keeps the limit")}};
+  angle.limits = {{"q_peak_deg", false, calibration::LimitRule::max, -20, "°",
+                   statistics::scaled(peak_rad, 57.29577951308232), calibration::LimitState::inside,
+                   Statement::verbatim("angle keeps the limit")}};
   calibration::QuantityVerdict inertia;
-  inertia.key = "inertia";
+  inertia.quantity = joint::Quantity::inertia;
   inertia.verdict = calibration::Verdict::not_identifiable;
   inertia.decides = false;
   inertia.reasons = {Statement::verbatim("the data do not show it")};
@@ -270,21 +275,21 @@ calibration::Calibration complete_calibration() {
   c.rough = sweep("cog_rough", 0.0011);
   c.precise = sweep("cog_precise", 0.00021);
   c.q_peak_rad = c.precise.q_peak_rad;
-  c.q_peak_source = "cog_precise";
+  c.q_peak_source = method::gravity::PeakSource::precise_sweep;
   c.hysteresis = loop();
   c.lugre = loop_fit();
   c.masses = masses();
   c.viscous = curves(c.masses);
   c.quality = errors(c.viscous);
   c.selection = {{"selection", statistics::StageState::done, {}},
-                 "B",
-                 {"A"},
-                 "midline",
+                 Estimator::B,
+                 {Estimator::A},
+                 Estimator::midline,
                  Statement::verbatim("the mid-line owes nothing to the start-up stroke"),
                  0.38794,
                  statistics::scaled(*c.q_peak_rad, -1.0)};
   c.friction.stage = {"friction_parameters", statistics::StageState::done, {}};
-  c.friction.curve = "midline";
+  c.friction.curve = Estimator::midline;
   c.friction.coulomb_viscous = method::selection::CoulombViscousFit{
       statistics::symmetric_estimate(0.445, 0.023, Statement::verbatim("line")),
       statistics::symmetric_estimate(0.00264, 0.00017, Statement::verbatim("line")), 0.011, 10.0,
@@ -322,21 +327,21 @@ calibration::Calibration sweep_only() {
                {}}};
   c.rough = sweep("cog_rough", 0.028);
   c.q_peak_rad = c.rough.q_peak_rad;
-  c.q_peak_source = "cog_rough";
+  c.q_peak_source = method::gravity::PeakSource::rough_sweep;
   c.precise.stage = {"cog_precise", statistics::StageState::skipped,
                      Statement::verbatim("no precise_sweep was recorded")};
   c.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
                         Statement::verbatim("the encoder step of 0.0001 rad hides the loop")};
   c.masses.stage = {"surrogate_masses", statistics::StageState::partial,
                     Statement::verbatim("only the sweep gives a mass")};
-  c.masses.masses = {mass("sweep", 3.884)};
+  c.masses.masses = {mass(Estimator::sweep, 3.884)};
   c.viscous.stage = {"viscous_curves", statistics::StageState::skipped,
                      Statement::verbatim("no constant_speed was recorded")};
   c.quality.stage = {"quality_errors", statistics::StageState::skipped,
                      Statement::verbatim("there is no curve to judge")};
   c.selection.stage = {"selection", statistics::StageState::partial,
                        Statement::verbatim("the points A to F were not found")};
-  c.selection.recommended = "sweep";
+  c.selection.recommended = Estimator::sweep;
   c.friction.stage = {"friction_parameters", statistics::StageState::skipped,
                       Statement::verbatim("there is no curve to fit")};
   c.judgement = {calibration::Verdict::doubtful,

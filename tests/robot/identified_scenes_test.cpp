@@ -64,9 +64,9 @@ class IdentifiedScenes : public ::testing::Test {
   }
   void set_mass(double kg, double half_kg) {
     calibration_.masses.masses.resize(1);
-    calibration_.masses.masses[0].estimator = std::string("midline");
+    calibration_.masses.masses[0].estimator = method::hysteresis::Estimator::midline;
     calibration_.masses.masses[0].mass_kg = statistics::symmetric_estimate(kg, half_kg);
-    calibration_.selection.recommended = std::string("midline");
+    calibration_.selection.recommended = method::hysteresis::Estimator::midline;
   }
 
   joint::Dataset dataset_ = test::hand_made_dataset();
@@ -129,7 +129,7 @@ TEST_F(IdentifiedScenes, LeaveOutTheFigureWhoseNumbersAreMissing) {
   EXPECT_EQ(numbers(paper::scenes::scene_figures(robot, calibration::Calibration{})),
             (std::vector<int>{9}));
   calibration::Calibration some = calibration_;
-  some.selection.recommended.clear();
+  some.selection.recommended.reset();
   EXPECT_EQ(numbers(paper::scenes::scene_figures(robot, some)), (std::vector<int>{9, 12}));
   some = calibration_;
   some.q_peak_rad.reset();

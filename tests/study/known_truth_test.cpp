@@ -17,6 +17,8 @@
 namespace tribolog::known_truth_test {
 namespace {
 
+using calibration::ReadingName;
+
 calibration::Calibration plain(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
   options.resamples = 0;
@@ -35,11 +37,13 @@ TEST(KnownTruth, PapersJointComesBackWithoutNoise) {
   EXPECT_EQ(check.torque_step_Nm, 0);
   EXPECT_LT(check.white_Nm, 1e-6);
   EXPECT_TRUE(check.findings.empty());
-  for (const char* name : {"midline", "fit", "sweep", "q_peak", "bristle_stiffness",
-                           "static_torque", "asperity_torque", "viscous_power"}) {
+  for (const ReadingName name :
+       {ReadingName::midline, ReadingName::fit, ReadingName::sweep, ReadingName::q_peak,
+        ReadingName::bristle_stiffness, ReadingName::static_torque, ReadingName::asperity_torque,
+        ReadingName::viscous_power}) {
     const calibration::ReturnedQuantity* q = check.find(name);
-    ASSERT_NE(q, nullptr) << name;
-    EXPECT_NEAR(q->came_back / q->put_in, 1, 2e-4) << name;
+    ASSERT_NE(q, nullptr) << to_string(name);
+    EXPECT_NEAR(q->came_back / q->put_in, 1, 2e-4) << to_string(name);
   }
 }
 
@@ -55,12 +59,12 @@ TEST(KnownTruth, PapersJointComesBackInRealisticNoise) {
   std::size_t inside = 0;
   std::size_t found = 0;
   for (const calibration::ReturnedQuantity& q : check.quantities) {
-    EXPECT_TRUE(q.comes_back) << q.name;
+    EXPECT_TRUE(q.comes_back) << to_string(q.name);
     inside += q.inside;
     found += q.found;
   }
   EXPECT_GT(static_cast<double>(inside) / static_cast<double>(found), 0.88);
-  EXPECT_NEAR(check.find("midline")->came_back, check.find("midline")->put_in,
+  EXPECT_NEAR(check.find(ReadingName::midline)->came_back, check.find(ReadingName::midline)->put_in,
               5e-4 * test::true_gravity_Nm);
 }
 
@@ -90,9 +94,9 @@ TEST(KnownTruth, OfTheChainIsThatOfWholeIdentifications) {
     const calibration::ReturnedQuantity& a = of_chain.quantities[i];
     const calibration::ReturnedQuantity& b = of_whole.quantities[i];
     EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.came_back, b.came_back) << a.name;
-    EXPECT_EQ(a.half_width, b.half_width) << a.name;
-    EXPECT_EQ(a.in_half_widths, b.in_half_widths) << a.name;
+    EXPECT_EQ(a.came_back, b.came_back) << to_string(a.name);
+    EXPECT_EQ(a.half_width, b.half_width) << to_string(a.name);
+    EXPECT_EQ(a.in_half_widths, b.in_half_widths) << to_string(a.name);
   }
 }
 
@@ -100,13 +104,14 @@ TEST(KnownTruth, AWrongTruthIsCaught) {
   const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
   truth::IdentifiedJoint joint = truth::identified_joint(dataset, plain(dataset, 1));
   for (truth::Reading& reading : joint.put_in) {
-    if (reading.name != "midline" && reading.name != "bristle_stiffness") continue;
+    if (reading.name != ReadingName::midline && reading.name != ReadingName::bristle_stiffness)
+      continue;
     reading.estimate = statistics::scaled(reading.estimate, 1.05);
   }
   const calibration::TruthCheckResult check = truth::check_known_truth(joint, plain, {5, 1, 0});
-  EXPECT_FALSE(check.find("midline")->comes_back);
-  EXPECT_FALSE(check.find("bristle_stiffness")->comes_back);
-  EXPECT_TRUE(check.find("sweep")->comes_back);
+  EXPECT_FALSE(check.find(ReadingName::midline)->comes_back);
+  EXPECT_FALSE(check.find(ReadingName::bristle_stiffness)->comes_back);
+  EXPECT_TRUE(check.find(ReadingName::sweep)->comes_back);
   ASSERT_EQ(check.findings.size(), 2U);
   EXPECT_NE(wording::words(check.findings[0].finding).find("mid-line"), std::string::npos)
       << wording::words(check.findings[0].finding);
@@ -130,8 +135,8 @@ TEST(KnownTruth, AWrongStageIsCaught) {
   };
   const calibration::TruthCheckResult check =
       truth::check_known_truth(dataset, plain(dataset, 1), wrong, {5, 1, 0});
-  EXPECT_FALSE(check.find("q_peak")->comes_back);
-  EXPECT_TRUE(check.find("sweep")->comes_back);
+  EXPECT_FALSE(check.find(ReadingName::q_peak)->comes_back);
+  EXPECT_TRUE(check.find(ReadingName::sweep)->comes_back);
 }
 
 TEST(KnownTruth, AChainThatFindsNothingIsCaught) {
@@ -151,9 +156,9 @@ TEST(KnownTruth, ASweepAloneIsChecked) {
   simulate::Scenario scenario = test::small_scenario();
   scenario.oscillation.reset();
   const calibration::TruthCheckResult check = checked(simulate::simulated_dataset(scenario), 4);
-  EXPECT_NE(check.find("sweep"), nullptr);
-  EXPECT_NE(check.find("q_peak"), nullptr);
-  EXPECT_EQ(check.find("midline"), nullptr);
+  EXPECT_NE(check.find(ReadingName::sweep), nullptr);
+  EXPECT_NE(check.find(ReadingName::q_peak), nullptr);
+  EXPECT_EQ(check.find(ReadingName::midline), nullptr);
   EXPECT_TRUE(check.findings.empty());
 }
 
@@ -161,9 +166,9 @@ TEST(KnownTruth, AnOscillationAloneIsChecked) {
   simulate::Scenario scenario = test::small_scenario();
   scenario.rough_sweep.reset();
   const calibration::TruthCheckResult check = checked(simulate::simulated_dataset(scenario), 4);
-  EXPECT_NE(check.find("midline"), nullptr);
-  EXPECT_NE(check.find("static_torque"), nullptr);
-  EXPECT_EQ(check.find("q_peak"), nullptr);
+  EXPECT_NE(check.find(ReadingName::midline), nullptr);
+  EXPECT_NE(check.find(ReadingName::static_torque), nullptr);
+  EXPECT_EQ(check.find(ReadingName::q_peak), nullptr);
   EXPECT_TRUE(check.findings.empty());
 }
 
@@ -182,22 +187,23 @@ TEST(KnownTruth, WithoutGravityItSaysWhyNothingIsSimulated) {
 TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
   calibration::Calibration c = plain(simulate::simulated_dataset(test::paper_joint()), 1);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
-  const auto verdict_on = [&](const std::string& key) {
+  const auto verdict_on = [&](joint::Quantity quantity) {
     for (const calibration::QuantityVerdict& q : verdict::judge(c).quantities) {
-      if (q.key == key) return q.verdict;
+      if (q.quantity == quantity) return q.verdict;
     }
     return calibration::Verdict::not_identifiable;
   };
-  ASSERT_EQ(c.selection.recommended, "midline");
-  c.truth_check.findings = {{"midline", Statement::verbatim("the mid-line does not come back")}};
-  EXPECT_EQ(verdict_on("surrogate_mass"), calibration::Verdict::doubtful);
-  EXPECT_EQ(verdict_on("cog_angle"), calibration::Verdict::usable);
+  ASSERT_EQ(c.selection.recommended, method::hysteresis::Estimator::midline);
+  c.truth_check.findings = {
+      {ReadingName::midline, Statement::verbatim("the mid-line does not come back")}};
+  EXPECT_EQ(verdict_on(joint::Quantity::surrogate_mass), calibration::Verdict::doubtful);
+  EXPECT_EQ(verdict_on(joint::Quantity::cog_angle), calibration::Verdict::usable);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
   EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
                       Statement::verbatim("the mid-line does not come back")),
             verdict::judge(c).findings.end());
   // An estimator that nothing rests on is told of and lowers nothing.
-  c.truth_check.findings = {{"B", Statement::verbatim("point B does not come back")}};
+  c.truth_check.findings = {{ReadingName::B, Statement::verbatim("point B does not come back")}};
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
 }
 
@@ -209,7 +215,7 @@ TEST(KnownTruth, IdentifyMakesItWhereAsked) {
   options.truth_runs = 2;
   const calibration::Calibration c = identify::identify(dataset, options);
   EXPECT_EQ(c.truth_check.runs, 2U);
-  EXPECT_EQ(c.truth_check.find("midline")->found, 2U);
+  EXPECT_EQ(c.truth_check.find(ReadingName::midline)->found, 2U);
 }
 
 TEST(FoundNoise, RippleIsFoundWithItsPeriods) {

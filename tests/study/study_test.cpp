@@ -18,6 +18,8 @@
 namespace tribolog::study_test {
 namespace {
 
+using calibration::ReadingName;
+
 study::StudyResult studied(const std::vector<std::string>& factors, std::size_t runs) {
   study::StudyOptions options;
   options.runs = runs;
@@ -37,34 +39,36 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   constexpr double truth = test::true_gravity_Nm;
   constexpr double matters = 1e-3 * truth;
   const study::StudyResult study = studied({"torque_noise"}, runs);
-  const auto errors = [&](const std::string& reading) -> const study::ErrorStatistics& {
+  const auto errors = [&](ReadingName reading) -> const study::ErrorStatistics& {
     return study.base_case().find(reading)->errors;
   };
-  EXPECT_TRUE(errors("A").is_biased(matters));
-  EXPECT_GT(errors("A").bias, 0);
-  EXPECT_TRUE(errors("B").is_biased(matters));
-  EXPECT_LT(errors("B").bias, 0);
+  EXPECT_TRUE(errors(ReadingName::A).is_biased(matters));
+  EXPECT_GT(errors(ReadingName::A).bias, 0);
+  EXPECT_TRUE(errors(ReadingName::B).is_biased(matters));
+  EXPECT_LT(errors(ReadingName::B).bias, 0);
   // Table 2 of the paper: C 97 kg and D 61 kg about 79.17.
-  EXPECT_NEAR(errors("C").bias / truth, 97.023 / 79.1679 - 1, 0.01);
-  EXPECT_NEAR(errors("D").bias / truth, 61.009 / 79.1679 - 1, 0.01);
+  EXPECT_NEAR(errors(ReadingName::C).bias / truth, 97.023 / 79.1679 - 1, 0.01);
+  EXPECT_NEAR(errors(ReadingName::D).bias / truth, 61.009 / 79.1679 - 1, 0.01);
   // In the steady loop A and B lie symmetrically.
-  const study::ErrorStatistics& a = errors("A_steady");
-  const study::ErrorStatistics& b = errors("B_steady");
+  const study::ErrorStatistics& a = errors(ReadingName::A_steady);
+  const study::ErrorStatistics& b = errors(ReadingName::B_steady);
   EXPECT_TRUE(a.is_biased(matters));
   EXPECT_TRUE(b.is_biased(matters));
   EXPECT_NEAR(a.bias + b.bias, 0, 4 * std::hypot(a.bias_standard_error, b.bias_standard_error));
-  for (const char* reading : {"AB", "CD", "EF", "midline", "fit", "sweep"}) {
-    EXPECT_FALSE(errors(reading).is_biased(matters)) << reading;
+  for (const ReadingName reading : {ReadingName::AB, ReadingName::CD, ReadingName::EF,
+                                    ReadingName::midline, ReadingName::fit, ReadingName::sweep}) {
+    EXPECT_FALSE(errors(reading).is_biased(matters)) << to_string(reading);
   }
-  EXPECT_LT(errors("midline").scatter, errors("B").scatter / 10);
+  EXPECT_LT(errors(ReadingName::midline).scatter, errors(ReadingName::B).scatter / 10);
   // An honest 95 % interval holds the truth in 18 of 24 runs or fewer once in 2,400 studies.
-  for (const char* reading : {"midline", "fit", "sweep", "bristle_stiffness", "static_torque"}) {
-    EXPECT_GE(errors(reading).coverage.value, 19.0 / runs) << reading;
+  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::sweep,
+                                    ReadingName::bristle_stiffness, ReadingName::static_torque}) {
+    EXPECT_GE(errors(reading).coverage.value, 19.0 / runs) << to_string(reading);
   }
-  EXPECT_LT(errors("B").coverage.value, 0.5);
+  EXPECT_LT(errors(ReadingName::B).coverage.value, 0.5);
   double last = -1;
   for (const study::StudyLevel& level : factor(study, "torque_noise").levels) {
-    const double scatter = study.case_of(level).find("midline")->errors.scatter;
+    const double scatter = study.case_of(level).find(ReadingName::midline)->errors.scatter;
     EXPECT_GT(scatter, last) << wording::words(level.text);
     last = scatter;
   }
@@ -74,8 +78,9 @@ TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
   const study::StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, 12);
   const study::StudyLevel& one = factor(study, "ripple_one_position").levels.back();
   const study::StudyLevel& eight = factor(study, "ripple_eight_positions").levels.back();
-  const study::ErrorStatistics& from_one = study.case_of(one).find("midline")->errors;
-  const study::ErrorStatistics& from_eight = study.case_of(eight).find("midline")->errors;
+  const study::ErrorStatistics& from_one = study.case_of(one).find(ReadingName::midline)->errors;
+  const study::ErrorStatistics& from_eight =
+      study.case_of(eight).find(ReadingName::midline)->errors;
   // Two sines at random phases of amplitude a: their sum has the standard deviation a.
   const double amplitude_Nm = one.value * 1e-3;
   EXPECT_GT(from_one.scatter, amplitude_Nm / 2);
@@ -84,7 +89,7 @@ TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
   EXPECT_GE(from_one.coverage.value, 8.0 / 12);
   EXPECT_GE(from_eight.coverage.value, 8.0 / 12);
   // What is read at the first position alone is widened by the ripple, however many there are.
-  EXPECT_GE(study.case_of(eight).find("AB")->errors.coverage.value, 8.0 / 12);
+  EXPECT_GE(study.case_of(eight).find(ReadingName::AB)->errors.coverage.value, 8.0 / 12);
 }
 
 TEST(Study, EachFactorHasOneBaseLevelAndLevelsOfOneCaseAreOneScenario) {
@@ -134,8 +139,8 @@ TEST(Study, ASweepAloneHasTheFactorsOfASweep) {
   options.runs = 2;
   const study::StudyResult study = study::run_study(sweep, options);
   EXPECT_EQ(study.factors.size(), 3U);
-  EXPECT_EQ(study.base_case().find("midline"), nullptr);
-  ASSERT_NE(study.base_case().find("sweep"), nullptr);
+  EXPECT_EQ(study.base_case().find(ReadingName::midline), nullptr);
+  ASSERT_NE(study.base_case().find(ReadingName::sweep), nullptr);
 }
 
 TEST(Study, ThreadsChangeNoNumber) {
@@ -165,9 +170,11 @@ TEST(Study, AnotherSeedGivesOtherNumbers) {
   study::StudyOptions options;
   options.runs = 2;
   options.factors = {"torque_step"};
-  const double first = study::run_study(sweep, options).base_case().find("sweep")->errors.bias;
+  const double first =
+      study::run_study(sweep, options).base_case().find(ReadingName::sweep)->errors.bias;
   options.seed = 2;
-  EXPECT_NE(first, study::run_study(sweep, options).base_case().find("sweep")->errors.bias);
+  EXPECT_NE(first,
+            study::run_study(sweep, options).base_case().find(ReadingName::sweep)->errors.bias);
 }
 
 TEST(Study, RefusesOneRunAndUnknownFactors) {
@@ -186,12 +193,15 @@ TEST(Study, RefusesOneRunAndUnknownFactors) {
 
 TEST(Study, TruthIsTheScenarios) {
   const std::vector<truth::Reading> truths = study::true_readings(test::paper_joint());
-  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "midline")->estimate.value, test::true_gravity_Nm);
-  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "q_peak")->estimate.value, test::true_q_peak_rad());
-  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "bristle_stiffness")->estimate.value, 465.42);
-  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "stribeck_power")->estimate.value, 0.7);
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, ReadingName::midline)->estimate.value,
+                   test::true_gravity_Nm);
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, ReadingName::q_peak)->estimate.value,
+                   test::true_q_peak_rad());
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, ReadingName::bristle_stiffness)->estimate.value,
+                   465.42);
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, ReadingName::stribeck_power)->estimate.value, 0.7);
   // The line over the curve has no number of its own in the scenario.
-  ASSERT_NE(truth::find_reading(truths, "coulomb"), nullptr);
+  ASSERT_NE(truth::find_reading(truths, ReadingName::coulomb), nullptr);
 }
 
 TEST(SimulateJoint, NoiseInTwoStepsIsTheSameNoise) {

@@ -11,10 +11,12 @@
 namespace tribolog::trust_test {
 namespace {
 
+using calibration::ReadingName;
+
 constexpr double truth = 4.0;
 
 /// An estimator of gravity whose every run is off by so much, +- a little.
-study::StudiedReading reading(const std::string& name, double off, double half_width) {
+study::StudiedReading reading(ReadingName name, double off, double half_width) {
   std::vector<statistics::Estimate> estimates;
   for (int i = 0; i < 100; ++i) {
     const double little = (i % 2 == 0 ? 1 : -1) * 1e-5;
@@ -34,9 +36,10 @@ study::StudyResult study_of(const std::vector<double>& midline_off, double half_
                              i == 2,
                              name,
                              {}});
-    study.cases.push_back({name,
-                           {reading("A", 0.02, 0.005), reading("B", -0.02, 0.005),
-                            reading("midline", midline_off[i], half_width)}});
+    study.cases.push_back(
+        {name,
+         {reading(ReadingName::A, 0.02, 0.005), reading(ReadingName::B, -0.02, 0.005),
+          reading(ReadingName::midline, midline_off[i], half_width)}});
   }
   std::swap(study.cases[0], study.cases[2]);
   study.factors.push_back(factor);
@@ -46,14 +49,14 @@ study::StudyResult study_of(const std::vector<double>& midline_off, double half_
 TEST(Trust, ReachesToTheFirstLevelThatBreaksIt) {
   const study::StudyResult study = study_of({0.1, 0.001, 0.001, 0.001, 0.006});
   const study::TrustedRange fine =
-      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine);
+      study::trusted_range(study, study.factors[0], ReadingName::midline, study::Criterion::fine);
   EXPECT_TRUE(fine.at_base);
   EXPECT_EQ(fine.lowest, 1U);
   EXPECT_EQ(fine.highest, 3U);
   EXPECT_FALSE(fine.all_levels);
   // 0.006 of 4 is 0.15 %.
   const study::TrustedRange coarse =
-      study::trusted_range(study, study.factors[0], "midline", study::Criterion::coarse);
+      study::trusted_range(study, study.factors[0], ReadingName::midline, study::Criterion::coarse);
   EXPECT_EQ(coarse.lowest, 1U);
   EXPECT_EQ(coarse.highest, 4U);
 }
@@ -61,7 +64,7 @@ TEST(Trust, ReachesToTheFirstLevelThatBreaksIt) {
 TEST(Trust, ALevelBeyondABrokenOneDoesNotCount) {
   const study::StudyResult study = study_of({0.001, 0.1, 0.001, 0.1, 0.001});
   const study::TrustedRange range =
-      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine);
+      study::trusted_range(study, study.factors[0], ReadingName::midline, study::Criterion::fine);
   EXPECT_EQ(range.lowest, 2U);
   EXPECT_EQ(range.highest, 2U);
 }
@@ -69,24 +72,26 @@ TEST(Trust, ALevelBeyondABrokenOneDoesNotCount) {
 TEST(Trust, IsNoneWhereTheBaseCaseBreaksIt) {
   const study::StudyResult study = study_of({0, 0, 0, 0, 0});
   EXPECT_FALSE(
-      study::trusted_range(study, study.factors[0], "B", study::Criterion::coarse).at_base);
+      study::trusted_range(study, study.factors[0], ReadingName::B, study::Criterion::coarse)
+          .at_base);
   EXPECT_TRUE(
-      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine).all_levels);
+      study::trusted_range(study, study.factors[0], ReadingName::midline, study::Criterion::fine)
+          .all_levels);
 }
 
 TEST(Trust, IntervalsThatDoNotHoldTheTruthAreNarrow) {
   const study::StudyResult narrow = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.0005);
-  EXPECT_FALSE(study::holds(narrow.base_case(), "midline", study::Criterion::coverage));
-  EXPECT_TRUE(study::holds(narrow.base_case(), "midline", study::Criterion::fine));
+  EXPECT_FALSE(study::holds(narrow.base_case(), ReadingName::midline, study::Criterion::coverage));
+  EXPECT_TRUE(study::holds(narrow.base_case(), ReadingName::midline, study::Criterion::fine));
   const study::StudyResult wide = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.002);
-  EXPECT_TRUE(study::holds(wide.base_case(), "midline", study::Criterion::coverage));
+  EXPECT_TRUE(study::holds(wide.base_case(), ReadingName::midline, study::Criterion::coverage));
 }
 
 TEST(Trust, WhatIsNotFoundIsNotTrusted) {
   study::StudyResult study = study_of({0, 0, 0, 0, 0});
   study.cases[1].readings[2].errors.found = 90;  // of 100
-  EXPECT_FALSE(study::holds(study.cases[1], "midline", study::Criterion::coarse));
-  EXPECT_FALSE(study::holds(study.cases[1], "fit", study::Criterion::coarse));
+  EXPECT_FALSE(study::holds(study.cases[1], ReadingName::midline, study::Criterion::coarse));
+  EXPECT_FALSE(study::holds(study.cases[1], ReadingName::fit, study::Criterion::coarse));
 }
 
 TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
@@ -109,7 +114,7 @@ TEST(Trust, TheSentenceNamesPointBWhereItWasRead) {
             "In the base case the mid-line is within 0.025 % of the true gravity torque in 95 of "
             "100 runs, and 100 % of its stated intervals hold the truth; point B is off by "
             "-0.50 %, the mid-line by +0.025 %.");
-  study.cases[0].readings = {reading("sweep", 0.004, 1)};
+  study.cases[0].readings = {reading(ReadingName::sweep, 0.004, 1)};
   EXPECT_TRUE(study::study_sentence(study).is("study_sentence.sweep"));
   study.cases[0].readings.clear();
   EXPECT_TRUE(study::study_sentence(study).is("study.no_gravity"));

@@ -7,7 +7,7 @@ std::vector<std::string> findings_of(const method::checks::DataChecksResult& che
   for (const method::checks::DataCheck& check : checks.checks) {
     if (check.state == method::checks::CheckState::warns ||
         check.state == method::checks::CheckState::fails) {
-      names.push_back(check.name);
+      names.push_back(to_string(check.name));
     }
   }
   return names;

@@ -7,6 +7,8 @@
 namespace tribolog::test {
 namespace {
 
+using method::hysteresis::LuGreParameterName;
+
 constexpr double gear_ratio = 100;
 
 }  // namespace
@@ -30,18 +32,19 @@ method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>
   return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
 }
 
-std::map<std::string, double> true_parameters(const simulate::Scenario& s) {
+std::map<method::hysteresis::LuGreParameterName, double> true_parameters(
+    const simulate::Scenario& s) {
   const auto& p = dynamic_cast<const friction::LuGreFriction&>(*s.presliding).parameters();
-  return {
-      {"bristle_stiffness_Nm_rad", p.bristle_stiffness_Nm_rad},
-      {"bristle_damping_Nms_rad", p.bristle_damping_Nms_rad},
-      {"viscous_Nms_rad", p.viscous_Nms_rad},
-      {"static_Nm", p.static_Nm},
-      {"coulomb_Nm", p.coulomb_Nm},
-      {"stribeck_speed_rad_s", p.stribeck_speed_rad_s},
-      {"speed_weakening_Nms2_rad2",
-       (p.static_Nm - p.coulomb_Nm) / std::pow(p.stribeck_speed_rad_s, 2)},
-      {"inertia_kgm2", s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (s.gear_ratio * s.gear_ratio)}};
+  return {{LuGreParameterName::bristle_stiffness, p.bristle_stiffness_Nm_rad},
+          {LuGreParameterName::bristle_damping, p.bristle_damping_Nms_rad},
+          {LuGreParameterName::viscous, p.viscous_Nms_rad},
+          {LuGreParameterName::static_torque, p.static_Nm},
+          {LuGreParameterName::coulomb_torque, p.coulomb_Nm},
+          {LuGreParameterName::stribeck_speed, p.stribeck_speed_rad_s},
+          {LuGreParameterName::speed_weakening,
+           (p.static_Nm - p.coulomb_Nm) / std::pow(p.stribeck_speed_rad_s, 2)},
+          {LuGreParameterName::inertia,
+           s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (s.gear_ratio * s.gear_ratio)}};
 }
 
 simulate::Scenario at_eight_positions(simulate::Scenario s, double phase_1_rad,

@@ -23,7 +23,8 @@ inline method::hysteresis::LuGreFit fit_loops(const simulate::Scenario& scenario
 }
 
 /// What LuGreFit::parameters should hold for a scenario with LuGre in pre-sliding, by name.
-std::map<std::string, double> true_parameters(const simulate::Scenario& scenario);
+std::map<method::hysteresis::LuGreParameterName, double> true_parameters(
+    const simulate::Scenario& scenario);
 
 /// The oscillation at eight motor positions, with ripple of 1 and 6 periods a turn at the phases.
 simulate::Scenario at_eight_positions(simulate::Scenario scenario, double phase_1_rad,

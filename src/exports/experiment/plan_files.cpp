@@ -128,14 +128,10 @@ Json segment_json(const plan::PlannedSegment& s) {
 }
 
 Json expectation_json(const plan::ExpectedInterval& e) {
-  return {{"name", e.name},
-          {"unit", truth::unit_of(e.quantity)},
-          {"assumed_truth", number(e.truth)},
-          {"half_width", number(e.half_width)},
-          {"scatter", number(e.scatter)},
-          {"runs", e.runs},
-          {"identified_in", e.found},
-          {"held_by_interval_in", e.inside}};
+  return {{"name", to_string(e.name)},        {"unit", truth::unit_of(e.quantity)},
+          {"assumed_truth", number(e.truth)}, {"half_width", number(e.half_width)},
+          {"scatter", number(e.scatter)},     {"runs", e.runs},
+          {"identified_in", e.found},         {"held_by_interval_in", e.inside}};
 }
 
 template <class List, class ToJson>

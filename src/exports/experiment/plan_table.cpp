@@ -136,7 +136,7 @@ std::vector<std::string> expectation_lines(const plan::ExpectedIntervals& expect
   for (const plan::ExpectedInterval& e : expected.quantities) {
     const std::string found =
         e.found == e.runs ? "" : fmt::format(", identified in {} of {} runs", e.found, e.runs);
-    lines.push_back(fmt::format("  {:<38} {}{}", wording::words_for("expected", e.name),
+    lines.push_back(fmt::format("  {:<38} {}{}", wording::words_for("expected", to_string(e.name)),
                                 interval_text(e.truth, e.half_width, e.quantity), found));
   }
   return lines;

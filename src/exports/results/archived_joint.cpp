@@ -1,7 +1,7 @@
 #include "exports/results/archived_joint.h"
 
 #include <algorithm>
-#include <string_view>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -11,9 +11,10 @@
 
 namespace tribolog::exports::results {
 
-const calibration::Quantity* ArchivedJoint::found(std::string_view name) const {
-  for (const calibration::Quantity& quantity : quantities) {
-    if (quantity.name == name && quantity.estimate) return &quantity;
+const calibration::Quantity* ArchivedJoint::found(joint::Quantity quantity) const {
+  const std::string name = to_string(quantity);
+  for (const calibration::Quantity& one : quantities) {
+    if (one.name == name && one.estimate) return &one;
   }
   return nullptr;
 }

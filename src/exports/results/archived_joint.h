@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "calibration/archived_calibration.h"
 #include "joint/drive.h"
+#include "joint/quantity.h"
 
 namespace tribolog::exports::results {
 
@@ -16,8 +16,8 @@ struct ArchivedJoint {
   std::vector<calibration::Quantity> quantities;  ///< SI, motor side.
   std::string calibration;  ///< The file of `tribolog identify`; empty: not archived.
 
-  /// @return nullptr if there is none of this name, or none with an estimate.
-  [[nodiscard]] const calibration::Quantity* found(std::string_view name) const;
+  /// @return nullptr if it is not archived, or without an estimate.
+  [[nodiscard]] const calibration::Quantity* found(joint::Quantity quantity) const;
 };
 
 /// What an export for a simulator may do beyond the usual.

@@ -56,8 +56,8 @@ std::vector<FrictionRow> merged(const std::vector<FrictionRow>& points) {
 
 FrictionTable straight_line(const ArchivedJoint& joint,
                             const std::optional<double>& fastest_rad_s) {
-  const calibration::Quantity* const coulomb = joint.found("coulomb_torque");
-  const calibration::Quantity* const viscous = joint.found("viscous_coefficient");
+  const calibration::Quantity* const coulomb = joint.found(joint::Quantity::coulomb_torque);
+  const calibration::Quantity* const viscous = joint.found(joint::Quantity::viscous_coefficient);
   if (coulomb == nullptr || viscous == nullptr || !fastest_rad_s) {
     return {{}, "the calibration holds no friction curve"};
   }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,8 +19,9 @@ namespace tribolog::exports::results {
 namespace {
 
 /// Empty: it can be used.
-std::string objection(const ArchivedJoint& joint, std::string_view name, bool doubtful_too,
+std::string objection(const ArchivedJoint& joint, joint::Quantity quantity, bool doubtful_too,
                       bool is_number) {
+  const std::string name = to_string(quantity);
   for (const calibration::Quantity& q : joint.quantities) {
     if (q.name != name) continue;
     const std::string words = printable(q.words);
@@ -35,7 +35,7 @@ std::string objection(const ArchivedJoint& joint, std::string_view name, bool do
     return fmt::format("{}{} is {}; --doubtful-too exports it all the same", words, shown,
                        calibration::to_string(q.verdict));
   }
-  return "the calibration has no " + printable(std::string(name));
+  return "the calibration has no " + printable(name);
 }
 
 std::string shown_id(const ArchivedJoint& joint) {
@@ -45,23 +45,23 @@ std::string shown_id(const ArchivedJoint& joint) {
 /// A quantity that the format cannot do without.
 /// @throw UsageError: it was not identified; or its verdict is not usable and `doubtful_too` was
 ///        not given; or it is below zero, which no simulator takes.
-const calibration::Quantity& needed(const ArchivedJoint& joint, std::string_view name,
+const calibration::Quantity& needed(const ArchivedJoint& joint, joint::Quantity quantity,
                                     bool doubtful_too) {
-  const std::string why = objection(joint, name, doubtful_too, true);
+  const std::string why = objection(joint, quantity, doubtful_too, true);
   if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
-  return *joint.found(name);
+  return *joint.found(quantity);
 }
 
 /// What the format can do without. @param why_not receives why it is left out.
-const calibration::Quantity* if_usable(const ArchivedJoint& joint, std::string_view name,
+const calibration::Quantity* if_usable(const ArchivedJoint& joint, joint::Quantity quantity,
                                        bool doubtful_too, std::string& why_not) {
-  why_not = objection(joint, name, doubtful_too, true);
-  return why_not.empty() ? joint.found(name) : nullptr;
+  why_not = objection(joint, quantity, doubtful_too, true);
+  return why_not.empty() ? joint.found(quantity) : nullptr;
 }
 
 /// @throw UsageError as needed(), for a quantity that is no number: the viscous curve.
-void refuse_doubtful(const ArchivedJoint& joint, std::string_view name, bool doubtful_too) {
-  const std::string why = objection(joint, name, doubtful_too, false);
+void refuse_doubtful(const ArchivedJoint& joint, joint::Quantity quantity, bool doubtful_too) {
+  const std::string why = objection(joint, quantity, doubtful_too, false);
   if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
 }
 
@@ -124,8 +124,10 @@ std::string shortest(double number) {
 
 std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
   const calibration::Facts& f = joint.entry.facts;
-  const calibration::Quantity& viscous = needed(joint, "viscous_coefficient", options.doubtful_too);
-  const calibration::Quantity& coulomb = needed(joint, "coulomb_torque", options.doubtful_too);
+  const calibration::Quantity& viscous =
+      needed(joint, joint::Quantity::viscous_coefficient, options.doubtful_too);
+  const calibration::Quantity& coulomb =
+      needed(joint, joint::Quantity::coulomb_torque, options.doubtful_too);
   std::vector<std::string> lines = comment_lines(joint);
   lines.emplace_back(
       "Copy <dynamics> into your joint. The links and the type of the joint are there to make "
@@ -161,7 +163,7 @@ struct Armature {
 Armature armature_of(const ArchivedJoint& joint, const SimulatorOptions& options) {
   std::string why_not;
   const calibration::Quantity* const inertia =
-      if_usable(joint, "inertia", options.doubtful_too, why_not);
+      if_usable(joint, joint::Quantity::inertia, options.doubtful_too, why_not);
   if (inertia == nullptr) return {{}, "armature is left out: " + why_not};
   const double n = joint.entry.facts.gear_ratio;
   const std::string found = estimate_line(*inertia, n, joint::Side::joint);
@@ -190,8 +192,10 @@ Armature armature_of(const ArchivedJoint& joint, const SimulatorOptions& options
 
 std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
   const calibration::Facts& f = joint.entry.facts;
-  const calibration::Quantity& viscous = needed(joint, "viscous_coefficient", options.doubtful_too);
-  const calibration::Quantity& coulomb = needed(joint, "coulomb_torque", options.doubtful_too);
+  const calibration::Quantity& viscous =
+      needed(joint, joint::Quantity::viscous_coefficient, options.doubtful_too);
+  const calibration::Quantity& coulomb =
+      needed(joint, joint::Quantity::coulomb_torque, options.doubtful_too);
   const Armature armature = armature_of(joint, options);
   std::vector<std::string> lines = comment_lines(joint);
   lines.emplace_back(
@@ -221,7 +225,7 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
 std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options) {
   const calibration::Facts& f = joint.entry.facts;
   const bool at_motor = options.side == joint::Side::motor;
-  refuse_doubtful(joint, "viscous_curve", options.doubtful_too);
+  refuse_doubtful(joint, joint::Quantity::viscous_curve, options.doubtful_too);
   FrictionTable table = friction_table(joint);
   if (table.rows.empty()) {
     throw UsageError(joint.entry.id.substr(0, calibration::shown_digits) +
@@ -235,14 +239,15 @@ std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions
                               joint::to_string(options.side),
                               at_motor ? ", as archived" : ": archived torques × n, speeds / n",
                               source));
-  for (const char* const name : {"coulomb_torque", "viscous_coefficient"}) {
-    const calibration::Quantity* const quantity = joint.found(name);
+  for (const joint::Quantity one :
+       {joint::Quantity::coulomb_torque, joint::Quantity::viscous_coefficient}) {
+    const calibration::Quantity* const quantity = joint.found(one);
     if (quantity != nullptr) lines.push_back(estimate_line(*quantity, f.gear_ratio, options.side));
   }
   double peak = 1;
   std::string why_not;
   const calibration::Quantity* const break_away =
-      if_usable(joint, "break_away_torque", options.doubtful_too, why_not);
+      if_usable(joint, joint::Quantity::break_away_torque, options.doubtful_too, why_not);
   if (break_away != nullptr) {
     const double static_Nm = at_motor ? present(break_away->estimate).value
                                       : calibration::at_joint(*break_away, f.gear_ratio).value;

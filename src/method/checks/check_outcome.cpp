@@ -7,7 +7,7 @@
 
 namespace tribolog::method::checks {
 
-DataCheck not_applicable(const std::string& name, Statement why) {
+DataCheck not_applicable(CheckName name, Statement why) {
   DataCheck check;
   check.name = name;
   check.found = std::move(why);

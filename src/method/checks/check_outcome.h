@@ -10,7 +10,7 @@
 namespace tribolog::method::checks {
 
 /// A check that does not apply, with the reason.
-DataCheck not_applicable(const std::string& name, Statement why);
+DataCheck not_applicable(CheckName name, Statement why);
 
 /// Takes the number of one recording (or of a role) for the check's if it is the largest so far.
 /// @return whether it was taken.

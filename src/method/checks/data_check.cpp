@@ -1,6 +1,8 @@
 #include "method/checks/data_check.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace tribolog::method::checks {
 
@@ -18,13 +20,49 @@ std::string to_string(CheckState state) {
   return "unknown";
 }
 
-const DataCheck* DataChecksResult::find(const std::string& name) const {
+std::string to_string(CheckName name) {
+  /// In the order of the enumeration.
+  constexpr std::array keys{"effort_provenance",
+                            "effort_column",
+                            "link_side_torque",
+                            "joint_moves",
+                            "angle_unit",
+                            "clock_jitter",
+                            "clock_gaps",
+                            "speed_scale",
+                            "speed_noise",
+                            "sweep_directions",
+                            "run_directions",
+                            "sweep_common_angles",
+                            "run_common_angles",
+                            "run_speeds",
+                            "stick_slip",
+                            "torque_alive",
+                            "torque_noise",
+                            "torque_saturation",
+                            "torque_step",
+                            "friction_dissipates",
+                            "power",
+                            "friction_drift",
+                            "temperature",
+                            "encoder_step",
+                            "oscillation_cycles",
+                            "oscillation_slides",
+                            "oscillation_at_peak",
+                            "gravity_within_torque",
+                            "static_torque",
+                            "torque_ripple",
+                            "ripple_period"};
+  return keys.at(static_cast<std::size_t>(name));
+}
+
+const DataCheck* DataChecksResult::find(CheckName name) const {
   const auto it = std::find_if(checks.begin(), checks.end(),
                                [&](const DataCheck& check) { return check.name == name; });
   return it == checks.end() ? nullptr : &*it;
 }
 
-bool DataChecksResult::fails(const std::string& name) const {
+bool DataChecksResult::fails(CheckName name) const {
   const DataCheck* check = find(name);
   return check != nullptr && check->state == CheckState::fails;
 }

@@ -17,8 +17,46 @@ enum class CheckState { passed, warns, fails, not_applicable };
 
 std::string to_string(CheckState state);
 
+/// In the order of the report.
+enum class CheckName {
+  effort_provenance,
+  effort_column,
+  link_side_torque,
+  joint_moves,
+  angle_unit,
+  clock_jitter,
+  clock_gaps,
+  speed_scale,
+  speed_noise,
+  sweep_directions,
+  run_directions,
+  sweep_common_angles,
+  run_common_angles,
+  run_speeds,
+  stick_slip,
+  torque_alive,
+  torque_noise,
+  torque_saturation,
+  torque_step,
+  friction_dissipates,
+  power,
+  friction_drift,
+  temperature,
+  encoder_step,
+  oscillation_cycles,
+  oscillation_slides,
+  oscillation_at_peak,
+  gravity_within_torque,
+  static_torque,
+  torque_ripple,
+  ripple_period,
+};
+
+/// Stable, in files and in message codes: "speed_scale".
+std::string to_string(CheckName name);
+
 struct DataCheck {
-  std::string name;                ///< Stable key: "speed_scale".
+  CheckName name{};
   std::string recording;           ///< The one the number is of, a role, or "all"; empty: none.
   Statement measure;               ///< What was measured.
   std::optional<double> measured;  ///< In `unit`; absent where not applicable.
@@ -35,8 +73,8 @@ struct DataCheck {
 struct DataChecksResult {
   std::vector<DataCheck> checks;  ///< In the order of the report.
 
-  [[nodiscard]] const DataCheck* find(const std::string& name) const;
-  [[nodiscard]] bool fails(const std::string& name) const;
+  [[nodiscard]] const DataCheck* find(CheckName name) const;
+  [[nodiscard]] bool fails(CheckName name) const;
   /// Those in this state, in order.
   [[nodiscard]] std::vector<const DataCheck*> in_state(CheckState state) const;
 };

@@ -25,7 +25,7 @@ Code only_direction(joint::Role role, bool rises) {
   return rises ? Code{"directions.sweep_only_rises"} : Code{"directions.sweep_only_falls"};
 }
 
-DataCheck check_directions(const CheckedDataset& data, joint::Role role, const std::string& name) {
+DataCheck check_directions(const CheckedDataset& data, joint::Role role, CheckName name) {
   const auto recordings = data.with_role(role);
   if (recordings.empty()) {
     return not_applicable(name, none_of(role));
@@ -81,8 +81,7 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   return all > 0 ? shared / all : 0.0;
 }
 
-DataCheck check_common_angles(const CheckedDataset& data, joint::Role role,
-                              const std::string& name) {
+DataCheck check_common_angles(const CheckedDataset& data, joint::Role role, CheckName name) {
   constexpr double least_common_percent = 20;
   constexpr double practically_none_percent = 5;
   const auto recordings = data.with_role(role);
@@ -122,19 +121,19 @@ DataCheck check_common_angles(const CheckedDataset& data, joint::Role role,
 }  // namespace
 
 DataCheck check_sweep_directions(const CheckedDataset& data) {
-  return check_directions(data, joint::Role::rough_sweep, "sweep_directions");
+  return check_directions(data, joint::Role::rough_sweep, CheckName::sweep_directions);
 }
 
 DataCheck check_run_directions(const CheckedDataset& data) {
-  return check_directions(data, joint::Role::constant_speed, "run_directions");
+  return check_directions(data, joint::Role::constant_speed, CheckName::run_directions);
 }
 
 DataCheck check_sweep_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, joint::Role::rough_sweep, "sweep_common_angles");
+  return check_common_angles(data, joint::Role::rough_sweep, CheckName::sweep_common_angles);
 }
 
 DataCheck check_run_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, joint::Role::constant_speed, "run_common_angles");
+  return check_common_angles(data, joint::Role::constant_speed, CheckName::run_common_angles);
 }
 
 }  // namespace tribolog::method::checks

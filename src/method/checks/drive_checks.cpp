@@ -46,7 +46,7 @@ bool is_known_behind_gear(const CheckedDataset& data) {
 
 DataCheck check_link_side_torque(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "link_side_torque";
+  check.name = CheckName::link_side_torque;
   const joint::Drive& drive = data.manifest->drive;
   const bool behind_gear = is_known_behind_gear(data);
   const bool is_at_joint =
@@ -94,7 +94,7 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
 
 DataCheck check_dissipation(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "friction_dissipates";
+  check.name = CheckName::friction_dissipates;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -133,7 +133,7 @@ DataCheck check_power(const CheckedDataset& data) {
   // The largest drives of robot joints are of some 15 kW.
   constexpr double largest_likely_kW = 50;
   DataCheck check;
-  check.name = "power";
+  check.name = CheckName::power;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }

@@ -123,7 +123,7 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
   constexpr double warning_percent = 10;
   constexpr double most_percent = 20;
   DataCheck check;
-  check.name = "friction_drift";
+  check.name = CheckName::friction_drift;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }

@@ -43,7 +43,7 @@ DataCheck check_torque_ripple(const joint::Dataset& dataset, const gravity::CogS
   // A ripple of this share shifts gravity torque by as much: what a good measurement wants.
   constexpr double most_percent = 0.3;
   DataCheck check;
-  check.name = "torque_ripple";
+  check.name = CheckName::torque_ripple;
   const double n = dataset.manifest.drive.gear_ratio();
   const Statement why = why_not(sweep, n);
   if (!why.empty()) return not_applicable(check.name, why);
@@ -78,7 +78,7 @@ DataCheck check_ripple_period(const joint::Dataset& dataset, const gravity::CogS
   // A motor's own ripple repeats a whole number of times a turn.
   constexpr double tolerated = 0.05;
   DataCheck check;
-  check.name = "ripple_period";
+  check.name = CheckName::ripple_period;
   const double n = dataset.manifest.drive.gear_ratio();
   const Statement why = why_not(sweep, n);
   if (!why.empty()) return not_applicable(check.name, why);
@@ -116,7 +116,7 @@ DataCheck check_oscillation_at_peak(const joint::Dataset& dataset,
   constexpr double warning_deg = 2;  // costs 6e-4 of gravity torque
   constexpr double most_deg = 10;    // from here on an angle's error of 1° costs 0.3 % and more
   DataCheck check;
-  check.name = "oscillation_at_peak";
+  check.name = CheckName::oscillation_at_peak;
   const auto oscillations = dataset.with_role(joint::Role::oscillation);
   if (oscillations.empty() || !q_peak_rad) {
     return not_applicable(check.name, oscillations.empty() ? Code{"not_applicable.no_oscillation"}
@@ -152,7 +152,7 @@ DataCheck check_gravity_within_torque(const joint::Dataset& dataset,
   constexpr double warning_ratio = 1.5;
   constexpr double most_ratio = 3;
   DataCheck check;
-  check.name = "gravity_within_torque";
+  check.name = CheckName::gravity_within_torque;
   if (!sweep.found) {
     return not_applicable(check.name, {"not_applicable.no_gravity_in_sweep"});
   }

@@ -50,7 +50,7 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
   // over a network scatter by some ten per cent.
   constexpr double most_percent = 50;
   DataCheck check;
-  check.name = "clock_jitter";
+  check.name = CheckName::clock_jitter;
   check.measure = {"measure.interval_scatter"};
   check.unit = percent_sign;
   check.at_most = most_percent;
@@ -73,7 +73,7 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
 DataCheck check_clock_gaps(const CheckedDataset& data) {
   constexpr double most_percent = 5;
   DataCheck check;
-  check.name = "clock_gaps";
+  check.name = CheckName::clock_gaps;
   check.measure = {"measure.time_in_gaps"};
   check.unit = percent_sign;
   check.at_most = most_percent;
@@ -148,7 +148,7 @@ Statement stated_effort(const joint::Drive& drive, bool is_confirmed) {
 
 DataCheck check_effort_provenance(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "effort_provenance";
+  check.name = CheckName::effort_provenance;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -172,7 +172,7 @@ DataCheck check_effort_provenance(const CheckedDataset& data) {
 
 DataCheck check_effort_column(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "effort_column";
+  check.name = CheckName::effort_column;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -208,7 +208,7 @@ DataCheck check_temperature(const CheckedDataset& data) {
   constexpr double warning_K = 5;
   constexpr double most_K = 10;
   DataCheck check;
-  check.name = "temperature";
+  check.name = CheckName::temperature;
   double low = 0, high = 0;
   for (const CheckedRecording& r : data.recordings) {
     for (const double degrees : r.recording->temperature_C) {

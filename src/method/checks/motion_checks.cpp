@@ -12,7 +12,7 @@ namespace tribolog::method::checks {
 
 DataCheck check_joint_moves(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "joint_moves";
+  check.name = CheckName::joint_moves;
   check.measure = {"measure.moving_recordings"};
   check.unit = percent_sign;
   check.at_least = 100;
@@ -38,7 +38,7 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   // A little more than one turn: few joints of a robot turn further, all do in degrees.
   constexpr double largest_likely_rad = 7.0;
   DataCheck check;
-  check.name = "angle_unit";
+  check.name = CheckName::angle_unit;
   check.measure = {"measure.largest_angle"};
   check.unit = "rad";
   check.at_most = largest_likely_rad;
@@ -108,7 +108,7 @@ DataCheck check_oscillation_cycles(const CheckedDataset& data) {
   constexpr double fewest = 3;
   constexpr double enough = 5;
   DataCheck check;
-  check.name = "oscillation_cycles";
+  check.name = CheckName::oscillation_cycles;
   check.measure = {"measure.cycles"};
   check.unit = pure_number;
   check.at_least = enough;
@@ -136,7 +136,7 @@ DataCheck check_oscillation_slides(const CheckedDataset& data) {
   constexpr double warning_percent = 10;
   constexpr double most_percent = 30;
   DataCheck check;
-  check.name = "oscillation_slides";
+  check.name = CheckName::oscillation_slides;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -202,7 +202,7 @@ std::size_t stops_within(const CheckedRecording& r, const motion::Stroke& stroke
 DataCheck check_stick_slip(const CheckedDataset& data) {
   constexpr double most_stops = 4;
   DataCheck check;
-  check.name = "stick_slip";
+  check.name = CheckName::stick_slip;
   check.measure = {"measure.stops"};
   check.unit = pure_number;
   check.at_most = most_stops;

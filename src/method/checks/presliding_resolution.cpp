@@ -125,7 +125,7 @@ std::optional<Resolution> of_reversals(const CheckedDataset& data) {
 
 DataCheck check_encoder_step(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "encoder_step";
+  check.name = CheckName::encoder_step;
   check.unit = pure_number;
   check.at_least = motion::fewest_steps_in_presliding;
   const bool has_loop = data.has_role(joint::Role::oscillation);

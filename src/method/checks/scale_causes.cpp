@@ -148,7 +148,7 @@ void judge(DataCheck& check, double factor, double half_width, const joint::Driv
 
 DataCheck check_static_torque(const joint::Manifest& m, const std::optional<FoundGravity>& found) {
   DataCheck check;
-  check.name = "static_torque";
+  check.name = CheckName::static_torque;
   const bool has_payload = m.payload_kg && *m.payload_kg > 0 && m.payload_distance_m;
   if (!m.known_gravity && !has_payload) {
     return not_applicable(check.name, {"not_applicable.no_stated_gravity"});

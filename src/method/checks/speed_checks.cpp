@@ -63,7 +63,7 @@ double excess(const SpeedScale& s) { return std::max(0.0, std::abs(s.factor - 1)
 
 DataCheck check_speed_scale(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "speed_scale";
+  check.name = CheckName::speed_scale;
   check.measure = {"measure.speed_of_derivative"};
   check.unit = pure_number;
   check.at_least = 1 - tolerated;
@@ -134,7 +134,7 @@ double noise_percent(const CheckedRecording& r) {
 DataCheck check_speed_noise(const CheckedDataset& data) {
   constexpr double most_percent = 50;
   DataCheck check;
-  check.name = "speed_noise";
+  check.name = CheckName::speed_noise;
   check.measure = {"measure.speed_scatter"};
   check.unit = percent_sign;
   check.at_most = most_percent;
@@ -162,7 +162,7 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
   constexpr std::size_t fewest = 5;   // the curve of eq. (6) has five parameters
   constexpr std::size_t fewest_for_a_line = 3;
   DataCheck check;
-  check.name = "run_speeds";
+  check.name = CheckName::run_speeds;
   const auto runs = data.with_role(joint::Role::constant_speed);
   if (runs.empty()) return not_applicable(check.name, {"not_applicable.no_runs"});
   std::vector<double> speeds;

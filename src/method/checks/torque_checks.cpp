@@ -38,7 +38,7 @@ struct TorqueScatter {
 
 DataCheck check_torque_alive(const CheckedDataset& data) {
   DataCheck check;
-  check.name = "torque_alive";
+  check.name = CheckName::torque_alive;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -66,7 +66,7 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
   constexpr double warning_percent = 50;
   constexpr double most_percent = 80;
   DataCheck check;
-  check.name = "torque_noise";
+  check.name = CheckName::torque_noise;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -103,7 +103,7 @@ DataCheck check_torque_step(const CheckedDataset& data) {
   constexpr double warning_percent = 10;
   constexpr double most_percent = 25;
   DataCheck check;
-  check.name = "torque_step";
+  check.name = CheckName::torque_step;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }
@@ -240,7 +240,7 @@ Saturation saturation_of(const std::vector<double>& t) {
 DataCheck check_torque_saturation(const CheckedDataset& data) {
   constexpr double most_percent = 0.5;
   DataCheck check;
-  check.name = "torque_saturation";
+  check.name = CheckName::torque_saturation;
   if (!data.has_torque) {
     return not_applicable(check.name, {"not_applicable.no_torque"});
   }

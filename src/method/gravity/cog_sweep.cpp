@@ -196,14 +196,30 @@ Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_
 
 }  // namespace
 
-CogSweep identify_cog_sweep(const std::string& name, const motion::Sweep& sweep, double gear_ratio,
+std::string to_string(SweepKind kind) {
+  return kind == SweepKind::rough ? "cog_rough" : "cog_precise";
+}
+
+std::string to_string(PeakSource source) {
+  switch (source) {
+    case PeakSource::rough_sweep:
+      return to_string(SweepKind::rough);
+    case PeakSource::precise_sweep:
+      return to_string(SweepKind::precise);
+    case PeakSource::runs:
+      break;
+  }
+  return "runs";
+}
+
+CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double gear_ratio,
                             const std::optional<statistics::Estimate>& gravity_Nm,
                             const Ripple& known_ripple) {
-  const bool precise = name == "cog_precise";
+  const bool precise = kind == SweepKind::precise;
   CogSweep made;
   CogSweepResult& out = made.result;
   if (sweep.recordings.empty()) {
-    out.stage = {name, statistics::StageState::skipped,
+    out.stage = {to_string(kind), statistics::StageState::skipped,
                  precise ? Code{"gravity.no_precise_sweep"} : Code{"gravity.no_rough_sweep"}};
     return made;
   }
@@ -213,7 +229,7 @@ CogSweep identify_cog_sweep(const std::string& name, const motion::Sweep& sweep,
   out.samples_left_out = samples.left_out;
   out.constant_speed = samples.constant_speed;
   out.both_directions = samples.both_directions();
-  out.stage = {name, statistics::StageState::not_identifiable, {}};
+  out.stage = {to_string(kind), statistics::StageState::not_identifiable, {}};
   if (samples.size() < fewest_samples) {
     out.stage.reason = {"gravity.too_few_samples",
                         {{"samples", samples.size()}, {"needed", fewest_samples}}};

@@ -85,6 +85,18 @@ struct SweepBlocks {
   std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
 };
 
+/// Which of the paper's two sweeps.
+enum class SweepKind { rough, precise };
+
+/// The stage that the sweep is of: "cog_rough", "cog_precise".
+std::string to_string(SweepKind kind);
+
+/// Where the angle of the gravity peak was taken from.
+enum class PeakSource { rough_sweep, precise_sweep, runs };
+
+/// Stable: "cog_rough", "cog_precise", "runs".
+std::string to_string(PeakSource source);
+
 struct CogSweep {
   CogSweepResult result;
   SweepCurves curves;
@@ -92,11 +104,10 @@ struct CogSweep {
 };
 
 /// @param sweep of the recordings of one role; without any the stage is skipped and says so.
-/// @param name stage name, "cog_rough" or "cog_precise".
 /// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
 /// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
 /// interval is as wide as the ripple at any phase demands.
-CogSweep identify_cog_sweep(const std::string& name, const motion::Sweep& sweep, double gear_ratio,
+CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double gear_ratio,
                             const std::optional<statistics::Estimate>& gravity_Nm = std::nullopt,
                             const Ripple& known_ripple = {});
 

@@ -204,9 +204,9 @@ double surely_held(const BreakAwayResult& ramps, bool is_rising) {
 }
 
 /// How friction falls with speed is read relative to the level.
-bool rests_on_level(const std::string& name) {
-  return name == "coulomb_Nm" || name == "stribeck_speed_rad_s" ||
-         name == "speed_weakening_Nms2_rad2";
+bool rests_on_level(LuGreParameterName name) {
+  return name == LuGreParameterName::coulomb_torque || name == LuGreParameterName::stribeck_speed ||
+         name == LuGreParameterName::speed_weakening;
 }
 
 void withdraw(LuGreParameter& parameter, Statement why_not, Statement experiment) {
@@ -218,7 +218,7 @@ void withdraw(LuGreParameter& parameter, Statement why_not, Statement experiment
 }  // namespace
 
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
-  const auto level = fit.shown("static_Nm");
+  const auto level = fit.shown(LuGreParameterName::static_torque);
   if (!level || ramps.ramps.empty()) return fit;
   // Gravity that was not taken off helps one direction by what it hinders the other: the smaller
   // of the two is held in any case.
@@ -229,7 +229,7 @@ LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   const Statement contradiction{"lugre.contradicted_by_ramps",
                                 {{"level_Nm", level->value}, {"held_Nm", held}}};
   for (LuGreParameter& p : fit.parameters) {
-    if (p.name == "static_Nm") {
+    if (p.name == LuGreParameterName::static_torque) {
       withdraw(p, contradiction, {"lugre_experiment.ramps_that_slide"});
     } else if (p.estimate && rests_on_level(p.name)) {
       withdraw(p, {"lugre.rests_on_contradicted_level"}, {"lugre_experiment.runs"});

@@ -83,7 +83,7 @@ void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
                       std::vector<LoopPoint>& points) {
   if (turns < 3) return;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (points[k].name == 'A') continue;
+    if (points[k].name == Estimator::A) continue;
     const double half_width = (steady[k].torque_high_Nm - steady[k].torque_low_Nm) / 2 *
                               std::sqrt(static_cast<double>(turns));
     points[k].torque_low_Nm = points[k].torque_Nm - half_width;

@@ -16,16 +16,15 @@
 #include "base/statement.h"
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
+#include "method/hysteresis/estimator.h"
 #include "method/hysteresis/lugre_fit.h"
 #include "method/hysteresis/position_mean.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::hysteresis {
 
-inline constexpr std::array<char, 6> loop_point_names{'A', 'B', 'C', 'D', 'E', 'F'};
-
 struct LoopPoint {
-  char name{'A'};
+  Estimator name{Estimator::A};  ///< One of loop_points.
   double t_s{};
   double q_rad{};
   double torque_Nm{};      ///< Motor side.
@@ -89,8 +88,8 @@ struct HysteresisResult {
 /// What a resample needs to redo the loop without its samples.
 struct LoopCycles {
   std::vector<double> means_Nm;  ///< Of the first recording's steady cycles.
-  /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
-  std::vector<std::array<double, 6>> turn_torques_Nm;
+  /// Torques at A to F, in the order of loop_points, in each steady turn of the first.
+  std::vector<std::array<double, loop_points.size()>> turn_torques_Nm;
   std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
 };
 

@@ -242,7 +242,7 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
     }
     return t[i];
   };
-  const auto point = [&](char name, double time) {
+  const auto point = [&](Estimator name, double time) {
     const TorqueReading torque = reader.torque(time);
     return LoopPoint{name,
                      time,
@@ -253,12 +253,12 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
                      reader.interpolate(z, time),
                      reader.interpolate(dz, time)};
   };
-  return std::vector<LoopPoint>{point('A', cubic_crossing(t, z, dz, a)),
-                                point('B', cubic_crossing(t, z, dz, b)),
-                                point('C', turning_time(c)),
-                                point('D', turning_time(d)),
-                                point('E', extremum_time(t, dz, e)),
-                                point('F', extremum_time(t, dz, f))};
+  return std::vector<LoopPoint>{point(Estimator::A, cubic_crossing(t, z, dz, a)),
+                                point(Estimator::B, cubic_crossing(t, z, dz, b)),
+                                point(Estimator::C, turning_time(c)),
+                                point(Estimator::D, turning_time(d)),
+                                point(Estimator::E, extremum_time(t, dz, e)),
+                                point(Estimator::F, extremum_time(t, dz, f))};
 }
 
 }  // namespace tribolog::method::hysteresis

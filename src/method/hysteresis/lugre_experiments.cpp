@@ -45,20 +45,22 @@ Statement experiment_for(const LuGreParameter& p, const LuGreFit& fit, double n,
                          const std::optional<double>& stribeck) {
   const double amplitude = fit.motor_amplitude_rad / n;
   const double growth = growth_needed(p, fit);
-  if (p.name == "coulomb_Nm" || p.name == "stribeck_speed_rad_s" ||
-      p.name == "speed_weakening_Nms2_rad2") {
+  if (p.name == LuGreParameterName::coulomb_torque ||
+      p.name == LuGreParameterName::stribeck_speed ||
+      p.name == LuGreParameterName::speed_weakening) {
     return past_stribeck(fit, n, stribeck);
   }
-  if (p.name == "static_Nm" || p.name == "bristle_stiffness_Nm_rad") {
+  if (p.name == LuGreParameterName::static_torque ||
+      p.name == LuGreParameterName::bristle_stiffness) {
     return {"lugre_experiment.larger_amplitude",
             {{"larger_rad", 3 * amplitude}, {"amplitude_rad", amplitude}}};
   }
-  if (p.name == "inertia_kgm2") {
+  if (p.name == LuGreParameterName::inertia) {
     return {"lugre_experiment.other_frequency",
             {{"frequency_Hz", fit.frequency_Hz * std::max(2.0, std::sqrt(growth))}}};
   }
   const double higher_Hz = fit.frequency_Hz * growth;
-  if (p.name != "viscous_Nms_rad") {
+  if (p.name != LuGreParameterName::viscous) {
     return {"lugre_experiment.other_frequency", {{"frequency_Hz", higher_Hz}}};
   }
   constexpr double most_by_frequency = 10;

@@ -124,7 +124,7 @@ void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProble
 /// How the model's motion was made, and what that says of the loop.
 void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const LuGreClimb& climb,
                      double gear_ratio, const LuGreSignals& signals, LuGreLoop& loop) {
-  loop.motion = input.traced != nullptr ? "spline" : "harmonics";
+  loop.motion = input.traced != nullptr ? LoopMotion::spline : LoopMotion::harmonics;
   loop.motion_residual_rad =
       input.traced != nullptr ? input.traced->residual_rad : input.motion->residual_rad;
   if (input.traced == nullptr) return;
@@ -201,29 +201,15 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
 
 /// All that resampling needs.
 statistics::LinearisedFit linearised(const LuGreClimb& climb,
-                                     std::vector<statistics::LinearisedReading> shown,
+                                     std::vector<statistics::LinearisedReading> readings,
                                      std::size_t recordings, std::size_t samples_in_row) {
   statistics::LinearisedFit out = climb.linear.fit;
-  out.readings = std::move(shown);
+  out.readings = std::move(readings);
   out.samples_in_row = samples_in_row;
   for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
     out.gravity_columns.push_back(LuGreProblem::gravity_column(climb.free, r));
   }
   return out;
-}
-
-const char* rung_name(LuGreRung rung) {
-  switch (rung) {
-    case LuGreRung::elastic:
-      return "elastic";
-    case LuGreRung::level:
-      return "level";
-    case LuGreRung::curvature:
-      return "curvature";
-    case LuGreRung::whole:
-      return "whole";
-  }
-  return "";
 }
 
 Statement what_is_not_shown(LuGreRung rung, const LuGreFit& fit) {
@@ -272,6 +258,32 @@ Statement worst_misfit(const LuGreFit& fit) {
 
 }  // namespace
 
+std::string to_string(LuGreParameterName name) {
+  switch (name) {
+    case LuGreParameterName::bristle_stiffness:
+      return "bristle_stiffness_Nm_rad";
+    case LuGreParameterName::bristle_damping:
+      return "bristle_damping_Nms_rad";
+    case LuGreParameterName::viscous:
+      return "viscous_Nms_rad";
+    case LuGreParameterName::static_torque:
+      return "static_Nm";
+    case LuGreParameterName::coulomb_torque:
+      return "coulomb_Nm";
+    case LuGreParameterName::stribeck_speed:
+      return "stribeck_speed_rad_s";
+    case LuGreParameterName::speed_weakening:
+      return "speed_weakening_Nms2_rad2";
+    case LuGreParameterName::inertia:
+      return "inertia_kgm2";
+  }
+  return "";
+}
+
+std::string to_string(LoopMotion motion) {
+  return motion == LoopMotion::spline ? "spline" : "harmonics";
+}
+
 const LuGreLoop* LuGreFit::worst_described() const {
   const auto worst =
       std::max_element(loops.begin(), loops.end(), [](const LuGreLoop& a, const LuGreLoop& b) {
@@ -280,7 +292,7 @@ const LuGreLoop* LuGreFit::worst_described() const {
   return worst == loops.end() ? nullptr : &*worst;
 }
 
-std::optional<statistics::Estimate> LuGreFit::shown(const std::string& name) const {
+std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) const {
   for (const LuGreParameter& p : parameters) {
     if (p.name == name) return p.estimate;
   }
@@ -300,7 +312,7 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   }
   LuGreClimb climb = climb_from_coarse(loops, gear_ratio, q_peak_rad, problem);
   fit.iterations = climb.evaluations;
-  fit.rung = rung_name(climb.rung);
+  fit.rung = climb.rung;
   if (!climb.converged) {
     fit.reason = {"lugre.not_converged"};
     return made;
@@ -330,8 +342,8 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
                          : gravity::with_ripple(made.positions->gravity_Nm, ripple);
   }
   fit.reason = what_is_not_shown(climb.rung, fit);
-  const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
-  const auto level = fit.shown("static_Nm");
+  const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
+  const auto level = fit.shown(LuGreParameterName::static_torque);
   if (stiffness && level && fit.motor_amplitude_rad * stiffness->value < level->value) {
     fit.reason.add({"lugre.static_torque_extrapolated",
                     {{"way_to_sliding_percent",
@@ -340,7 +352,8 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   add_grain(samples_in_row, fit);
   fit.reason.add(worst_misfit(fit));
   made.linearised = std::make_shared<statistics::LinearisedFit>(
-      linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
+      linearised(climb, std::move(readings.readings), loops.size(), samples_in_row.front()));
+  made.readings = std::move(readings.shown);
   fit = with_experiments(std::move(fit), gear_ratio, std::nullopt);
   return made;
 }

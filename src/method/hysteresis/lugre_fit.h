@@ -14,6 +14,7 @@
 // stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
 // spline the noise of the angle is added (traced_loop.h).
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "base/statement.h"
 #include "joint/recording.h"
 #include "method/hysteresis/loop_misfit.h"
+#include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/traced_loop.h"
@@ -33,8 +35,29 @@ struct LinearisedFit;
 
 namespace tribolog::method::hysteresis {
 
+/// In the order of LuGreFit::parameters.
+enum class LuGreParameterName {
+  bristle_stiffness,
+  bristle_damping,
+  viscous,
+  static_torque,
+  coulomb_torque,
+  stribeck_speed,
+  speed_weakening,  ///< (Ts - Tc)/ws^2, the start of the fall.
+  inertia,
+};
+
+inline constexpr std::array lugre_parameters{
+    LuGreParameterName::bristle_stiffness, LuGreParameterName::bristle_damping,
+    LuGreParameterName::viscous,           LuGreParameterName::static_torque,
+    LuGreParameterName::coulomb_torque,    LuGreParameterName::stribeck_speed,
+    LuGreParameterName::speed_weakening,   LuGreParameterName::inertia};
+
+/// Stable, with its unit: "static_Nm".
+std::string to_string(LuGreParameterName name);
+
 struct LuGreParameter {
-  std::string name;  ///< Stable, with its unit: see lugre_parameter_names.
+  LuGreParameterName name{};
   /// Present only where the loops show it. Motor side.
   std::optional<statistics::Estimate> estimate;
   std::optional<double> held_at;  ///< Where the fit did not vary it.
@@ -46,17 +69,6 @@ struct LuGreParameter {
   Statement why_not;     ///< Why it is not shown; empty if it is.
   Statement experiment;  ///< What would show it; empty if it is shown.
 };
-
-/// Names, in the order of LuGreFit::parameters.
-inline constexpr const char* lugre_parameter_names[] = {
-    "bristle_stiffness_Nm_rad",
-    "bristle_damping_Nms_rad",
-    "viscous_Nms_rad",
-    "static_Nm",
-    "coulomb_Nm",
-    "stribeck_speed_rad_s",
-    "speed_weakening_Nms2_rad2",  // (Ts - Tc)/ws^2, the start of the fall
-    "inertia_kgm2"};
 
 /// What the singular values of the scaled Jacobian tell. Columns are scaled by the parameters'
 /// natural sizes (the value at which its torque would be that of friction), those of single
@@ -71,6 +83,14 @@ struct LuGreIdentifiability {
   std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
 };
 
+enum class LoopMotion {
+  harmonics,  ///< Of the angle.
+  spline,     ///< Through it.
+};
+
+/// Stable: "harmonics".
+std::string to_string(LoopMotion motion);
+
 /// The fit's view of one recording.
 struct LuGreLoop {
   std::string recording;
@@ -82,14 +102,14 @@ struct LuGreLoop {
   double height_Nm{};  ///< Largest less smallest torque.
   /// What the model leaves and noise does not explain, root mean square.
   double systematic_Nm{};
-  std::string motion;                ///< What drove the model: "harmonics" or "spline".
+  LoopMotion motion{};               ///< What drove the model.
   double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
   std::optional<TracedLoop> traced;  ///< Of a spline.
 };
 
 struct LuGreFit {
   bool converged{false};
-  std::string rung;  ///< "elastic", "level", "curvature" or "whole": see lugre_ladder.h.
+  std::optional<LuGreRung> rung;           ///< Absent where there was nothing to fit.
   std::vector<LuGreParameter> parameters;  ///< All of them, shown or not.
   std::optional<statistics::Estimate>
       gravity_Nm;  ///< Motor side, at the peak, over all recordings.
@@ -107,7 +127,7 @@ struct LuGreFit {
   /// without loops.
   [[nodiscard]] const LuGreLoop* worst_described() const;
   /// Present only where the parameter is shown.
-  [[nodiscard]] std::optional<statistics::Estimate> shown(const std::string& name) const;
+  [[nodiscard]] std::optional<statistics::Estimate> shown(LuGreParameterName name) const;
 };
 
 /// The model's signals at the samples of one recording.
@@ -125,6 +145,7 @@ struct FittedLuGre {
   std::optional<PositionMean> positions;
   /// For resampling, of a fit that converged (statistics/levenberg_marquardt.h).
   std::shared_ptr<const statistics::LinearisedFit> linearised;
+  std::vector<LuGreParameterName> readings;  ///< What those of `linearised` are, in their order.
 };
 
 /// @param loops at least one.

@@ -27,12 +27,12 @@ class Reader {
   }
   [[nodiscard]] Reading product(
       double value, std::initializer_list<std::pair<Shared::Index, double>> powers) const {
-    Reading out{{}, value, none(), true};
+    Reading out{value, none(), true};
     for (const auto& [parameter, power] : powers) add(parameter, power, out.gradient);
     return out;
   }
   [[nodiscard]] Reading plain(Shared::Index parameter) const {
-    Reading out{{}, climb_.point.shared(parameter), none(), false};
+    Reading out{climb_.point.shared(parameter), none(), false};
     add(parameter, 1, out.gradient);
     return out;
   }
@@ -54,10 +54,10 @@ statistics::Estimate estimate_of(const Reading& r, double half_width) {
 }
 
 /// Judges a reading that the fit varied.
-LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
-                      const LuGreClimb& climb) {
+LuGreParameter judged(LuGreParameterName name, const char* unit, const Reading& r,
+                      const Reader& reader, const LuGreClimb& climb) {
   LuGreParameter out;
-  out.name = r.name;
+  out.name = name;
   const double half = climb.around.half_width_along(r.gradient);
   const double size = r.logarithmic ? 1.0 : std::abs(r.value);
   const double relative = half / size;
@@ -83,7 +83,7 @@ LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
   return out;
 }
 
-LuGreParameter held(const char* name, std::optional<double> at, Statement why) {
+LuGreParameter held(LuGreParameterName name, std::optional<double> at, Statement why) {
   LuGreParameter out;
   out.name = name;
   out.held_at = at;
@@ -159,57 +159,61 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
     }
     return otherwise;
   };
-  const auto judge = [&](const char* name, const char* unit, Reading r) {
-    r.name = name;
-    out.parameters.push_back(judged(unit, r, reader, climb));
-    if (out.parameters.back().estimate) out.shown.push_back(std::move(r));
+  const auto judge = [&](LuGreParameterName name, const char* unit, Reading r) {
+    out.parameters.push_back(judged(name, unit, r, reader, climb));
+    if (!out.parameters.back().estimate) return;
+    out.shown.push_back(name);
+    out.readings.push_back(std::move(r));
   };
-  judge("bristle_stiffness_Nm_rad", "N·m/rad", reader.product(s0, {{Shared::log_stiffness, 1}}));
+  judge(LuGreParameterName::bristle_stiffness, "N·m/rad",
+        reader.product(s0, {{Shared::log_stiffness, 1}}));
   if (climb.column(Shared::damping) >= 0) {
-    judge("bristle_damping_Nms_rad", "N·m·s/rad", reader.plain(Shared::damping));
+    judge(LuGreParameterName::bristle_damping, "N·m·s/rad", reader.plain(Shared::damping));
   } else {
     out.parameters.push_back(
-        held("bristle_damping_Nms_rad", 0.0, why_held(Shared::damping, "N·m·s/rad", {})));
+        held(LuGreParameterName::bristle_damping, 0.0, why_held(Shared::damping, "N·m·s/rad", {})));
   }
   if (climb.column(Shared::viscous) >= 0) {
-    judge("viscous_Nms_rad", "N·m·s/rad", reader.plain(Shared::viscous));
+    judge(LuGreParameterName::viscous, "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
     out.parameters.push_back(
-        held("viscous_Nms_rad", 0.0,
+        held(LuGreParameterName::viscous, 0.0,
              why_held(Shared::viscous, "N·m·s/rad", {"lugre.viscous_looks_like_damping"})));
   }
   if (climb.column(Shared::log_static) >= 0) {
-    judge("static_Nm", "N·m", reader.product(ts, {{Shared::log_static, 1}}));
+    judge(LuGreParameterName::static_torque, "N·m", reader.product(ts, {{Shared::log_static, 1}}));
   } else {
-    out.parameters.push_back(held("static_Nm", std::nullopt, {"lugre.loop_does_not_bend"}));
+    out.parameters.push_back(
+        held(LuGreParameterName::static_torque, std::nullopt, {"lugre.loop_does_not_bend"}));
   }
   const bool whole = climb.rung == LuGreRung::whole;
   if (whole) {
-    judge("coulomb_Nm", "N·m",
+    judge(LuGreParameterName::coulomb_torque, "N·m",
           reader.product(ts * share, {{Shared::log_static, 1}, {Shared::log_share, 1}}));
-    judge("stribeck_speed_rad_s", "rad/s",
+    judge(LuGreParameterName::stribeck_speed, "rad/s",
           reader.product(1 / std::sqrt(fall), {{Shared::fall, -0.5 / fall}}));
   } else {
     const Statement why{climb.rung == LuGreRung::curvature ? Code{"lugre.friction_begins_to_fall"}
                                                            : Code{"lugre.friction_not_yet_falling"},
                         {{"peak_speed_rad_s", peak_speed_rad_s}}};
-    out.parameters.push_back(held("coulomb_Nm", std::nullopt, why));
-    out.parameters.push_back(held("stribeck_speed_rad_s", std::nullopt, why));
+    out.parameters.push_back(held(LuGreParameterName::coulomb_torque, std::nullopt, why));
+    out.parameters.push_back(held(LuGreParameterName::stribeck_speed, std::nullopt, why));
   }
   if (climb.column(Shared::fall) >= 0) {
-    judge("speed_weakening_Nms2_rad2", "N·m·s²/rad²",
+    judge(LuGreParameterName::speed_weakening, "N·m·s²/rad²",
           reader.product(ts * (1 - share) * fall, {{Shared::log_static, 1},
                                                    {Shared::log_share, -share / (1 - share)},
                                                    {Shared::fall, 1 / fall}}));
   } else {
     out.parameters.push_back(
-        held("speed_weakening_Nms2_rad2", 0.0, {"lugre.same_friction_at_all_speeds"}));
+        held(LuGreParameterName::speed_weakening, 0.0, {"lugre.same_friction_at_all_speeds"}));
   }
   if (climb.column(Shared::inertia) >= 0) {
-    judge("inertia_kgm2", "kg·m²", reader.plain(Shared::inertia));
+    judge(LuGreParameterName::inertia, "kg·m²", reader.plain(Shared::inertia));
   } else {
-    out.parameters.push_back(held(
-        "inertia_kgm2", 0.0, why_held(Shared::inertia, "kg·m²", {"lugre.inertia_looks_elastic"})));
+    out.parameters.push_back(
+        held(LuGreParameterName::inertia, 0.0,
+             why_held(Shared::inertia, "kg·m²", {"lugre.inertia_looks_elastic"})));
   }
   return out;
 }

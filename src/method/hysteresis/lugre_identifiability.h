@@ -7,8 +7,9 @@
 namespace tribolog::method::hysteresis {
 
 struct LuGreReadings {
-  std::vector<LuGreParameter> parameters;            ///< All: the estimate, or why there is none.
-  std::vector<statistics::LinearisedReading> shown;  ///< Those with an estimate.
+  std::vector<LuGreParameter> parameters;  ///< All: the estimate, or why there is none.
+  std::vector<LuGreParameterName> shown;   ///< Those with an estimate,
+  std::vector<statistics::LinearisedReading> readings;  ///< and what they read from the fit.
 };
 
 /// @param peak_speed_rad_s largest motor speed in the loops.

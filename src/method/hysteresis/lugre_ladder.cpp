@@ -236,6 +236,20 @@ class Climber {
 
 }  // namespace
 
+std::string to_string(LuGreRung rung) {
+  switch (rung) {
+    case LuGreRung::elastic:
+      return "elastic";
+    case LuGreRung::level:
+      return "level";
+    case LuGreRung::curvature:
+      return "curvature";
+    case LuGreRung::whole:
+      return "whole";
+  }
+  return "";
+}
+
 Eigen::Index LuGreClimb::column(Shared::Index parameter) const {
   const auto it = std::find(free.shared.begin(), free.shared.end(), parameter);
   return it == free.shared.end() ? -1 : it - free.shared.begin();

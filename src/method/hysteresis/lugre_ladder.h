@@ -14,6 +14,7 @@
 // G and the deflection at the start are each recording's own on all rungs (on the first the start
 // cannot be told from G, and neither is found).
 
+#include <string>
 #include <vector>
 
 #include "method/hysteresis/lugre_problem.h"
@@ -28,6 +29,9 @@ struct NegativeOutcome {
 };
 
 enum class LuGreRung { elastic, level, curvature, whole };
+
+/// Stable: "curvature".
+std::string to_string(LuGreRung rung);
 
 /// A parameter stands where the data alone hold it.
 struct LuGreStanding {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/requirements.h"
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 
@@ -18,10 +19,10 @@ struct Context {
 };
 
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
-SurrogateMass make_mass(std::string estimator, statistics::Estimate torque, double q_rad,
+SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double q_rad,
                         double cosine, const Context& c) {
   SurrogateMass m;
-  m.estimator = std::move(estimator);
+  m.estimator = estimator;
   m.torque_Nm = torque;
   m.q_rad = q_rad;
   const double from_peak = c.q_peak_rad ? q_rad - *c.q_peak_rad : 0.0;
@@ -36,7 +37,7 @@ SurrogateMass make_mass(std::string estimator, statistics::Estimate torque, doub
   return m;
 }
 
-const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
+const LoopPoint* find_point(const std::vector<LoopPoint>& points, Estimator name) {
   const auto it = std::find_if(points.begin(), points.end(),
                                [name](const LoopPoint& p) { return p.name == name; });
   return it == points.end() ? nullptr : &*it;
@@ -49,7 +50,7 @@ double cosine_at(const Context& c, double q_rad) {
 /// Whose gravity amplitude the mass stands for where there is no loop.
 Code mass_without_loop(const gravity::CogSweepResult& rough, const SurrogateMassesResult& out) {
   if (rough.found) return {"masses.of_sweep_only"};
-  if (out.find("runs") != nullptr) return {"masses.of_runs_only"};
+  if (out.find(Estimator::runs) != nullptr) return {"masses.of_runs_only"};
   return {"masses.of_stated_gravity_only"};
 }
 
@@ -58,15 +59,16 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
                      const std::optional<statistics::Estimate>& fit_Nm, const Context& context,
                      SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
-  for (const char name : loop_point_names) {
+  for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
     const statistics::Estimate torque{
         p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, {"interval.one_reading"}};
-    out.masses.push_back(make_mass(std::string(1, name), gravity::with_ripple(torque, ripple),
-                                   p->q_rad, cosine_at(context, p->q_rad), context));
+    out.masses.push_back(make_mass(name, gravity::with_ripple(torque, ripple), p->q_rad,
+                                   cosine_at(context, p->q_rad), context));
   }
-  for (const auto& [first, second] : {std::pair{'A', 'B'}, {'C', 'D'}, {'E', 'F'}}) {
+  for (const Estimator pair : pair_means) {
+    const auto [first, second] = present(points_of_pair(pair));
     const LoopPoint* p = find_point(hysteresis.steady_points, first);
     const LoopPoint* q = find_point(hysteresis.steady_points, second);
     if (p == nullptr || q == nullptr) continue;
@@ -77,24 +79,25 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const statistics::Estimate torque = statistics::symmetric_estimate(
         (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
     out.masses.push_back(
-        make_mass({first, second}, gravity::with_ripple(torque, ripple), angle, cosine, context));
+        make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
     const statistics::Estimate torque = hysteresis.positions_hold_ripple
                                             ? *hysteresis.midline_Nm
                                             : gravity::with_ripple(*hysteresis.midline_Nm, ripple);
-    out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
+    out.masses.push_back(make_mass(Estimator::midline, torque, hysteresis.midline_q_rad,
                                    hysteresis.midline_mean_cos, context));
   }
   if (fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(make_mass("fit", *fit_Nm, hysteresis.midline_q_rad, 1.0, context));
+    out.masses.push_back(
+        make_mass(Estimator::fit, *fit_Nm, hysteresis.midline_q_rad, 1.0, context));
   }
 }
 
 }  // namespace
 
-const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) const {
+const SurrogateMass* SurrogateMassesResult::find(std::optional<Estimator> estimator) const {
   const auto it = std::find_if(masses.begin(), masses.end(),
                                [&](const SurrogateMass& m) { return m.estimator == estimator; });
   return it == masses.end() ? nullptr : &*it;
@@ -118,7 +121,7 @@ SurrogateMassesResult identify_surrogate_masses(
   if (rough.found) {
     Context at_peak = context;
     at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it
-    out.masses.push_back(make_mass("sweep", rough.gravity_Nm,
+    out.masses.push_back(make_mass(Estimator::sweep, rough.gravity_Nm,
                                    context.q_peak_rad.value_or(rough.q_peak_rad.value), 1.0,
                                    at_peak));
   }
@@ -126,15 +129,15 @@ SurrogateMassesResult identify_surrogate_masses(
     Context at_peak = context;
     at_peak.q_peak_rad = other.runs->q_peak_rad.value;
     at_peak.q_peak_half_width = 0;
-    out.masses.push_back(
-        make_mass("runs", other.runs->gravity_Nm, other.runs->q_peak_rad.value, 1.0, at_peak));
+    out.masses.push_back(make_mass(Estimator::runs, other.runs->gravity_Nm,
+                                   other.runs->q_peak_rad.value, 1.0, at_peak));
   }
   if (other.stated) {
     Context at_peak = context;
     at_peak.q_peak_rad = other.stated->q_peak_rad();
     at_peak.q_peak_half_width = 0;
     const double torque = other.stated->amplitude_Nm() / gear_ratio;
-    out.masses.push_back(make_mass(stated_estimator,
+    out.masses.push_back(make_mass(Estimator::stated,
                                    {torque, torque, torque, {"interval.stated_in_manifest"}},
                                    other.stated->q_peak_rad(), 1.0, at_peak));
   }

@@ -1,25 +1,19 @@
 #pragma once
 // Stage 4: the surrogate mass of every estimator, eq. (12) as corrected.
-//
-// A to F: the paper's six. AB, CD, EF: means of opposite points of the steady loop. midline: the
-// mean of the steady loop. fit: gravity torque of LuGre fitted to all loops. sweep: the gravity
-// amplitude of the rough sweep. runs: that of the runs at constant speed. stated: that of the
-// manifest, by which nothing is decided where anything was identified. A loop far from the gravity
-// peak, where little of the gravity torque shows, gives no mass.
+// A loop far from the gravity peak, where little of the gravity torque shows, gives no mass.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "joint/gravity_load.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/gravity/run_gravity.h"
+#include "method/hysteresis/estimator.h"
 #include "method/hysteresis/hysteresis_loop.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::hysteresis {
 
-inline constexpr const char* stated_estimator = "stated";
 /// A loop's torque is divided by this cosine of its distance from the peak at least: further away
 /// an error of the friction grows to more than twice its size in the mass.
 inline constexpr double least_loop_cosine = 0.5;
@@ -32,8 +26,7 @@ struct OtherGravity {
 };
 
 struct SurrogateMass {
-  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "fit", "sweep", "runs",
-                          ///< "stated", in this order.
+  Estimator estimator{};
   statistics::Estimate torque_Nm;  ///< Motor side.
   double q_rad{};                  ///< Joint angle it was read at.
   statistics::Estimate mass_kg;
@@ -42,11 +35,11 @@ struct SurrogateMass {
 
 struct SurrogateMassesResult {
   statistics::StageReport stage;
-  std::vector<SurrogateMass> masses;
-  double distance_m{};  ///< r_REPL
+  std::vector<SurrogateMass> masses;  ///< In the order of the estimators.
+  double distance_m{};                ///< r_REPL
   double gravity_m_s2{};
 
-  [[nodiscard]] const SurrogateMass* find(const std::string& estimator) const;
+  [[nodiscard]] const SurrogateMass* find(std::optional<Estimator> estimator) const;
 };
 
 SurrogateMassesResult identify_surrogate_masses(

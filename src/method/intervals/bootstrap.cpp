@@ -63,11 +63,10 @@ std::vector<CurveBand> bands_of(const viscous::ViscousCurvesResult& curves,
 
 std::vector<ChoiceShare> choices_of(const std::vector<ChainDraw>& draws) {
   std::vector<ChoiceShare> shares;
-  for (const char name : hysteresis::loop_point_names)
-    shares.push_back({std::string(1, name), 0.0});
+  for (const hysteresis::Estimator point : hysteresis::loop_points) shares.push_back({point, 0.0});
   for (const ChainDraw& draw : draws) {
-    if (draw.choice < 0) return {};
-    shares[static_cast<std::size_t>(draw.choice)].share += 1 / static_cast<double>(draws.size());
+    if (!draw.choice) return {};
+    shares[*draw.choice].share += 1 / static_cast<double>(draws.size());
   }
   return shares;
 }
@@ -83,7 +82,7 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
   if (at == masses.end()) return {};
   const auto recommended = static_cast<std::size_t>(at - masses.begin());
   std::vector<GravityDifference> all;
-  const auto add = [&](const std::string& method, double value, auto gravity_of) {
+  const auto add = [&](GravityMethod method, double value, auto gravity_of) {
     all.push_back({method, statistics::percentile_interval(value, values_of(draws, gravity_of)),
                    statistics::percentile_interval(
                        value - at->gravity_Nm.value, values_of(draws, [&](const ChainDraw& d) {
@@ -103,6 +102,10 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
 
 }  // namespace
 
+std::string to_string(const GravityMethod& method) {
+  return std::visit([](auto one) { return to_string(one); }, method);
+}
+
 const statistics::Estimate* TwoIntervals::stated() const {
   if (bootstrap && (bootstrap_is_stated || !closed_form)) return &*bootstrap;
   return closed_form ? &*closed_form : nullptr;
@@ -121,7 +124,7 @@ const TwoIntervals* IntervalsResult::find(const std::string& name) const {
   return it == quantities.end() ? nullptr : &*it;
 }
 
-const CurveBand* IntervalsResult::band(const std::string& estimator) const {
+const CurveBand* IntervalsResult::band(hysteresis::Estimator estimator) const {
   const auto it = std::find_if(bands.begin(), bands.end(),
                                [&](const CurveBand& b) { return b.estimator == estimator; });
   return it == bands.end() ? nullptr : &*it;

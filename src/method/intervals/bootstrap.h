@@ -18,6 +18,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "joint/dataset.h"
@@ -37,7 +38,7 @@ struct ChainResults {
   const gravity::CogSweep& rough_sweep;
   const gravity::CogSweep& precise_sweep;
   const std::optional<statistics::Estimate>& q_peak_rad;
-  const std::string& q_peak_source;
+  std::optional<gravity::PeakSource> q_peak_source;
   const hysteresis::Hysteresis& loop;
   const std::optional<hysteresis::LuGreFit>& lugre;  ///< Its parameters as they are stated.
   const hysteresis::SurrogateMassesResult& masses;
@@ -70,21 +71,27 @@ struct TwoIntervals {
 /// 95 % band of a friction curve, one value per run. The gravity of the curve is the same in all
 /// runs: the band's width is common to them, not scatter from run to run.
 struct CurveBand {
-  std::string estimator;
+  hysteresis::Estimator estimator{};
   std::vector<double> low_Nm;
   std::vector<double> high_Nm;
 };
 
 /// How often the paper's rule chose a point.
 struct ChoiceShare {
-  std::string estimator;
+  hysteresis::Estimator estimator{};
   double share{};
 };
+
+/// How a gravity torque was found: as one of the masses, or as one of IndependentGravities.
+using GravityMethod = std::variant<hysteresis::Estimator, selection::IndependentMethod>;
+
+/// Stable: "midline", "classical".
+std::string to_string(const GravityMethod& method);
 
 /// Difference of a gravity torque to the recommended one, judged by its own scatter: both were
 /// resampled together.
 struct GravityDifference {
-  std::string method;  ///< Estimator of a mass, or one of IndependentGravities.
+  GravityMethod method;
   statistics::Estimate gravity_Nm;
   statistics::Estimate difference_Nm;
 };
@@ -98,7 +105,7 @@ struct IntervalsResult {
   std::vector<GravityDifference> differences;  ///< Empty without resamples or recommendation.
 
   [[nodiscard]] const TwoIntervals* find(const std::string& name) const;
-  [[nodiscard]] const CurveBand* band(const std::string& estimator) const;
+  [[nodiscard]] const CurveBand* band(hysteresis::Estimator estimator) const;
 };
 
 struct ResamplingOptions {

@@ -11,28 +11,20 @@
 namespace tribolog::method::intervals {
 namespace {
 
-/// 0 for "A" to 5 for "F", -1 for others.
-int point_index(char name) {
-  const auto* const at =
-      std::find(hysteresis::loop_point_names.begin(), hysteresis::loop_point_names.end(), name);
-  return at == hysteresis::loop_point_names.end()
-             ? -1
-             : static_cast<int>(at - hysteresis::loop_point_names.begin());
-}
+using hysteresis::Estimator;
+using hysteresis::point_index;
 
 /// Torque shift of an estimator that reads the loop; nothing for others.
-std::optional<double> loop_shift(const std::string& estimator, const LoopShift& loop) {
-  if (estimator == "midline") return loop.midline_Nm;
-  if (estimator == "fit") return loop.fit_gravity_Nm;
-  if (estimator.size() > 2) return std::nullopt;
-  std::vector<std::size_t> points;
-  for (const char name : estimator) {
-    const int index = point_index(name);
-    if (index < 0) return std::nullopt;
-    points.push_back(static_cast<std::size_t>(index));
+std::optional<double> loop_shift(Estimator estimator, const LoopShift& loop) {
+  if (estimator == Estimator::midline) return loop.midline_Nm;
+  if (estimator == Estimator::fit) return loop.fit_gravity_Nm;
+  if (const auto point = point_index(estimator)) return loop.points_Nm[*point];
+  if (const auto pair = hysteresis::points_of_pair(estimator)) {
+    return (loop.steady_points_Nm[*point_index(pair->first)] +
+            loop.steady_points_Nm[*point_index(pair->second)]) /
+           2;
   }
-  if (points.size() == 1) return loop.points_Nm[points[0]];
-  return (loop.steady_points_Nm[points[0]] + loop.steady_points_Nm[points[1]]) / 2;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -46,7 +38,7 @@ void ChainResampler::draw_masses(statistics::RandomStream& random, double rough_
                                  const LoopShift& loop, ChainDraw& draw) const {
   const double q_peak = results_.q_peak_rad ? results_.q_peak_rad->value : 0.0;
   for (const hysteresis::SurrogateMass& mass : results_.masses.masses) {
-    if (mass.estimator == "sweep") {
+    if (mass.estimator == Estimator::sweep) {
       draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough_gravity_shift_Nm);
       continue;
     }
@@ -69,7 +61,7 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
   const selection::QualityErrorsResult& quality = results_.quality;
   const std::vector<viscous::ConstantSpeedRun>& runs = results_.viscous.runs;
   if (quality.errors.empty()) return;
-  const bool by_directions = quality.reference == "direction_difference";
+  const bool by_directions = quality.reference == selection::CurveReference::direction_difference;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < quality.errors.size(); ++c) {
     double squares = 0;
@@ -87,9 +79,8 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
     }
     draw.rms_percent.push_back(count > 0 ? std::sqrt(squares / count)
                                          : std::numeric_limits<double>::quiet_NaN());
-    const std::string& name = quality.errors[c].estimator;
-    const int point = name.size() == 1 ? point_index(name[0]) : -1;
-    if (point >= 0 && draw.rms_percent.back() < smallest) {
+    const auto point = point_index(quality.errors[c].estimator);
+    if (point && draw.rms_percent.back() < smallest) {
       smallest = draw.rms_percent.back();
       draw.choice = point;
     }
@@ -103,8 +94,9 @@ ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
                                                     results_.rough.ripple, rough.gravity_Nm);
   draw.q_rough_rad = results_.rough.q_peak_rad.value + rough.q_peak_rad;
   draw.q_precise_rad = results_.precise.q_peak_rad.value + precise.q_peak_rad;
-  const double q_shift =
-      results_.q_peak_source == "cog_precise" ? precise.q_peak_rad : rough.q_peak_rad;
+  const double q_shift = results_.q_peak_source == gravity::PeakSource::precise_sweep
+                             ? precise.q_peak_rad
+                             : rough.q_peak_rad;
   draw.q_peak_rad = results_.q_peak_rad ? results_.q_peak_rad->value + q_shift : 0.0;
   if (results_.rough.coulomb_Nm) {
     draw.coulomb_Nm = results_.rough.coulomb_Nm->value + rough.coulomb_Nm;
@@ -136,9 +128,7 @@ ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
     }
   }
   draw_quality(run_shifts, draw);
-  if (draw.choice >= 0) {
-    draw.point_angle_shift_rad = loop.angle_rad[static_cast<std::size_t>(draw.choice)];
-  }
+  if (draw.choice) draw.point_angle_shift_rad = loop.angle_rad[*draw.choice];
   return draw;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // One resample of the whole chain: the stages' draws put together in the method's order.
 
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "method/intervals/bootstrap.h"
@@ -14,14 +16,14 @@ namespace tribolog::method::intervals {
 /// What one resample gives. Vectors are in the order of the results that they belong to.
 struct ChainDraw {
   double q_rough_rad{}, q_precise_rad{}, q_peak_rad{};
-  double coulomb_Nm{};              ///< Of the rough sweep.
-  std::vector<double> gravity_Nm;   ///< Per surrogate mass.
-  std::vector<double> lugre;        ///< Shifts of the loop fit's readings or their logarithms.
-  std::vector<double> other_Nm;     ///< Per independent gravity.
-  std::vector<double> friction_Nm;  ///< Curve by curve, run by run.
-  std::vector<double> rms_percent;  ///< Per curve; empty without a reference.
-  double point_angle_shift_rad{};   ///< Of the point chosen.
-  int choice{-1};                   ///< Of the paper's rule, 0 = A; -1: none.
+  double coulomb_Nm{};                ///< Of the rough sweep.
+  std::vector<double> gravity_Nm;     ///< Per surrogate mass.
+  std::vector<double> lugre;          ///< Shifts of the loop fit's readings or their logarithms.
+  std::vector<double> other_Nm;       ///< Per independent gravity.
+  std::vector<double> friction_Nm;    ///< Curve by curve, run by run.
+  std::vector<double> rms_percent;    ///< Per curve; empty without a reference.
+  double point_angle_shift_rad{};     ///< Of the point chosen.
+  std::optional<std::size_t> choice;  ///< Of the paper's rule, among loop_points.
   ParameterDraw parameters;
 };
 

@@ -51,9 +51,9 @@ void add_masses(const ChainResults& r, Quantities& out) {
   for (std::size_t k = 0; k < r.masses.masses.size(); ++k) {
     const hysteresis::SurrogateMass& mass = r.masses.masses[k];
     const double kg_per_Nm = mass.mass_kg.value / mass.gravity_Nm.value;
-    out.add("gravity_Nm." + mass.estimator, mass.gravity_Nm, false,
+    out.add("gravity_Nm." + to_string(mass.estimator), mass.gravity_Nm, false,
             [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
-    out.add("mass_kg." + mass.estimator, mass.mass_kg, false,
+    out.add("mass_kg." + to_string(mass.estimator), mass.mass_kg, false,
             [k, kg_per_Nm](const ChainDraw& d) { return kg_per_Nm * d.gravity_Nm[k]; });
   }
 }
@@ -63,14 +63,14 @@ void add_loop_fit(const ChainResults& r, Quantities& out) {
   const std::vector<statistics::LinearisedReading>& readings = r.loop.lugre->linearised->readings;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     // Ramps may have contradicted since what the fit read from the loops.
-    const std::optional<statistics::Estimate> shown = r.lugre->shown(readings[k].name);
+    const hysteresis::LuGreParameterName name = r.loop.lugre->readings[k];
+    const std::optional<statistics::Estimate> shown = r.lugre->shown(name);
     if (!shown) continue;
     const double value = readings[k].value;
     const bool logarithmic = readings[k].logarithmic;
-    out.add("lugre." + readings[k].name, *shown, false,
-            [value, logarithmic, k](const ChainDraw& d) {
-              return logarithmic ? value * std::exp(d.lugre[k]) : value + d.lugre[k];
-            });
+    out.add("lugre." + to_string(name), *shown, false, [value, logarithmic, k](const ChainDraw& d) {
+      return logarithmic ? value * std::exp(d.lugre[k]) : value + d.lugre[k];
+    });
   }
 }
 
@@ -99,18 +99,17 @@ void add_curve(const ChainResults& r, Quantities& out) {
 void add_choice(const ChainResults& r, Quantities& out) {
   for (std::size_t k = 0; k < r.quality.errors.size(); ++k) {
     if (!std::isfinite(r.quality.errors[k].rms_percent)) continue;
-    out.add_resampled("quality_error_percent." + r.quality.errors[k].estimator,
+    out.add_resampled("quality_error_percent." + to_string(r.quality.errors[k].estimator),
                       r.quality.errors[k].rms_percent, true,
                       [k](const ChainDraw& d) { return d.rms_percent[k]; });
   }
   if (r.selection.q_c_corrected_rad &&
-      r.hysteresis.points.size() == hysteresis::loop_point_names.size()) {
+      r.hysteresis.points.size() == hysteresis::loop_points.size()) {
     const std::vector<hysteresis::LoopPoint>& points = r.hysteresis.points;
     out.add_resampled("q_c_corrected_rad", *r.selection.q_c_corrected_rad, false,
                       [&points](const ChainDraw& d) {
-                        return d.choice < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                            : -(points[static_cast<std::size_t>(d.choice)].q_rad +
-                                                d.point_angle_shift_rad);
+                        return d.choice ? -(points[*d.choice].q_rad + d.point_angle_shift_rad)
+                                        : std::numeric_limits<double>::quiet_NaN();
                       });
   }
 }

@@ -1,7 +1,6 @@
 #include "method/intervals/cross_checks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "joint/gravity_load.h"
@@ -9,55 +8,69 @@
 namespace tribolog::method::intervals {
 namespace {
 
+using hysteresis::Estimator;
+using selection::IndependentMethod;
+
 /// A gravity torque that is compared, and what would make it differ.
-struct Method {
-  const char* name;
+struct Compared {
+  GravityMethod method;
   Code cause;
 };
 
-constexpr std::array<Method, 10> methods{{{"midline", "cross_check.ripple_at_position"},
-                                          {"AB", "cross_check.loop_not_steady"},
-                                          {"CD", "cross_check.loop_not_steady"},
-                                          {"EF", "cross_check.loop_not_steady"},
-                                          {"fit", "cross_check.friction_beyond_lugre"},
-                                          {"sweep", "cross_check.ripple_load_or_zero"},
-                                          {"runs", "cross_check.friction_by_load_or_direction"},
-                                          {"sweep_directions", "cross_check.offset_or_direction"},
-                                          {"run_directions", "cross_check.offset_or_direction"},
-                                          {"classical", "cross_check.linear_model"}}};
+constexpr Compared compared[] = {
+    {Estimator::midline, "cross_check.ripple_at_position"},
+    {Estimator::AB, "cross_check.loop_not_steady"},
+    {Estimator::CD, "cross_check.loop_not_steady"},
+    {Estimator::EF, "cross_check.loop_not_steady"},
+    {Estimator::fit, "cross_check.friction_beyond_lugre"},
+    {Estimator::sweep, "cross_check.ripple_load_or_zero"},
+    {Estimator::runs, "cross_check.friction_by_load_or_direction"},
+    {IndependentMethod::sweep_directions, "cross_check.offset_or_direction"},
+    {IndependentMethod::run_directions, "cross_check.offset_or_direction"},
+    {IndependentMethod::classical, "cross_check.linear_model"}};
+
+/// The gravity torque by a method; nullptr where it gave none.
+const statistics::Estimate* gravity_by(const GravityMethod& method, const ChainResults& r) {
+  if (const auto* estimator = std::get_if<Estimator>(&method)) {
+    const hysteresis::SurrogateMass* mass = r.masses.find(*estimator);
+    return mass == nullptr ? nullptr : &mass->gravity_Nm;
+  }
+  const selection::IndependentGravity* way =
+      r.independent.find(std::get<IndependentMethod>(method));
+  return way == nullptr ? nullptr : &way->gravity_Nm;
+}
 
 /// The methods at hand, in the order of the table above.
 std::vector<CrossCheck> collect(const ChainResults& r) {
   std::vector<CrossCheck> checks;
-  for (const Method& method : methods) {
+  for (const Compared& one : compared) {
+    const statistics::Estimate* gravity = gravity_by(one.method, r);
+    if (gravity == nullptr) continue;
     CrossCheck check;
-    check.method = method.name;
-    if (const hysteresis::SurrogateMass* mass = r.masses.find(method.name)) {
-      check.gravity_Nm = mass->gravity_Nm;
-    } else if (const selection::IndependentGravity* way = r.independent.find(method.name)) {
-      check.gravity_Nm = way->gravity_Nm;
-    } else {
-      continue;
-    }
+    check.method = one.method;
+    check.gravity_Nm = *gravity;
     checks.push_back(std::move(check));
   }
   return checks;
 }
 
-const GravityDifference* find(const std::vector<GravityDifference>& all, const std::string& name) {
+const GravityDifference* find(const std::vector<GravityDifference>& all,
+                              const GravityMethod& method) {
   const auto it = std::find_if(all.begin(), all.end(),
-                               [&](const GravityDifference& d) { return d.method == name; });
+                               [&](const GravityDifference& d) { return d.method == method; });
   return it == all.end() ? nullptr : &*it;
 }
 
-Statement cause_of(const std::string& method) {
-  for (const Method& m : methods) {
-    if (m.name == method) return m.cause;
+Statement cause_of(const GravityMethod& method) {
+  for (const Compared& one : compared) {
+    if (one.method == method) return one.cause;
   }
   return {};
 }
 
-Statement name_of(const std::string& method) { return Code::of("estimator." + method); }
+Statement name_of(const GravityMethod& method) {
+  return Code::of("estimator." + to_string(method));
+}
 
 Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
   return {"cross_check.disagree",
@@ -77,7 +90,7 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
   out.classical = r.independent.classical;
   std::vector<CrossCheck> checks = collect(r);
   const auto recommended = std::find_if(checks.begin(), checks.end(), [&](const CrossCheck& c) {
-    return c.method == r.selection.recommended;
+    return r.selection.recommended && c.method == GravityMethod(*r.selection.recommended);
   });
   if (recommended == checks.end()) return out;
   recommended->is_recommended = true;
@@ -101,7 +114,8 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
     check.difference_in_intervals = half_width > 0 ? std::abs(difference) / half_width : 0.0;
     check.disagrees = !check.is_recommended && std::abs(difference) > half_width &&
                       std::abs(difference) > least_difference * std::abs(ours.value);
-    out.doubtful = out.doubtful || (check.disagrees && check.method != "classical");
+    out.doubtful = out.doubtful ||
+                   (check.disagrees && check.method != GravityMethod(IndependentMethod::classical));
   }
   for (const CrossCheck& check : checks) {
     if (check.disagrees) out.findings.push_back(finding(check, *recommended));

@@ -5,7 +5,6 @@
 // estimates agree: each difference has an interval of its own, from resampling both together.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/statement.h"
@@ -14,11 +13,9 @@
 namespace tribolog::method::intervals {
 
 struct CrossCheck {
-  /// "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...; "estimator.midline" is
-  /// the message that names it.
-  std::string method;
-  statistics::Estimate gravity_Nm;                   ///< Motor side; closed form.
-  statistics::Estimate mass_kg;                      ///< The same, as a surrogate mass.
+  GravityMethod method;             ///< "estimator.midline" is the message that names it.
+  statistics::Estimate gravity_Nm;  ///< Motor side; closed form.
+  statistics::Estimate mass_kg;     ///< The same, as a surrogate mass.
   std::optional<statistics::Estimate> resampled_kg;  ///< With the interval of the bootstrap.
   bool is_recommended{};
   double difference_percent{};  ///< Of the recommended mass.

@@ -84,14 +84,12 @@ void LoopResampler::prepare_fit() {
     }
     reading_freedom_.push_back(around.freedom_along(reading.gradient));
   }
-  const auto index_of = [&](const char* name) {
-    const auto at =
-        std::find_if(fit.readings.begin(), fit.readings.end(),
-                     [&](const statistics::LinearisedReading& r) { return r.name == name; });
-    return static_cast<std::size_t>(at - fit.readings.begin());
+  const auto index_of = [&](hysteresis::LuGreParameterName name) {
+    const auto at = std::find(lugre->readings.begin(), lugre->readings.end(), name);
+    return static_cast<std::size_t>(at - lugre->readings.begin());
   };
-  const std::size_t level = index_of("static_Nm");
-  const std::size_t stiffness = index_of("bristle_stiffness_Nm_rad");
+  const std::size_t level = index_of(hysteresis::LuGreParameterName::static_torque);
+  const std::size_t stiffness = index_of(hysteresis::LuGreParameterName::bristle_stiffness);
   if (std::max(level, stiffness) < fit.readings.size()) reach_ = {level, stiffness};
   if (fit_by_cycles_ && fit.gravity_columns.size() == 1) {
     gravity_shifts_ = around.block_shifts.row(fit.gravity_columns.front());
@@ -166,7 +164,7 @@ void LoopResampler::draw_points(statistics::RandomStream& random, const std::vec
   for (std::size_t k = 0; k < hysteresis_.points.size(); ++k) {
     const hysteresis::LoopPoint& p = hysteresis_.points[k];
     // The scatter of one reading: that of the steady turns, or of the noise where there are none.
-    const bool by_turns = p.name != 'A' && turns >= 3;
+    const bool by_turns = p.name != hysteresis::Estimator::A && turns >= 3;
     const double t = by_turns ? statistics::student_t_975(static_cast<double>(turns) - 1)
                               : statistics::normal_975;
     const double sd = (p.torque_high_Nm - p.torque_low_Nm) / 2 / t;
@@ -206,9 +204,12 @@ void LoopResampler::draw_angles(statistics::RandomStream& random, LoopShift& shi
   const double step = hysteresis_.oscillations.front().encoder_step_rad;
   const std::vector<hysteresis::LoopPoint>& points = hysteresis_.points;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const bool dropping = points[k].name == 'B' || points[k].name == 'F';
+    const bool dropping =
+        points[k].name == hysteresis::Estimator::B || points[k].name == hysteresis::Estimator::F;
     const double turn = points[dropping ? 2 : 3].q_rad;  // C or D
-    const bool at_turn = points[k].name == 'A' || points[k].name == 'C' || points[k].name == 'D';
+    const bool at_turn = points[k].name == hysteresis::Estimator::A ||
+                         points[k].name == hysteresis::Estimator::C ||
+                         points[k].name == hysteresis::Estimator::D;
     shift.angle_rad[k] =
         (at_turn ? 0.0 : (points[k].q_rad - turn) * reach) + step * (2 * random.uniform() - 1);
   }

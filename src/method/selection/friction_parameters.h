@@ -5,7 +5,6 @@
 // straight line Coulomb + viscous beside it, which a curve of any size can carry.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "method/selection/quality_errors.h"
@@ -27,7 +26,7 @@ struct CoulombViscousFit {
 
 struct FrictionParametersResult {
   statistics::StageReport stage;
-  std::string curve;  ///< Estimator whose curve was fitted, or "direction_difference".
+  std::optional<hysteresis::Estimator> curve;  ///< Whose curve was fitted; absent: none was.
   std::optional<viscous::WaiboerFit> waiboer;
   std::optional<CoulombViscousFit> coulomb_viscous;
 };

@@ -114,7 +114,7 @@ std::optional<ClassicalFit> classical_regression(
     return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k), method);
   };
   ClassicalFit out;
-  out.gravity.method = "classical";
+  out.gravity.method = IndependentMethod::classical;
   out.gravity.freedom = freedom;
   out.gravity.block_shifts.assign(shifts.begin(), shifts.end());
   out.gravity.gravity_Nm =
@@ -204,7 +204,7 @@ std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Swee
   const double g = fit.coefficients.norm();
   const Eigen::Vector2d along = fit.coefficients / g;
   IndependentGravity out;
-  out.method = "sweep_directions";
+  out.method = IndependentMethod::sweep_directions;
   out.freedom = fit.freedom.minCoeff();
   const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
   out.block_shifts.assign(shifts.begin(), shifts.end());
@@ -234,7 +234,7 @@ std::optional<IndependentGravity> gravity_of_run_directions(
   const statistics::BlockRegression fit = statistics::block_regression(
       x, Eigen::Map<const Eigen::VectorXd>(torque.data(), rows), blocks);
   IndependentGravity out;
-  out.method = "run_directions";
+  out.method = IndependentMethod::run_directions;
   out.freedom = fit.freedom(0);
   out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
   out.gravity_Nm = statistics::symmetric_estimate(fit.coefficients(0), fit.half_width(0),
@@ -244,7 +244,19 @@ std::optional<IndependentGravity> gravity_of_run_directions(
 
 }  // namespace
 
-const IndependentGravity* IndependentGravities::find(const std::string& method) const {
+std::string to_string(IndependentMethod method) {
+  switch (method) {
+    case IndependentMethod::sweep_directions:
+      return "sweep_directions";
+    case IndependentMethod::run_directions:
+      return "run_directions";
+    case IndependentMethod::classical:
+      break;
+  }
+  return "classical";
+}
+
+const IndependentGravity* IndependentGravities::find(IndependentMethod method) const {
   const auto it = std::find_if(gravity.begin(), gravity.end(),
                                [&](const IndependentGravity& g) { return g.method == method; });
   return it == gravity.end() ? nullptr : &*it;

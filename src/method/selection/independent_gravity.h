@@ -21,9 +21,14 @@
 
 namespace tribolog::method::selection {
 
+enum class IndependentMethod { sweep_directions, run_directions, classical };
+
+/// Stable: "sweep_directions".
+std::string to_string(IndependentMethod method);
+
 /// A gravity torque with what is needed to resample it.
 struct IndependentGravity {
-  std::string method;               ///< "sweep_directions", "run_directions" or "classical".
+  IndependentMethod method{};
   statistics::Estimate gravity_Nm;  ///< Motor side.
   std::vector<double>
       block_shifts;  ///< What the error of each block does to it; see BlockRegression.
@@ -48,7 +53,7 @@ struct IndependentGravities {
   std::vector<IndependentGravity> gravity;
   std::optional<ClassicalRegression> classical;
 
-  [[nodiscard]] const IndependentGravity* find(const std::string& method) const;
+  [[nodiscard]] const IndependentGravity* find(IndependentMethod method) const;
 };
 
 /// @param sweep the rough one, @param runs recordings of that role; may be empty. Methods without

@@ -26,11 +26,11 @@ Statement no_reference(const viscous::ViscousCurvesResult& curves, std::size_t w
 }
 
 Statement evidence_of(const QualityErrorsResult& q) {
-  if (q.reference == "analytic") return {"quality_errors.reference_exact"};
+  if (q.reference == CurveReference::analytic) return {"quality_errors.reference_exact"};
   std::vector<Statement> within;
   for (const QualityError& e : q.errors) {
     if (e.rms_percent > q.reference_rms_percent) continue;
-    within.push_back({"quality_errors.estimator", {{"estimator", e.estimator}}});
+    within.push_back({"quality_errors.estimator", {{"estimator", to_string(e.estimator)}}});
   }
   if (within.empty()) {
     return {"quality_errors.all_beyond_reference",
@@ -42,7 +42,20 @@ Statement evidence_of(const QualityErrorsResult& q) {
 
 }  // namespace
 
-const QualityError* QualityErrorsResult::find(const std::string& estimator) const {
+std::string to_string(CurveReference reference) {
+  switch (reference) {
+    case CurveReference::none:
+      return "";
+    case CurveReference::analytic:
+      return "analytic";
+    case CurveReference::direction_difference:
+      return "direction_difference";
+  }
+  return "";
+}
+
+const QualityError* QualityErrorsResult::find(
+    std::optional<hysteresis::Estimator> estimator) const {
   const auto it = std::find_if(errors.begin(), errors.end(),
                                [&](const QualityError& e) { return e.estimator == estimator; });
   return it == errors.end() ? nullptr : &*it;
@@ -73,7 +86,8 @@ QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& 
     out.stage.reason = no_reference(curves, with_reference);
     return out;
   }
-  out.reference = analytic != nullptr ? "analytic" : "direction_difference";
+  out.reference =
+      analytic != nullptr ? CurveReference::analytic : CurveReference::direction_difference;
   const auto usable = [&](std::size_t i) {
     return std::isfinite(out.reference_Nm[i]) &&
            std::abs(curves.runs[i].torque_Nm) > smallest_torque_share * largest;

@@ -7,6 +7,7 @@
 // of both directions' friction: where friction is not the same in both, every candidate is off by
 // the asymmetry, (T(+v) + T(-v))/2 less gravity (direction_lines.h).
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,17 +18,27 @@
 
 namespace tribolog::method::selection {
 
+/// What the candidates' curves are held against.
+enum class CurveReference {
+  none,
+  analytic,              ///< The true curve.
+  direction_difference,  ///< (T(+v) - T(-v))/2
+};
+
+/// Stable: "direction_difference"; empty for none.
+std::string to_string(CurveReference reference);
+
 struct QualityError {
-  std::string estimator;
+  hysteresis::Estimator estimator{};
   std::vector<double> percent;  ///< Per run of ViscousCurvesResult; NaN: no reference, or T ~ 0.
   double rms_percent{};
 };
 
 struct QualityErrorsResult {
   statistics::StageReport stage;
-  std::string reference;             ///< "analytic", "direction_difference" or "" (none).
-  std::vector<double> reference_Nm;  ///< Per run; NaN where there is none.
-  std::vector<QualityError> errors;  ///< Per curve, in that order.
+  CurveReference reference{CurveReference::none};
+  std::vector<double> reference_Nm;             ///< Per run; NaN where there is none.
+  std::vector<QualityError> errors;             ///< Per curve, in that order.
   std::vector<double> reference_half_width_Nm;  ///< Per run, 95 %; 0 where it is known exactly.
   /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
   /// torque: an rms error below it is no evidence against a mass.
@@ -35,7 +46,7 @@ struct QualityErrorsResult {
   Statement evidence;           ///< What the reference can tell; empty without errors.
   std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
 
-  [[nodiscard]] const QualityError* find(const std::string& estimator) const;
+  [[nodiscard]] const QualityError* find(std::optional<hysteresis::Estimator> estimator) const;
 };
 
 /// @param analytic the true curve, known in simulation; where not null it is the reference.

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace tribolog::method::selection {
 namespace {
 
-std::vector<std::string> rivals_of(const std::string& chosen, const std::string& recommended,
-                                   const hysteresis::SurrogateMassesResult& masses) {
+using hysteresis::Estimator;
+
+std::vector<Estimator> rivals_of(Estimator chosen, Estimator recommended,
+                                 const hysteresis::SurrogateMassesResult& masses) {
   const hysteresis::SurrogateMass* centre = masses.find(recommended);
   const hysteresis::SurrogateMass* nearest = masses.find(chosen);
   if (centre == nullptr || nearest == nullptr) return {};
@@ -17,9 +19,8 @@ std::vector<std::string> rivals_of(const std::string& chosen, const std::string&
     const double half = (mass.mass_kg.high - mass.mass_kg.low) / 2;
     return std::abs(mass.mass_kg.value - centre->mass_kg.value) + side * half;
   };
-  std::vector<std::string> rivals;
-  for (const char name : hysteresis::loop_point_names) {
-    const std::string other(1, name);
+  std::vector<Estimator> rivals;
+  for (const Estimator other : hysteresis::loop_points) {
     const hysteresis::SurrogateMass* mass = masses.find(other);
     if (mass == nullptr || other == chosen) continue;
     if (distance(*mass, -1) < distance(*nearest, +1)) rivals.push_back(other);
@@ -28,29 +29,34 @@ std::vector<std::string> rivals_of(const std::string& chosen, const std::string&
 }
 
 struct Recommendation {
-  std::string estimator;  ///< Empty: there is no candidate.
-  Statement why;
+  Estimator estimator;
+  Code why;
 };
 
-Recommendation recommend(const hysteresis::SurrogateMassesResult& masses) {
-  if (masses.find("midline") != nullptr) return {"midline", {"selection.midline"}};
-  if (masses.find("sweep") != nullptr) return {"sweep", {"selection.sweep_alone"}};
-  if (masses.find("runs") != nullptr) return {"runs", {"selection.runs_alone"}};
-  if (masses.find(hysteresis::stated_estimator) != nullptr) {
-    return {hysteresis::stated_estimator, {"selection.stated_alone"}};
+/// The first is taken of which there is a mass.
+constexpr Recommendation in_order_of_trust[] = {{Estimator::midline, "selection.midline"},
+                                                {Estimator::sweep, "selection.sweep_alone"},
+                                                {Estimator::runs, "selection.runs_alone"},
+                                                {Estimator::stated, "selection.stated_alone"}};
+
+std::optional<Recommendation> recommend(const hysteresis::SurrogateMassesResult& masses) {
+  for (const Recommendation& one : in_order_of_trust) {
+    if (masses.find(one.estimator) != nullptr) return one;
   }
-  return {};
+  return std::nullopt;
 }
 
 Statement in_sentences(const std::vector<Statement>& sentences) {
   return {"selection.why", {{"sentences", sentences}}};
 }
 
-Statement left_to_noise(const std::string& chosen, const std::vector<std::string>& rivals) {
+Statement left_to_noise(Estimator chosen, const std::vector<Estimator>& rivals) {
   std::vector<Statement> points;
   points.reserve(rivals.size());
-  for (const std::string& rival : rivals) points.emplace_back(Code::of("estimator." + rival));
-  return {"selection.left_to_noise", {{"rivals", points}, {"point", chosen}}};
+  for (const Estimator rival : rivals) {
+    points.emplace_back(Code::of("estimator." + to_string(rival)));
+  }
+  return {"selection.left_to_noise", {{"rivals", points}, {"point", to_string(chosen)}}};
 }
 
 }  // namespace
@@ -64,22 +70,22 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
   if (q_peak_rad) out.q_c_rad = statistics::scaled(*q_peak_rad, -1.0);
 
   double smallest = INFINITY;
-  for (const char name : hysteresis::loop_point_names) {
-    const QualityError* error = errors.find(std::string(1, name));
+  for (const Estimator point : hysteresis::loop_points) {
+    const QualityError* error = errors.find(point);
     if (error == nullptr || !(error->rms_percent < smallest)) continue;
     smallest = error->rms_percent;
-    out.paper_rule = name;
+    out.paper_rule = point;
   }
-  const Recommendation recommendation = recommend(masses);
-  out.recommended = recommendation.estimator;
-  if (out.recommended.empty()) {
+  const std::optional<Recommendation> recommendation = recommend(masses);
+  if (!recommendation) {
     out.stage.state = statistics::StageState::skipped;
     out.stage.reason = {"selection.no_candidate"};
     return out;
   }
-  std::vector<Statement> why{recommendation.why};
+  out.recommended = recommendation->estimator;
+  std::vector<Statement> why{recommendation->why};
   out.why = in_sentences(why);
-  if (out.paper_rule.empty()) {
+  if (!out.paper_rule) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = errors.errors.empty() ? Code{"selection.no_quality_error"}
                                              : Code{"selection.no_loop_points"};
@@ -88,21 +94,21 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
   if (q_peak_rad) {
     const auto chosen =
         std::find_if(hysteresis.points.begin(), hysteresis.points.end(),
-                     [&](const hysteresis::LoopPoint& p) { return out.paper_rule[0] == p.name; });
+                     [&](const hysteresis::LoopPoint& p) { return p.name == out.paper_rule; });
     if (chosen != hysteresis.points.end()) {
       out.q_c_corrected_rad = -q_peak_rad->value - (chosen->q_rad - q_peak_rad->value);
     }
   }
-  out.paper_rule_rivals = rivals_of(out.paper_rule, out.recommended, masses);
+  out.paper_rule_rivals = rivals_of(*out.paper_rule, *out.recommended, masses);
   const QualityError* ours = errors.find(out.recommended);
   if (ours != nullptr) {
     why.push_back({"selection.quality_errors",
                    {{"rms_percent", ours->rms_percent},
-                    {"point", out.paper_rule},
+                    {"point", to_string(*out.paper_rule)},
                     {"point_rms_percent", smallest}}});
   }
   if (!out.paper_rule_rivals.empty()) {
-    why.push_back(left_to_noise(out.paper_rule, out.paper_rule_rivals));
+    why.push_back(left_to_noise(*out.paper_rule, out.paper_rule_rivals));
   }
   out.why = in_sentences(why);
   return out;

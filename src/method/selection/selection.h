@@ -2,7 +2,6 @@
 // Stage 7: the estimator to use, and the corrected angle of the centre of gravity, eq. (14).
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/statement.h"
@@ -15,13 +14,14 @@ namespace tribolog::method::selection {
 
 struct SelectionResult {
   statistics::StageReport stage;
-  std::string paper_rule;  ///< Of A..F the one of smallest rms error; empty: cannot be said.
+  /// Of A..F the one of smallest rms error; absent: cannot be said.
+  std::optional<hysteresis::Estimator> paper_rule;
   /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
   /// may be as near to the recommended mass.
-  std::vector<std::string> paper_rule_rivals;
-  std::string recommended;  ///< Ours: the first there is of "midline", "sweep", "runs" and
-                            ///< "stated"; may be empty.
-  Statement why;            ///< A few sentences; empty without a recommendation.
+  std::vector<hysteresis::Estimator> paper_rule_rivals;
+  /// Ours: the first there is of midline, sweep, runs and stated; absent without any of them.
+  std::optional<hysteresis::Estimator> recommended;
+  Statement why;  ///< A few sentences; empty without a recommendation.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
   std::optional<double> q_c_corrected_rad;
   std::optional<statistics::Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.

@@ -123,7 +123,8 @@ std::optional<DirectionLine> fit_line(std::vector<Point> points, double widest, 
 
 }  // namespace
 
-const CurveDirectionLines* DirectionLinesResult::find(const std::string& estimator) const {
+const CurveDirectionLines* DirectionLinesResult::find(
+    std::optional<hysteresis::Estimator> estimator) const {
   const auto it = std::find_if(curves.begin(), curves.end(), [&](const CurveDirectionLines& c) {
     return c.estimator == estimator;
   });
@@ -131,13 +132,14 @@ const CurveDirectionLines* DirectionLinesResult::find(const std::string& estimat
 }
 
 DirectionLinesResult fit_direction_lines(const ViscousCurvesResult& curves,
-                                         const std::string& recommended) {
+                                         std::optional<hysteresis::Estimator> recommended) {
   DirectionLinesResult out;
-  std::vector<std::string> wanted;
-  if (!recommended.empty()) wanted.push_back(recommended);
-  if (recommended != hysteresis::stated_estimator)
-    wanted.emplace_back(hysteresis::stated_estimator);
-  for (const std::string& estimator : wanted) {
+  std::vector<hysteresis::Estimator> wanted;
+  if (recommended) wanted.push_back(*recommended);
+  if (recommended != hysteresis::Estimator::stated) {
+    wanted.push_back(hysteresis::Estimator::stated);
+  }
+  for (const hysteresis::Estimator estimator : wanted) {
     const ViscousCurve* curve = curves.find(estimator);
     if (curve == nullptr) continue;
     const std::vector<Point> rising = points_of(curves, *curve, 1);

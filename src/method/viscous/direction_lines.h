@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/statement.h"
@@ -33,7 +32,7 @@ struct DirectionLine {
 };
 
 struct CurveDirectionLines {
-  std::string estimator;
+  hysteresis::Estimator estimator{};
   std::optional<DirectionLine> rising;  ///< Joint angle rising; absent: too few speeds.
   std::optional<DirectionLine> falling;
 };
@@ -42,12 +41,12 @@ struct DirectionLinesResult {
   /// For the recommended curve, and for that of the stated gravity where there is one.
   std::vector<CurveDirectionLines> curves;
 
-  [[nodiscard]] const CurveDirectionLines* find(const std::string& estimator) const;
+  [[nodiscard]] const CurveDirectionLines* find(
+      std::optional<hysteresis::Estimator> estimator) const;
 };
 
-/// @param recommended estimator; empty: none.
 DirectionLinesResult fit_direction_lines(const ViscousCurvesResult& curves,
-                                         const std::string& recommended);
+                                         std::optional<hysteresis::Estimator> recommended);
 
 // Is friction the same in both directions?
 //

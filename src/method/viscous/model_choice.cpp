@@ -287,7 +287,7 @@ CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, boo
 }
 
 CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
-                                    const std::string& estimator) {
+                                    std::optional<hysteresis::Estimator> estimator) {
   const ViscousCurve* curve = curves.find(estimator);
   if (curve == nullptr || curves.runs.empty()) {
     CurveModelChoice none;

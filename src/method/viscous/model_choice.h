@@ -46,7 +46,7 @@ struct CurveParameter {
 struct CurveModelChoice {
   bool chosen_any{false};  ///< The values below are valid.
   Statement sentence;      ///< What was chosen and why, or why nothing; never empty.
-  std::string curve;       ///< Estimator whose curve it is.
+  std::optional<hysteresis::Estimator> curve;  ///< Whose curve it is; absent: of samples alone.
   CurveModel chosen;
   std::vector<CurveModelTrial> ladder;     ///< The laws, all with the terms that were taken up.
   std::vector<CurveModelTrial> options;    ///< The terms tried, with the law that tried them.
@@ -60,9 +60,9 @@ struct CurveModelChoice {
   [[nodiscard]] const CurveModelTrial* find(CurveLaw law) const;
 };
 
-/// @param estimator whose curve is taken; without a curve nothing is chosen.
+/// @param estimator whose curve is taken; without one, or without its curve, nothing is chosen.
 CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
-                                    const std::string& estimator);
+                                    std::optional<hysteresis::Estimator> estimator);
 
 /// The same from samples, for curves that come from elsewhere. @param sweep laws with a Stribeck
 /// effect take no part: speed and angle change together in a sweep.

@@ -236,7 +236,8 @@ Statement DirectionAngles::described() const {
            {"falling_high_deg", joint::degrees_per_rad * falling_high_rad}}};
 }
 
-const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
+const ViscousCurve* ViscousCurvesResult::find(
+    std::optional<hysteresis::Estimator> estimator) const {
   const auto it = std::find_if(curves.begin(), curves.end(),
                                [&](const ViscousCurve& c) { return c.estimator == estimator; });
   return it == curves.end() ? nullptr : &*it;
@@ -253,7 +254,7 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
   ViscousCurvesResult& out = made.result;
   out.stage = {"viscous_curves", statistics::StageState::skipped, {}};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
-  const hysteresis::SurrogateMass* of_runs = masses.find("runs");
+  const hysteresis::SurrogateMass* of_runs = masses.find(hysteresis::Estimator::runs);
   const double gravity = rough.found          ? rough.gravity_Nm.value
                          : of_runs != nullptr ? of_runs->gravity_Nm.value
                                               : 0.0;
@@ -282,7 +283,7 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
   out.angles = direction_angles(out.runs);
   for (const hysteresis::SurrogateMass& mass : masses.masses) {
     ViscousCurve curve{mass.estimator, {}};
-    const bool is_stated = stated && mass.estimator == hysteresis::stated_estimator;
+    const bool is_stated = stated && mass.estimator == hysteresis::Estimator::stated;
     const double away = is_stated ? stated->q_peak_rad() - q_peak : 0.0;
     for (const ConstantSpeedRun& run : out.runs) {
       const double cosine = std::cos(away) * run.mean_cos + std::sin(away) * run.mean_sin;

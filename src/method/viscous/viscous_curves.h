@@ -5,6 +5,7 @@
 // Where no constant-speed run was recorded but a sweep of varying speed in both directions was,
 // its samples are paired at equal angle instead: each angle gives a run of each direction.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,7 +60,7 @@ struct DirectionAngles {
 };
 
 struct ViscousCurve {
-  std::string estimator;
+  hysteresis::Estimator estimator{};
   std::vector<double> friction_Nm;  ///< Per run, motor side, signed as the speed is.
 };
 
@@ -73,7 +74,7 @@ struct ViscousCurvesResult {
   std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
   std::size_t recordings_without_plateau{};
 
-  [[nodiscard]] const ViscousCurve* find(const std::string& estimator) const;
+  [[nodiscard]] const ViscousCurve* find(std::optional<hysteresis::Estimator> estimator) const;
 };
 
 struct ViscousCurves {
@@ -85,7 +86,8 @@ struct ViscousCurves {
 
 /// @param sweep the rough one, and what was found in it; paired at equal angle where no run was
 /// recorded.
-/// @param stated gravity known beforehand: the curve "stated", at its own angle of the peak.
+/// @param stated gravity known beforehand: the curve Estimator::stated, at its own angle of the
+/// peak.
 ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
                                       const motion::Sweep& sweep,
                                       const gravity::CogSweepResult& rough,

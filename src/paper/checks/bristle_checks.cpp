@@ -187,7 +187,8 @@ Checks check_equation_12(const PapersJoint& joint) {
   }
   const joint::GravityLoad& load = joint.scenario.load;
   const double truth = load.mass_kg() * load.distance_m() / drawings::distance_m;
-  const method::hysteresis::SurrogateMass* midline = joint.calibration.masses.find("midline");
+  const method::hysteresis::SurrogateMass* midline =
+      joint.calibration.masses.find(method::hysteresis::Estimator::midline);
   Checks out{
       vanishing(tr("All six rows of table 2, mass from torque: largest difference from print"),
                 apart, drawings::rounding_kg(), "kg", tr("rounding of printed torque and mass")),

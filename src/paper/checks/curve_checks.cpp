@@ -10,22 +10,22 @@
 namespace tribolog::paper::checks {
 namespace {
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 constexpr double curve_rounding_Nm = 1e-12;
 
 std::string nearest_to_the_truth(const PapersJoint& joint) {
   const double truth = joint.true_mass_kg();
-  std::string nearest;
+  std::optional<Estimator> nearest;
   double least = INFINITY;
-  for (const char name : method::hysteresis::loop_point_names) {
-    const method::hysteresis::SurrogateMass* mass =
-        joint.calibration.masses.find(std::string(1, name));
+  for (const Estimator name : method::hysteresis::loop_points) {
+    const method::hysteresis::SurrogateMass* mass = joint.calibration.masses.find(name);
     if (mass == nullptr || std::abs(mass->mass_kg.value - truth) >= least) continue;
     least = std::abs(mass->mass_kg.value - truth);
     nearest = name;
   }
-  return nearest;
+  return to_string(nearest);
 }
 
 }  // namespace
@@ -34,15 +34,15 @@ Checks check_candidate_curves(const PapersJoint& joint) {
   const method::viscous::ViscousCurvesResult& viscous = joint.calibration.viscous;
   const auto& speeds = present(joint.scenario.constant_speed).motor_speeds_rad_s;
   double apart = 0;
-  for (const char name : method::hysteresis::loop_point_names) {
-    const method::viscous::ViscousCurve* curve = viscous.find(std::string(1, name));
-    const method::hysteresis::SurrogateMass* mass =
-        joint.calibration.masses.find(std::string(1, name));
-    const method::viscous::ViscousCurve* first = viscous.find("A");
-    const method::hysteresis::SurrogateMass* first_mass = joint.calibration.masses.find("A");
+  for (const Estimator name : method::hysteresis::loop_points) {
+    const method::viscous::ViscousCurve* curve = viscous.find(name);
+    const method::hysteresis::SurrogateMass* mass = joint.calibration.masses.find(name);
+    const method::viscous::ViscousCurve* first = viscous.find(Estimator::A);
+    const method::hysteresis::SurrogateMass* first_mass =
+        joint.calibration.masses.find(Estimator::A);
     if (curve == nullptr || mass == nullptr || first == nullptr || first_mass == nullptr) {
-      return {vanishing(tr("Candidate {point} has no curve", {{"point", std::string(1, name)}}),
-                        NAN, 0, "", "")};
+      return {vanishing(tr("Candidate {point} has no curve", {{"point", to_string(name)}}), NAN, 0,
+                        "", "")};
     }
     for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
       const double gravity_apart = first_mass->gravity_Nm.value - mass->gravity_Nm.value;
@@ -80,13 +80,12 @@ Checks check_reference_curve(const PapersJoint& joint) {
 Checks check_quality_errors(const PapersJoint& joint) {
   const method::selection::QualityErrorsResult& quality = joint.calibration.quality;
   Checks out{by_name(tr("Point with the smallest error"), Origin::printed, "B",
-                     joint.calibration.selection.paper_rule)};
+                     to_string(joint.calibration.selection.paper_rule))};
   // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
   const double truth = joint.true_gravity_Nm();
-  for (const char name : method::hysteresis::loop_point_names) {
-    const method::selection::QualityError* error = quality.find(std::string(1, name));
-    const method::hysteresis::SurrogateMass* mass =
-        joint.calibration.masses.find(std::string(1, name));
+  for (const Estimator name : method::hysteresis::loop_points) {
+    const method::selection::QualityError* error = quality.find(name);
+    const method::hysteresis::SurrogateMass* mass = joint.calibration.masses.find(name);
     if (error == nullptr || mass == nullptr) continue;
     double squares = 0;
     std::size_t counted = 0;
@@ -96,7 +95,7 @@ Checks check_quality_errors(const PapersJoint& joint) {
       ++counted;
     }
     out.push_back(law_value(
-        tr("Error of {point}, root mean square over the runs", {{"point", std::string(1, name)}}),
+        tr("Error of {point}, root mean square over the runs", {{"point", to_string(name)}}),
         std::sqrt(squares / static_cast<double>(counted)), error->rms_percent, 1e-6, tr("% of T"),
         tr(rounding_of_log)));
   }
@@ -107,8 +106,9 @@ Checks check_selected_curve(const PapersJoint& joint) {
   const drawings::TorqueRow& row = drawings::table_2[1];
   const method::hysteresis::SurrogateMass* chosen =
       joint.calibration.masses.find(joint.calibration.selection.paper_rule);
-  const method::hysteresis::SurrogateMass* midline = joint.calibration.masses.find("midline");
-  const method::viscous::ViscousCurve* best = joint.calibration.viscous.find("midline");
+  const method::hysteresis::SurrogateMass* midline =
+      joint.calibration.masses.find(Estimator::midline);
+  const method::viscous::ViscousCurve* best = joint.calibration.viscous.find(Estimator::midline);
   double apart = NAN;
   if (best != nullptr) {
     apart = 0;
@@ -130,11 +130,11 @@ Checks check_selected_curve(const PapersJoint& joint) {
 
 Checks check_torque_choice(const PapersJoint& joint) {
   const drawings::TorqueRow& row = drawings::table_2[1];
-  const method::hysteresis::LoopPoint& chosen = joint.point('B');
+  const method::hysteresis::LoopPoint& chosen = joint.point(Estimator::B);
   return {printed_value(tr("Selected torque"), row.torque_Nm, 3, chosen.torque_Nm,
                         reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)),
           by_name(tr("Which point that is"), Origin::printed, "B",
-                  joint.calibration.selection.paper_rule),
+                  to_string(joint.calibration.selection.paper_rule)),
           by_name(tr("Of the six, the nearest to the true mass"), Origin::printed, "B",
                   nearest_to_the_truth(joint))};
 }

@@ -94,12 +94,12 @@ void add_ratios(const PapersJoint& joint, Checks& out) {
                                     1e-6, "N·m", tr("σ₁ is given to five digits")));
 }
 
-constexpr char names[] = {'A', 'B', 'C', 'D', 'E', 'F'};
+constexpr auto names = method::hysteresis::loop_points;
 constexpr double plain[] = {3.93168, 3.86161, 4.76298, 2.99886, 3.69575, 4.06881};
 constexpr double whole[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883};
 
 /// How fast torque changes where a point is read [N·m/s].
-double torque_rate(const PapersJoint& joint, char name) {
+double torque_rate(const PapersJoint& joint, Estimator name) {
   const method::hysteresis::LoopTrace& trace = joint.calibration.curves.loops.at(0);
   const double t = joint.point(name).t_s;
   const double dt = trace.t_s.at(1) - trace.t_s.at(0);
@@ -108,8 +108,8 @@ double torque_rate(const PapersJoint& joint, char name) {
 }
 
 /// Where torque moves fast, an instant read late by `late_s` shows.
-Check given_torque(const PapersJoint& joint, char name, std::string what, double given, double ours,
-                   double late_s) {
+Check given_torque(const PapersJoint& joint, Estimator name, std::string what, double given,
+                   double ours, double late_s) {
   const double rate_Nm_s = torque_rate(joint, name);
   return reconstructed_value(
       std::move(what), given, 5, ours, half_last_place_Nm + late_s * rate_Nm_s, "N·m",
@@ -122,7 +122,7 @@ void add_torques(const PapersJoint& joint, Checks& out) {
   constexpr double grid_s = 2e-4;  // what the given numbers without inertia were read with
   constexpr double fine_s = 1e-5;
   constexpr double between_samples_s = 5e-6;
-  const auto plain_ours = [&](char name) {
+  const auto plain_ours = [&](Estimator name) {
     for (const method::hysteresis::LoopPoint& p : joint.plain_points) {
       if (p.name == name) return p.torque_Nm;
     }
@@ -130,22 +130,21 @@ void add_torques(const PapersJoint& joint, Checks& out) {
   };
   for (std::size_t i = 0; i < std::size(names); ++i) {
     out.push_back(law_value(tr("T at {point} without inertia and Stribeck effect, in closed form",
-                               {{"point", std::string(1, names[i])}}),
+                               {{"point", to_string(names[i])}}),
                             closed_form[i], plain_ours(names[i]),
                             half_last_place_Nm + between_samples_s * torque_rate(joint, names[i]),
                             "N·m", tr("0.005 ms of reading between samples 1 ms apart")));
   }
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(
-        given_torque(joint, names[i],
-                     tr("T at {point}, the same as given", {{"point", std::string(1, names[i])}}),
-                     plain[i], plain_ours(names[i]), grid_s));
+    out.push_back(given_torque(
+        joint, names[i], tr("T at {point}, the same as given", {{"point", to_string(names[i])}}),
+        plain[i], plain_ours(names[i]), grid_s));
   }
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(given_torque(
-        joint, names[i],
-        tr("T at {point} with them in, as given", {{"point", std::string(1, names[i])}}), whole[i],
-        joint.point(names[i]).torque_Nm, fine_s));
+    out.push_back(
+        given_torque(joint, names[i],
+                     tr("T at {point} with them in, as given", {{"point", to_string(names[i])}}),
+                     whole[i], joint.point(names[i]).torque_Nm, fine_s));
   }
 }
 
@@ -180,20 +179,22 @@ void add_deviations(const PapersJoint& joint, Checks& out) {
 
 void add_pairs(const PapersJoint& joint, Checks& out) {
   const double truth = joint.true_mass_kg();
-  const auto mass = [&](const std::string& estimator) {
+  const auto mass = [&](Estimator estimator) {
     const method::hysteresis::SurrogateMass* found = joint.calibration.masses.find(estimator);
     return found != nullptr ? found->mass_kg.value : NAN;
   };
-  for (const char* name : {"AB", "CD", "EF"}) {
+  for (const Estimator pair : method::hysteresis::pair_means) {
+    const auto [first, second] = present(points_of_pair(pair));
     out.push_back(
         law_value(tr("Pair mean ({first} + {second})/2 of the steady loop is free of bias",
-                     {{"first", std::string(1, name[0])}, {"second", std::string(1, name[1])}}),
-                  truth, mass(name), 1e-4 * truth, "kg", tr("what the program promises")));
+                     {{"first", to_string(first)}, {"second", to_string(second)}}),
+                  truth, mass(pair), 1e-4 * truth, "kg", tr("what the program promises")));
   }
   out.push_back(law_value(tr("The mid-line of the whole loop is free of bias"), truth,
-                          mass("midline"), 1e-4 * truth, "kg", tr("what the program promises")));
+                          mass(Estimator::midline), 1e-4 * truth, "kg",
+                          tr("what the program promises")));
   out.push_back(by_name(tr("The paper's rule selects"), Origin::printed, "B",
-                        joint.calibration.selection.paper_rule));
+                        to_string(joint.calibration.selection.paper_rule)));
 }
 
 void add_angles(const PapersJoint& joint, Checks& out) {

@@ -103,11 +103,13 @@ Check is_extreme(const PapersJoint& joint, const std::vector<double>& signal, Wi
 Checks check_torque_loop(const PapersJoint& joint) {
   Checks out;
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(printed_value(tr("Torque at {point}", {{"point", std::string(1, row.point)}}),
-                                row.torque_Nm, 3, joint.point(row.point).torque_Nm,
-                                reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
+    const std::string point(1, row.point);
+    out.push_back(
+        printed_value(tr("Torque at {point}", {{"point", point}}), row.torque_Nm, 3,
+                      joint.point(present(method::hysteresis::estimator_of(point))).torque_Nm,
+                      reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
   }
-  const auto mean_of = [&](char one, char other) {
+  const auto mean_of = [&](Estimator one, Estimator other) {
     const auto& steady = joint.calibration.hysteresis.steady_points;
     double sum = 0;
     for (const method::hysteresis::LoopPoint& p : steady)
@@ -115,11 +117,12 @@ Checks check_torque_loop(const PapersJoint& joint) {
     return sum;
   };
   const double truth = joint.true_gravity_Nm();
-  for (const char* pair : {"AB", "CD", "EF"}) {
-    out.push_back(law_value(
-        tr("Steady loop, mean of {first} and {second}: gravity alone",
-           {{"first", std::string(1, pair[0])}, {"second", std::string(1, pair[1])}}),
-        truth, mean_of(pair[0], pair[1]), 1e-4 * truth, "N·m", tr("what the program promises")));
+  for (const Estimator pair : method::hysteresis::pair_means) {
+    const auto [first, second] = present(points_of_pair(pair));
+    out.push_back(law_value(tr("Steady loop, mean of {first} and {second}: gravity alone",
+                               {{"first", to_string(first)}, {"second", to_string(second)}}),
+                            truth, mean_of(first, second), 1e-4 * truth, "N·m",
+                            tr("what the program promises")));
   }
   return out;
 }
@@ -130,29 +133,30 @@ Checks check_deflection_loop(const PapersJoint& joint) {
   /// On a straight line between samples 1 ms apart.
   const double zero = 2e-5 * largest;
   const std::string between = tr("read on a straight line between samples");
-  return {
-      vanishing(tr("A: z = 0 while the arm rises"), joint.point('A').z_rad, zero, "rad", between),
-      vanishing(tr("B: z = 0 while the arm drops"), joint.point('B').z_rad, zero, "rad", between),
-      is_extreme(joint, trace.z_rad, {0, 0.5}, true, joint.point('C').z_rad,
-                 tr("{point}: largest z", {{"point", "C"}}), "rad"),
-      is_extreme(joint, trace.z_rad, {0.5, 1}, false, joint.point('D').z_rad,
-                 tr("{point}: smallest z", {{"point", "D"}}), "rad"),
-      by_name(tr("Sign of dz/dt at A and B"), Origin::law, "+ −",
-              std::string(joint.point('A').dz_rad_s > 0 ? "+" : "−") + " " +
-                  (joint.point('B').dz_rad_s > 0 ? "+" : "−"))};
+  return {vanishing(tr("A: z = 0 while the arm rises"), joint.point(Estimator::A).z_rad, zero,
+                    "rad", between),
+          vanishing(tr("B: z = 0 while the arm drops"), joint.point(Estimator::B).z_rad, zero,
+                    "rad", between),
+          is_extreme(joint, trace.z_rad, {0, 0.5}, true, joint.point(Estimator::C).z_rad,
+                     tr("{point}: largest z", {{"point", "C"}}), "rad"),
+          is_extreme(joint, trace.z_rad, {0.5, 1}, false, joint.point(Estimator::D).z_rad,
+                     tr("{point}: smallest z", {{"point", "D"}}), "rad"),
+          by_name(tr("Sign of dz/dt at A and B"), Origin::law, "+ −",
+                  std::string(joint.point(Estimator::A).dz_rad_s > 0 ? "+" : "−") + " " +
+                      (joint.point(Estimator::B).dz_rad_s > 0 ? "+" : "−"))};
 }
 
 Checks check_rate_loop(const PapersJoint& joint) {
   const method::hysteresis::LoopTrace& trace = trace_of(joint);
   return {
-      is_extreme(joint, trace.dz_rad_s, {0.25, 0.75}, false, joint.point('F').dz_rad_s,
+      is_extreme(joint, trace.dz_rad_s, {0.25, 0.75}, false, joint.point(Estimator::F).dz_rad_s,
                  tr("{point}: smallest dz/dt", {{"point", "F"}}), "rad/s"),
-      is_extreme(joint, trace.dz_rad_s, {0.75, 1.25}, true, joint.point('E').dz_rad_s,
+      is_extreme(joint, trace.dz_rad_s, {0.75, 1.25}, true, joint.point(Estimator::E).dz_rad_s,
                  tr("{point}: largest dz/dt after the first quarter", {{"point", "E"}}), "rad/s"),
       by_name(tr("E: sign of z, while dz/dt is largest"), Origin::law, "−",
-              joint.point('E').z_rad < 0 ? "−" : "+"),
+              joint.point(Estimator::E).z_rad < 0 ? "−" : "+"),
       by_name(tr("F: sign of z, while dz/dt is smallest"), Origin::law, "+",
-              joint.point('F').z_rad < 0 ? "−" : "+")};
+              joint.point(Estimator::F).z_rad < 0 ? "−" : "+")};
 }
 
 // Figures 9, 10 and 12: the arm in space.

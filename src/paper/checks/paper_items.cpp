@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "base/requirements.h"
 #include "figures/figure_set.h"
 #include "friction/catalogue.h"
 #include "paper/charts/paper_charts.h"
@@ -20,14 +21,15 @@ namespace tribolog::paper::checks {
 
 namespace {
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 Checks check_conclusions(const PapersJoint& joint) {
-  const method::hysteresis::LoopPoint& chosen = joint.point('B');
+  const method::hysteresis::LoopPoint& chosen = joint.point(Estimator::B);
   const method::hysteresis::LoopTrace& trace = joint.calibration.curves.loops.at(0);
   const double largest_z = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
   const double truth = joint.true_mass_kg();
-  const auto share_off = [&](const char* estimator) {
+  const auto share_off = [&](Estimator estimator) {
     const method::hysteresis::SurrogateMass* mass = joint.calibration.masses.find(estimator);
     return mass != nullptr ? 100 * (mass->mass_kg.value / truth - 1) : NAN;
   };
@@ -38,10 +40,10 @@ Checks check_conclusions(const PapersJoint& joint) {
       vanishing(tr("“The value of asperities z(t) equals to the zero” there: z as a share of its "
                    "largest"),
                 chosen.z_rad / largest_z, 2e-5, "", tr("read on a straight line between samples")),
-      law_value(tr("What is left of friction in B: error of its mass"), 0, share_off("B"), 1, "%",
-                tr("a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at")),
+      law_value(tr("What is left of friction in B: error of its mass"), 0, share_off(Estimator::B),
+                1, "%", tr("a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at")),
       law_value(tr("No a priori knowledge is needed, and no z(t): error of the mid-line's mass"), 0,
-                share_off("midline"), 0.01, "%", tr("what the program promises"))};
+                share_off(Estimator::midline), 0.01, "%", tr("what the program promises"))};
 }
 
 }  // namespace
@@ -80,10 +82,11 @@ Checks check_table_2(const PapersJoint& joint) {
   Checks out;
   constexpr int places = 3;
   for (const drawings::TorqueRow& row : drawings::table_2) {
-    out.push_back(
-        printed_value(tr("T at {point}, simulated joint", {{"point", std::string(1, row.point)}}),
-                      row.torque_Nm, places, joint.point(row.point).torque_Nm,
-                      reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
+    const std::string point(1, row.point);
+    const Estimator read_there = present(method::hysteresis::estimator_of(point));
+    out.push_back(printed_value(tr("T at {point}, simulated joint", {{"point", point}}),
+                                row.torque_Nm, places, joint.point(read_there).torque_Nm,
+                                reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
   }
   for (const drawings::TorqueRow& row : drawings::table_2) {
     out.push_back(printed_value(
@@ -92,12 +95,13 @@ Checks check_table_2(const PapersJoint& joint) {
         "kg", tr("rounding of printed torque and mass")));
   }
   for (const drawings::TorqueRow& row : drawings::table_2) {
+    const std::string point(1, row.point);
     const method::hysteresis::SurrogateMass* ours =
-        joint.calibration.masses.find(std::string(1, row.point));
-    out.push_back(
-        printed_value(tr("Mass {point}, simulated joint", {{"point", std::string(1, row.point)}}),
-                      row.mass_kg, places, ours != nullptr ? ours->mass_kg.value : std::nan(""),
-                      reconstruction_share * row.mass_kg, "kg", tr(reconstruction)));
+        joint.calibration.masses.find(method::hysteresis::estimator_of(point));
+    out.push_back(printed_value(tr("Mass {point}, simulated joint", {{"point", point}}),
+                                row.mass_kg, places,
+                                ours != nullptr ? ours->mass_kg.value : std::nan(""),
+                                reconstruction_share * row.mass_kg, "kg", tr(reconstruction)));
   }
   return out;
 }

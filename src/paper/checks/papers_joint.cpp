@@ -82,7 +82,7 @@ const joint::Recording& PapersJoint::recording(joint::Role role) const {
   return *all.front();
 }
 
-const method::hysteresis::LoopPoint& PapersJoint::point(char name) const {
+const method::hysteresis::LoopPoint& PapersJoint::point(method::hysteresis::Estimator name) const {
   const auto& points = calibration.hysteresis.points;
   const auto found =
       std::find_if(points.begin(), points.end(),

@@ -52,7 +52,8 @@ struct PapersJoint {
   /// The recording of a role; the first if there are several.
   [[nodiscard]] const joint::Recording& recording(joint::Role role) const;
   /// A point of the start-up stroke, as table 2 has it.
-  [[nodiscard]] const method::hysteresis::LoopPoint& point(char name) const;
+  [[nodiscard]] const method::hysteresis::LoopPoint& point(
+      method::hysteresis::Estimator name) const;
 };
 
 }  // namespace tribolog::paper::checks

@@ -194,7 +194,8 @@ report::Table table_2(const calibration::Calibration& c) {
         {name, wording::fixed(row.torque_Nm, decimals), wording::fixed(row.mass_kg, decimals),
          wording::fixed(mass, decimals), wording::fixed(mass - row.mass_kg, decimals), "–", "–"},
         false};
-    if (const method::hysteresis::SurrogateMass* ours = c.masses.find(name)) {
+    if (const method::hysteresis::SurrogateMass* ours =
+            c.masses.find(method::hysteresis::estimator_of(name))) {
       cells.cells[5] =
           wording::round_by_interval(ours->mass_kg, wording::plain_scale("kg")).plus_minus();
       const double more = ours->mass_kg.value / row.mass_kg - 1.0;

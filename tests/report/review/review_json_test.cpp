@@ -96,7 +96,7 @@ TEST(ReviewJson, PointsAndMidlineAreThoseOfTheTables) {
     ASSERT_EQ(data["points"][name].size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
       const Json& point = data["points"][name][i];
-      EXPECT_EQ(point["name"], std::string(1, (*points)[i].name));
+      EXPECT_EQ(point["name"], to_string((*points)[i].name));
       expect_digits(point["T"], (*points)[i].torque_Nm, factor_of(data, "T"));
       for (const Json& text : point["texts"]) {
         const std::string shown = text[1];
@@ -119,8 +119,9 @@ TEST(ReviewJson, CandidatesHaveTheirCurvesErrorsAndTheTablesTexts) {
   std::size_t recommended = 0;
   for (const Json& one : data["candidates"]) {
     const std::string name = one["name"];
-    const method::viscous::ViscousCurve* curve = c.viscous.find(name);
-    const method::selection::QualityError* error = c.quality.find(name);
+    const auto estimator = method::hysteresis::estimator_of(name);
+    const method::viscous::ViscousCurve* curve = c.viscous.find(estimator);
+    const method::selection::QualityError* error = c.quality.find(estimator);
     ASSERT_TRUE(curve && error) << name;
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       expect_digits(one["f"][i], curve->friction_Nm[i], factor_of(data, "f"));
