@@ -1,5 +1,6 @@
 #pragma once
-// The sheet on which a diagram is laid out: millimetres to pixels, and a record of its texts.
+// The sheet on which a diagram is laid out (millimetres to pixels, and a record of its texts), and
+// what is drawn on it.
 
 #include <string>
 #include <utility>
@@ -73,5 +74,33 @@ inline constexpr double sign_mm = 2.8;
 
 /// Width in designed pixels of blocks' outlines and wires: that of a curve in a chart.
 inline constexpr double diagram_line_px = 2.5;
+
+// Blocks of a diagram: what each kind looks like.
+
+/// The outline that wires end on, in pixels and closed (the last point repeats the first); for a
+/// fixed support the line of its surface.
+std::vector<figure::PixelPoint> block_outline(const DiagramCanvas& canvas,
+                                              const figure::Block& block);
+
+/// Fills must lie below every line, so they are drawn by a call of their own, before the outlines.
+void draw_block_fill(DiagramCanvas& canvas, const figure::Block& block, int index);
+void draw_block(DiagramCanvas& canvas, const figure::Block& block, int index);
+
+/// Text and port signs. Warns of text that does not fit into the block.
+void draw_block_texts(DiagramCanvas& canvas, const figure::Block& block, int index);
+
+// Wires and the free shapes of a sketch.
+
+/// The arc as a line of short steps.
+std::vector<figure::PixelPoint> arc_points(const DiagramCanvas& canvas, const figure::Arc& arc);
+
+void draw_wire(DiagramCanvas& canvas, const figure::Wire& wire, int index);
+
+/// Areas and discs lie below every line.
+void draw_shape_fills(DiagramCanvas& canvas, const figure::Diagram& diagram);
+/// Strokes, arcs and dimension arrows, numbered on in this order.
+void draw_shapes(DiagramCanvas& canvas, const figure::Diagram& diagram);
+/// Labels of wires, texts of dimensions and free texts; `texts` of the diagram come last.
+void draw_diagram_texts(DiagramCanvas& canvas, const figure::Diagram& diagram);
 
 }  // namespace tribolog::render::layout

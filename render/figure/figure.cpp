@@ -1,4 +1,4 @@
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
 
 namespace tribolog::render::figure {
 

@@ -1,5 +1,6 @@
 #pragma once
-// Where the panels of a figure, their axes and their titles go.
+// Where the panels of a figure, their axes and their titles go, and how they and their data are
+// drawn.
 
 #include <string>
 #include <vector>
@@ -7,7 +8,6 @@
 #include "render/figure/draw_list.h"
 #include "render/layout/axis.h"
 #include "render/layout/figure_style.h"
-#include "render/layout/ticks.h"
 
 namespace tribolog::render::layout {
 
@@ -43,5 +43,21 @@ void draw_grid(figure::DrawList& list, const PanelFrame& frame, const FigureStyl
 void draw_axes(figure::DrawList& list, const PanelFrame& frame, const text::Font& font,
                const FigureStyle& style, int panel);
 void draw_figure_title(figure::DrawList& list, const FigureFrame& frame, const FigureStyle& style);
+
+// The data of a panel as primitives inside its axes box.
+
+/// Each draws one thing and reports dropped samples to `list.warnings`.
+void draw_band(figure::DrawList& list, const PanelFrame& frame, const figure::Band& band,
+               figure::Owner owner);
+void draw_series(figure::DrawList& list, const PanelFrame& frame, const figure::Series& series,
+                 const FigureStyle& style, int panel, int index);
+void draw_error_bar(figure::DrawList& list, const PanelFrame& frame, const figure::ErrorBar& bar,
+                    const FigureStyle& style, figure::Owner owner);
+void draw_reference_line(figure::DrawList& list, const PanelFrame& frame,
+                         const figure::ReferenceLine& line, const FigureStyle& style,
+                         figure::Owner owner);
+
+/// Whether anything in the panel can be drawn on its axes.
+bool has_drawable_data(const figure::Panel& panel);
 
 }  // namespace tribolog::render::layout

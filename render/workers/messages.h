@@ -1,11 +1,15 @@
 #pragma once
-// Messages between a process and its worker over a socket: a length, then that many bytes.
+// Messages between a process and its worker over a socket: a length, then that many bytes; and what
+// is sent in them.
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/statement.h"
+#include "render/figure/figure.h"
 
 namespace tribolog::render::workers {
 
@@ -50,5 +54,20 @@ class MessageReader {
  private:
   std::vector<std::byte> received_;
 };
+
+// What a drawing process has to say, for the process that makes words of it.
+
+void put_statement(Message& message, const Statement& statement);
+
+/// @throw tribolog::FigureError if the message ends before the statement does, if what stands there
+/// is no statement, or if it holds statements within statements more than eight deep.
+Statement take_statement(Message& message);
+
+// A figure's description, for the process that draws it.
+
+void put_figure(Message& message, const figure::Figure& figure);
+
+/// @throw tribolog::FigureError if the message ends before the figure does.
+figure::Figure take_figure(Message& message);
 
 }  // namespace tribolog::render::workers
