@@ -15,7 +15,7 @@
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/file_descriptor.h"
-#include "base/temporary_file.h"
+#include "base/output_place.h"
 
 namespace tribolog::archive::sql {
 namespace {

@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "friction/dynamic_friction.h"
-#include "friction/static_friction.h"
+#include "friction/friction_model.h"
 #include "ingest/manifest/toml_table.h"
 
 namespace tribolog::ingest::manifest {

@@ -6,8 +6,7 @@
 // follows the reconstructed curve of eq. (6) in the large: 0.45 N·m at its dip and about 1.17 N·m
 // at 300 rad/s.
 
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::paper::charts {
 

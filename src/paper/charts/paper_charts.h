@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "figures/report_figure.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 #include "simulate/presliding_loops.h"
 
 namespace tribolog::paper::charts {

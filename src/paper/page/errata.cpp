@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "friction/catalogue.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 #include "paper/drawings/printed_paper.h"
