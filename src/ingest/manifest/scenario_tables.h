@@ -1,8 +1,11 @@
 #pragma once
-// The experiments of a scenario file, and the load that it shares with a robot file.
+// Tables of a scenario file, some of which robot files and manifests have too: its experiments,
+// load and friction.
 
+#include <memory>
 #include <string>
 
+#include "friction/friction_model.h"
 #include "ingest/manifest/toml_table.h"
 #include "joint/gravity_load.h"
 #include "simulate/scenario.h"
@@ -31,5 +34,22 @@ simulate::LogForm read_log_form(const TomlTable& table);
 
 /// [load]: mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81. @throw InputError at the key.
 joint::GravityLoad read_load(const TomlTable& load);
+
+// Friction: that of a scenario, and the known curve of a manifest.
+
+/// As Scenario has them: `sliding` is null where the dynamic model drives sweeps and runs too.
+struct JointFriction {
+  std::shared_ptr<const friction::DynamicFriction> presliding;
+  std::shared_ptr<const friction::StaticFriction> sliding;
+};
+
+/// [friction] of a scenario (scenario_file.h).
+/// @throw InputError for what is missing, impossible, unknown, or of a model that is not chosen.
+JointFriction read_friction(const TomlTable& friction);
+
+/// [reference] of a manifest: one table named after a static law, or after a dynamic model, of
+/// which the torque at constant speed is meant. Null where it has none.
+/// @throw InputError as above, and where there are two.
+std::shared_ptr<const friction::StaticFriction> read_known_curve(const TomlTable& reference);
 
 }  // namespace tribolog::ingest::manifest

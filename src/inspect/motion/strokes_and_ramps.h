@@ -1,12 +1,5 @@
 #pragma once
-// The strokes of a motion: from one stand or reversal to the next.
-//
-// Found from the largest scale down, so that one recording may hold a sweep over the whole range
-// and an oscillation ten thousand times smaller. At each scale the angle is cut at its turning
-// points, wiggles below a twentieth of the range passed over; where it stays at a turning point
-// longer than a reversal takes, it rests. Each rest is then looked at in the same way on the scale
-// of its own range, down to the noise floor. No threshold is an angle or a time: the cut is the
-// same in degrees and radians, in seconds and milliseconds.
+// What a motion is cut into: strokes, from one stand or reversal to the next, and break-away ramps.
 
 #include <cstddef>
 #include <vector>
@@ -14,6 +7,13 @@
 #include "inspect/motion/angle_trace.h"
 
 namespace tribolog::inspect::motion {
+
+// Found from the largest scale down, so that one recording may hold a sweep over the whole range
+// and an oscillation ten thousand times smaller. At each scale the angle is cut at its turning
+// points, wiggles below a twentieth of the range passed over; where it stays at a turning point
+// longer than a reversal takes, it rests. Each rest is then looked at in the same way on the scale
+// of its own range, down to the noise floor. No threshold is an angle or a time: the cut is the
+// same in degrees and radians, in seconds and milliseconds.
 
 struct AngleStroke {
   std::size_t first{};  ///< Sample with which it leaves its stand or turns.
@@ -67,5 +67,34 @@ struct StrokeGroup {
 /// end of a sine belongs to it, and so does a smaller one with which a narrow oscillation begins.
 std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
                                        double widest_oscillation_rad);
+
+// Break-away ramps: the joint stands, the torque rises at a steady rate, until the joint slides or
+// the ramp ends.
+
+struct TorqueRamp {
+  std::size_t first{};
+  std::size_t last{};
+  double rate{};      ///< Of the effort, in its unit a second; signed.
+  bool joint_slid{};  ///< It moved far more in the second half than in the first.
+};
+
+/// The ramps of a log's effort.
+class TorqueRampFinder {
+ public:
+  /// @param trace outlives the finder.
+  /// @param floor_rad noise floor of the angle.
+  TorqueRampFinder(const AngleTrace& trace, double floor_rad);
+
+  /// @param first, last stretch looked at.
+  /// @return ramps of a second or longer that rise by 3 % of the effort's range or more, and by a
+  /// tenth where the joint does not move; none without effort.
+  [[nodiscard]] std::vector<TorqueRamp> between(std::size_t first, std::size_t last) const;
+
+ private:
+  const AngleTrace& trace_;
+  double floor_rad_;
+  double floor_{};  ///< Noise floor of the effort.
+  double range_{};  ///< Of the effort.
+};
 
 }  // namespace tribolog::inspect::motion
