@@ -1,5 +1,3 @@
-#include "paper/page/errata.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +6,9 @@
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 #include "paper/drawings/printed_paper.h"
+#include "paper/page/page_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 
 namespace tribolog::paper::page {
 namespace {

@@ -1,12 +1,18 @@
 #pragma once
-// The shaft that speeds and torques are referred to, in words. A joint without a gear, or one whose
-// log and gain are stated at the joint, has no motor side of its own.
+// What a figure prints a reading as, and the shaft that speeds and torques are referred to, in
+// words.
 
 #include <string>
 
 #include "joint/dataset.h"
 
 namespace tribolog::wording {
+
+/// The reading's words with the subscript marked up: "break-away torque T_{s}".
+std::string reading_label(const std::string& reading);
+
+// A joint without a gear, or one whose log and gain are stated at the joint, has no motor side of
+// its own.
 
 /// False where the gear ratio is 1.
 bool has_motor_side(const joint::Manifest& manifest);

@@ -1,11 +1,20 @@
 #pragma once
-// Internal to wording: the messages of one language, as its .po file has them.
+// Internal to wording, the templates and the languages' module: messages as they stand in the
+// language of this thread's words, their values not yet in them.
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace tribolog::wording {
 
+/// The message itself where there is no translation.
+std::string translated(std::string_view message);
+
+/// The form for that count, by the language's own rule.
+std::string translated(std::string_view one, std::string_view many, std::int64_t count);
+
+/// The messages of one language, as its .po file has them.
 class Translator {
  public:
   Translator() = default;

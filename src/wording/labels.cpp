@@ -1,8 +1,22 @@
-#include "wording/shaft.h"
+#include "wording/labels.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
 
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::wording {
+
+std::string reading_label(const std::string& reading) {
+  const std::string words = words_for("reading", reading);
+  const std::size_t mark = words.find('_');
+  if (mark == std::string::npos) return words;
+  const std::size_t end = std::min(words.find(' ', mark), words.size());
+  return fmt::format("{}{{{}}}{}", words.substr(0, mark + 1),
+                     words.substr(mark + 1, end - mark - 1), words.substr(end));
+}
 
 bool has_motor_side(const joint::Manifest& manifest) { return manifest.drive.gear_ratio() != 1.0; }
 
