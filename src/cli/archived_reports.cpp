@@ -1,20 +1,112 @@
+// `tribolog archive report` and `tribolog review`: reports out of the archive, with what reviewers
+// decided on them.
+
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "archive/store/calibration_archive.h"
 #include "archive/store/digest.h"
 #include "base/atomic_file.h"
 #include "base/encodings.h"
+#include "base/error.h"
 #include "base/input_file.h"
 #include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
-#include "cli/signed_report.h"
 #include "report/embedded_json.h"
 #include "report/sign_off.h"
 
 namespace tribolog::cli {
+namespace {
+
+/// As it was archived, byte for byte. @throw UsageError: the entry has no report. ArchiveError: it
+/// is not what was archived.
+std::string original_report(archive::store::CalibrationArchive& kept,
+                            const calibration::Entry& entry) {
+  auto bytes = kept.document(entry, calibration::DocumentKind::report);
+  if (!bytes) {
+    throw UsageError(entry.id.substr(0, calibration::shown_digits) +
+                     " has no report in the archive; tribolog report --archive keeps one");
+  }
+  return std::move(*bytes);
+}
+
+/// Its bytes as they were archived where nobody decided; else with all decisions.
+/// @param further decisions that are not in the archive yet.
+/// @throw as original_report().
+std::string signed_report(archive::store::CalibrationArchive& kept, const calibration::Entry& entry,
+                          const std::vector<calibration::Review>& further = {}) {
+  std::vector<calibration::Review> reviews = kept.reviews(entry);
+  reviews.insert(reviews.end(), further.begin(), further.end());
+  std::string page = original_report(kept, entry);
+  if (reviews.empty()) return page;
+  std::vector<report::SignOff> decisions;
+  for (const calibration::Review& review : reviews) {
+    decisions.push_back({review.at_utc, review.reviewer,
+                         review.decision == calibration::Review::Decision::approved, review.note});
+  }
+  return report::with_sign_off(page, entry.id, decisions, kept.name());
+}
+
+}  // namespace
+
+// `tribolog archive report`.
+
+Run add_report(CLI::App& archive) {
+  struct Options {
+    std::string id;
+    std::string output;
+    std::string calibration;
+    bool original{false};
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *archive.add_subcommand("report", "the report of one calibration, as it was made");
+  command.add_option("ID", options->id, "the first digits of its id")->required();
+  command.add_option("-o,--output", options->output, "report (HTML) to write");
+  command.add_option("--calibration", options->calibration, "calibration (JSON) to write");
+  command.add_flag("--original", options->original,
+                   "byte for byte, without the decisions of reviewers");
+  const auto where = add_archive_options(command);
+  return [where, options](const Invocation& call) {
+    if (options->output.empty() && options->calibration.empty()) {
+      throw UsageError("archive report: -o REPORT or --calibration FILE is needed");
+    }
+    where->protect_from(options->output);
+    where->protect_from(options->calibration);
+    check_outputs_differ({options->output, options->calibration});
+    for (const std::string& output : {options->output, options->calibration}) {
+      call.console.make_way_for(output);
+    }
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    const calibration::Entry entry = kept.find(options->id);
+    AtomicFiles files;
+    if (!options->output.empty()) {
+      files.add(options->output,
+                options->original ? original_report(kept, entry) : signed_report(kept, entry));
+    }
+    if (!options->calibration.empty()) {
+      const auto bytes = kept.document(entry, calibration::DocumentKind::calibration);
+      if (!bytes)
+        throw ArchiveError(printable(kept.name(), longest_path) + ": its calibration is missing");
+      files.add(options->calibration, *bytes);
+    }
+    files.commit();
+    const auto tell = [&](const char* what, const std::string& path) {
+      if (!path.empty()) call.console.say(what + (": " + printable(path, longest_path)));
+    };
+    tell("report", options->output);
+    tell("calibration", options->calibration);
+    return ExitStatus::done;
+  };
+}
+
+// `tribolog review`.
+
 namespace {
 
 struct ReviewOptions {
