@@ -3,15 +3,14 @@
 #include <utility>
 
 #include "base/error.h"
-#include "render/layout/data_drawing.h"
 #include "render/layout/diagram_layout.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/legend.h"
 #include "render/layout/occupancy.h"
-#include "render/layout/panel_frame.h"
+#include "render/layout/panel_drawing.h"
 #include "render/scene/scene_layout.h"
-#include "render/text/utf8.h"
+#include "render/text/characters.h"
 
 namespace tribolog::render::composition {
 namespace {

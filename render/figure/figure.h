@@ -4,10 +4,12 @@
 // Every text in a figure is UTF-8 with a small markup: `_{...}` is a subscript and `^{...}` a
 // superscript ("T_{f} [N·m]", "q\u0307_{c}", "m^{2}"). A lone `_` or `^` is printed as it is.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "render/figure/diagram.h"
 #include "render/figure/drawing_style.h"
 #include "render/figure/scene.h"
@@ -114,5 +116,23 @@ struct Figure {
   double width_mm{160.0};  ///< In print; letters and lines are sized for it.
   Look look{Look::report};
 };
+
+// What parts of a figure are called where something is said of them: by their text, or, where they
+// have none, by their number, which counts from 1.
+
+/// "series 'rising'", "series 3"
+Statement name_of_series(const std::string& label, std::size_t index);
+
+/// "block 'g(ω)'", "block 2"
+Statement name_of_block(const Diagram& diagram, std::size_t index);
+
+/// "wire 3"
+Statement name_of_wire(std::size_t index);
+
+/// "the text 'T_{f}'"
+Statement name_of_text(const std::string& text);
+
+/// "the part 'm_{3}'", of a scene
+Statement name_of_part(const std::string& label);
 
 }  // namespace tribolog::render::figure

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/layout/panel_frame.h"
+#include "render/layout/panel_drawing.h"
 
 namespace tribolog::render::layout {
 namespace {

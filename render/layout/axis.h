@@ -1,6 +1,7 @@
 #pragma once
-// One axis of a panel: what it shows, and where.
+// One axis of a panel: what it shows and where, and the round numbers and calendar dates on it.
 
+#include <string>
 #include <vector>
 
 #include "base/statement.h"
@@ -64,5 +65,53 @@ DataExtent y_extent(const figure::Panel& panel);
 /// extent gives a range that is fit to draw; impossible fixed ends are ignored with a warning.
 AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
                        std::vector<Statement>& warnings);
+
+// Ticks, and how to write them.
+
+/// Exact text of multiple * 10^exponent: decimal_text(-25, -1) is "−2.5".
+std::string decimal_text(long long multiple, int exponent);
+
+std::string integer_text(int value);
+
+/// A positive number in as few digits as identify it, as markup: "1.7·10^{9}", "1700000123".
+std::string magnitude_text(double value);
+
+/// "0.01", "50", "10^{5}", "2·10^{−4}".
+std::string logarithmic_text(int digit, int exponent);
+
+/// digit * 10^exponent, correctly rounded.
+double power_of_ten_multiple(int digit, int exponent);
+
+/// The power of ten to take out of all labels so that they stay short; 0 for everyday numbers.
+struct CommonPower {
+  int exponent{};
+};
+CommonPower common_power(const std::vector<long long>& multiples, int exponent);
+
+struct Tick {
+  double value{};
+  std::string label;  ///< Figure markup.
+};
+
+/// Labels are distinct. `scale_note` (markup, often empty) says what to do with every label:
+/// "×10^{6}" to multiply, "+ 1.7·10^{9}" to add, or both in this order.
+struct TickSet {
+  std::vector<Tick> major;
+  std::vector<double> minor;  ///< Logarithmic axes only.
+  std::string scale_note;
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten, at most `most` of them (at least 2 where the range
+/// allows it), no closer than `least_step`. @pre range as AxisRange demands; most >= 2.
+TickSet linear_ticks(const AxisRange& range, int most, double least_step = 0.0);
+
+/// Decades; where the range is short also their 2- and 5-fold, or linear ticks.
+TickSet logarithmic_ticks(const AxisRange& range, int most);
+
+/// Whole years ("2026"), months ("2026-03"), days ("2026-03-05") or hours ("2026-03-05 06:00"), at
+/// most `most` of them, and at least one where the range holds a whole hour. UTC.
+/// @param range days since 1970-01-01; outside of the years 1 to 9999, or shorter than two hours,
+///        the ticks are those of plain numbers.
+TickSet date_ticks(const AxisRange& range, int most);
 
 }  // namespace tribolog::render::layout

@@ -1,10 +1,9 @@
-#include "render/layout/block_drawing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
+#include "render/layout/diagram_drawing.h"
 
 namespace tribolog::render::layout {
 

@@ -1,5 +1,3 @@
-#include "render/layout/data_drawing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,10 +5,9 @@
 #include <unordered_set>
 
 #include "render/figure/draw_list.h"
-#include "render/figure/marks.h"
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
 #include "render/layout/figure_style.h"
-#include "render/layout/panel_frame.h"
+#include "render/layout/panel_drawing.h"
 #include "render/layout/polyline.h"
 
 namespace tribolog::render::layout {

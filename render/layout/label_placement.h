@@ -9,7 +9,7 @@
 #include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"
-#include "render/layout/panel_frame.h"
+#include "render/layout/panel_drawing.h"
 #include "render/text/text_line.h"
 
 namespace tribolog::render::layout {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/figure/marks.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render::layout {
 namespace {

@@ -1,11 +1,9 @@
-#include "render/layout/panel_frame.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "render/layout/axis.h"
-#include "render/layout/date_ticks.h"
+#include "render/layout/panel_drawing.h"
 
 namespace tribolog::render::layout {
 namespace {

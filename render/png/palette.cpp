@@ -1,9 +1,9 @@
-#include "render/png/palette.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+
+#include "render/png/png_encoder.h"
 
 namespace tribolog::render::png {
 namespace {

@@ -10,7 +10,6 @@
 #include <libdeflate.h>
 
 #include "base/error.h"
-#include "render/png/palette.h"
 
 namespace tribolog::render::png {
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/figure/picture.h"
@@ -13,8 +14,23 @@ namespace tribolog::render::png {
 std::vector<std::uint8_t> zlib_compressed(const std::vector<std::uint8_t>& raw);
 
 /// The same picture gives the same bytes: no time stamp, no text. Indexed colour where 256 of them
-/// suffice (palette.h), else exact. As wide in print as the picture says, by programs that heed
+/// suffice (see indexed()), else exact. As wide in print as the picture says, by programs that heed
 /// pHYs.
 std::vector<std::byte> encode_png(const figure::Picture& picture);
+
+// A picture in few colours.
+
+struct IndexedPicture {
+  std::vector<std::uint8_t> palette;  ///< Three bytes a colour, at most 256 colours.
+  std::vector<std::uint8_t> indices;  ///< One a pixel.
+};
+
+/// How far a channel of a replaced colour may be off, of 255.
+inline constexpr int largest_colour_error = 8;
+
+/// Exact where the picture has at most 256 colours. A chart has some more, mixed at the edges of
+/// lines and letters: those that differ least from another one take its place. Nothing if one would
+/// be off by more than largest_colour_error, or if there are more than 1024 colours.
+std::optional<IndexedPicture> indexed(const figure::Picture& picture);
 
 }  // namespace tribolog::render::png

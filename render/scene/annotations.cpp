@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/figure/marks.h"
+#include "render/figure/draw_list.h"
 #include "render/figure/scene.h"
 
 namespace tribolog::render::scene {

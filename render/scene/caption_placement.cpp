@@ -1,13 +1,12 @@
-#include "render/scene/caption_placement.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "render/figure/drawing_style.h"
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
 #include "render/layout/label_placement.h"
+#include "render/scene/annotations.h"
 
 namespace tribolog::render::scene {
 namespace {

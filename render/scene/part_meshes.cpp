@@ -1,5 +1,3 @@
-#include "render/scene/part_meshes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 
 #include "render/figure/draw_list.h"
 #include "render/figure/scene.h"
+#include "render/scene/scene_geometry.h"
 
 namespace tribolog::render::scene {
 

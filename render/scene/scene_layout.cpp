@@ -5,12 +5,9 @@
 
 #include "base/error.h"
 #include "render/figure/scene.h"
-#include "render/layout/panel_frame.h"
+#include "render/layout/panel_drawing.h"
 #include "render/scene/annotations.h"
-#include "render/scene/caption_placement.h"
-#include "render/scene/part_map.h"
-#include "render/scene/part_meshes.h"
-#include "render/scene/scene_view.h"
+#include "render/scene/scene_geometry.h"
 
 namespace tribolog::render::scene {
 namespace {

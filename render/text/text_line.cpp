@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/text/accents.h"
-#include "render/text/utf8.h"
+#include "render/text/characters.h"
 
 namespace tribolog::render::text {
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "render/vector/document_face.h"
 #include "render/vector/pdf_objects.h"
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"

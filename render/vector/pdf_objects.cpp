@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "render/png/png_encoder.h"
-#include "render/text/utf8.h"
-#include "render/vector/true_type_file.h"
+#include "render/text/characters.h"
+#include "render/vector/true_type.h"
 
 namespace tribolog::render::vector {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/vector/document_face.h"
+#include "render/vector/vector_canvas.h"
 
 namespace tribolog::render::vector {
 

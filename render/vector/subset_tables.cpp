@@ -1,10 +1,9 @@
-#include "render/vector/subset_tables.h"
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
 #include "base/error.h"
+#include "render/vector/true_type.h"
 
 namespace tribolog::render::vector {
 namespace {

@@ -7,8 +7,7 @@
 
 #include "base/encodings.h"
 #include "base/error.h"
-#include "render/text/utf8.h"
-#include "render/vector/document_face.h"
+#include "render/text/characters.h"
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 

@@ -1,10 +1,9 @@
-#include "render/vector/true_type_file.h"
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "base/error.h"
+#include "render/vector/true_type.h"
 
 namespace tribolog::render::vector {
 namespace {

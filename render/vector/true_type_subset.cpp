@@ -1,9 +1,7 @@
-#include "render/vector/true_type_subset.h"
-
 #include <algorithm>
 
 #include "base/error.h"
-#include "render/vector/subset_tables.h"
+#include "render/vector/true_type.h"
 
 namespace tribolog::render::vector {
 

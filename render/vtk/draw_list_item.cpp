@@ -11,7 +11,7 @@
 #include <vtkTextRenderer.h>
 #include <vtkTransform2D.h>
 
-#include "render/figure/marks.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render::vtk {
 namespace {

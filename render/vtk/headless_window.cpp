@@ -3,9 +3,16 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkVersion.h>
+#include <vtkVersionMacros.h>
 
 #include "base/error.h"
-#include "render/vtk/vtk_generation.h"
+
+// VTK up to 9.3 finds OpenGL functions with GLEW, later ones with a loader that may be set.
+#if VTK_MAJOR_VERSION < 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 4)
+#define TRIBOLOG_VTK_HAS_GLEW 1
+#else
+#define TRIBOLOG_VTK_HAS_GLEW 0
+#endif
 
 #if TRIBOLOG_VTK_HAS_GLEW
 #include <vtk_glew.h>

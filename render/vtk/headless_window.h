@@ -1,5 +1,5 @@
 #pragma once
-// VTK's render window on a context of ours.
+// VTK's render window on a context of ours, and VTK's own threads.
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -37,5 +37,9 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
   bool needs_depth_{false};
   bool has_depth_{true};
 };
+
+/// VTK computes in the caller's thread from now on. A process with more threads than one cannot be
+/// forked safely, and here processes share the work.
+void keep_vtk_to_one_thread();
 
 }  // namespace tribolog::render::vtk

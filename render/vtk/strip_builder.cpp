@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/figure/marks.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render::vtk {
 namespace {

@@ -20,7 +20,6 @@
 #include "render/vtk/gl_context.h"
 #include "render/vtk/headless_window.h"
 #include "render/vtk/scene_painter.h"
-#include "render/vtk/vtk_threads.h"
 
 namespace tribolog::render::vtk {
 

@@ -1,7 +1,7 @@
 // Compiled as C++17: a header of VTK 9.1 names constructors in a way that C++20 has done away with.
-#include "render/vtk/vtk_threads.h"
-
 #include <vtkSMPTools.h>
+
+#include "render/vtk/headless_window.h"
 
 namespace tribolog::render::vtk {
 

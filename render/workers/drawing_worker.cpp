@@ -17,10 +17,9 @@
 #include "render/composition/figure_layout.h"
 #include "render/paint/painter.h"
 #include "render/png/png_encoder.h"
+#include "render/text/characters.h"
 #include "render/text/font.h"
-#include "render/text/utf8.h"
-#include "render/workers/figure_message.h"
-#include "render/workers/statement_message.h"
+#include "render/workers/messages.h"
 
 namespace tribolog::render::workers {
 namespace {

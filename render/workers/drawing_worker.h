@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "render/figure/figure.h"
-#include "render/workers/message_channel.h"
+#include "render/workers/messages.h"
 #include "render/workers/renderer.h"
 
 namespace tribolog::render::workers {

@@ -1,11 +1,11 @@
-#include "render/workers/figure_message.h"
-
 #include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+#include "render/workers/messages.h"
 
 namespace tribolog::render::workers {
 namespace {

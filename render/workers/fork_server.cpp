@@ -1,5 +1,3 @@
-#include "render/workers/fork_server.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -16,8 +14,8 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "render/workers/message_channel.h"
-#include "render/workers/statement_message.h"
+#include "render/workers/messages.h"
+#include "render/workers/worker_process.h"
 
 namespace tribolog::render::workers {
 

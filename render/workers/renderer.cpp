@@ -13,9 +13,7 @@
 #include "base/error.h"
 #include "render/text/font.h"
 #include "render/workers/drawing_worker.h"
-#include "render/workers/figure_message.h"
-#include "render/workers/fork_server.h"
-#include "render/workers/message_channel.h"
+#include "render/workers/messages.h"
 #include "render/workers/worker_process.h"
 
 namespace tribolog::render::workers {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "wording/language.h"
 #include "wording/words.h"
 

@@ -16,9 +16,8 @@
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/file_descriptor.h"
-#include "base/output_target.h"
+#include "base/output_place.h"
 #include "base/standard_output.h"
-#include "base/temporary_file.h"
 
 namespace tribolog {
 namespace {

@@ -1,3 +1,3 @@
-#include "base/module_version.h"
+#include "base/program_module.h"
 
 const char* tribolog_module_version() { return TRIBOLOG_MODULE_VERSION; }

@@ -4,8 +4,6 @@
 
 #include <dlfcn.h>
 
-#include "base/module_version.h"
-
 namespace tribolog {
 namespace {
 

@@ -1,5 +1,12 @@
 #include "calibration/archived_calibration.h"
 
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "base/requirements.h"
+#include "joint/dataset.h"
+
 namespace tribolog::calibration {
 
 const char* to_string(Review::Decision decision) {
@@ -9,6 +16,55 @@ const char* to_string(Review::Decision decision) {
 Review::Decision decision_of(const std::string& word) {
   return word == to_string(Review::Decision::approved) ? Review::Decision::approved
                                                        : Review::Decision::rejected;
+}
+
+// Either side of the gear.
+
+std::string without_side(const std::string& words) {
+  constexpr std::string_view side = " at the motor";
+  return words.ends_with(side) ? words.substr(0, words.size() - side.size()) : words;
+}
+
+std::optional<int> gear_power(const std::string& quantity) {
+  const std::optional<joint::Quantity> sought = joint::quantity_of(quantity);
+  std::optional<int> power;
+  for (const joint::LimitedQuantity& known : joint::limited_quantities()) {
+    if (known.quantity != sought) continue;
+    if (!power || known.gear_power != 0) power = known.gear_power;
+  }
+  return power;
+}
+
+std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities,
+                                         double gear_ratio) {
+  std::vector<SidedQuantity> all;
+  for (const Quantity& quantity : quantities) {
+    if (quantity.unit.empty()) continue;
+    const std::optional<int> power = gear_power(quantity.name);
+    if (power == 0) {
+      all.push_back({quantity, joint::Side::joint, 0});
+      continue;
+    }
+    Quantity joint = quantity;
+    joint.words = without_side(joint.words);
+    all.push_back({joint, joint::Side::motor, 0});
+    if (!power) continue;
+    if (joint.estimate) joint.estimate = at_joint(quantity, gear_ratio);
+    all.push_back({joint, joint::Side::joint, *power});
+  }
+  return all;
+}
+
+statistics::Estimate at_joint(const Quantity& quantity, double gear_ratio) {
+  const int power = gear_power(quantity.name).value_or(0);
+  return statistics::scaled(present(quantity.estimate), std::pow(gear_ratio, power));
+}
+
+std::string conversion_words(int power) {
+  if (power == 0) return "as archived";
+  std::string words = power > 0 ? "archived × n" : "archived / n";
+  if (std::abs(power) == 2) words += "²";
+  return words;
 }
 
 }  // namespace tribolog::calibration

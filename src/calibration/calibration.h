@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "calibration/curves.h"
 #include "calibration/quantity_verdict.h"
 #include "calibration/reading_name.h"
 #include "joint/dataset.h"
@@ -31,6 +30,14 @@
 #include "method/viscous/viscous_curves.h"
 
 namespace tribolog::calibration {
+
+/// What figures draw beside the numbers: samples and fitted curves, no result.
+struct Curves {
+  method::gravity::SweepCurves rough;
+  method::gravity::SweepCurves precise;
+  std::vector<method::hysteresis::LoopTrace> loops;  ///< One for each oscillation of the result.
+  method::selection::FrictionCurve friction;         ///< Of the recommended estimator's curve.
+};
 
 /// One number that was put in, over the runs.
 struct ReturnedQuantity {

@@ -12,7 +12,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "calibration/json_values.h"
-#include "ingest/text/clock_field.h"
+#include "ingest/text/fields.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::calibration {

@@ -3,11 +3,14 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "archive/store/archive_json.h"
 #include "base/atomic_file.h"
 #include "base/shown_text.h"
 #include "base/standard_output.h"
 #include "cli/shared_options.h"
+#include "inspect/survey/text_table.h"
 
 namespace tribolog::cli {
 
@@ -76,5 +79,61 @@ std::function<Run()> add_archive(CLI::App& app) {
 }
 
 void print_json(const std::string& json) { print(json_without_hidden(json)); }
+
+// `tribolog archive verify` and `backup`.
+
+Run add_verify(CLI::App& archive) {
+  struct Options {
+    std::string head;
+    bool json{false};
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *archive.add_subcommand("verify", "proves that nothing in it was lost or altered");
+  command.add_option("--head", options->head,
+                     "a head that an earlier verify told: nothing before it may be lost");
+  const auto where = add_archive_options(command);
+  command.add_flag("--json", options->json, "as JSON, to standard output");
+  command.footer(
+      "\nEach calibration has a digest over all it says, each addition and removal is a link of a\n"
+      "chain. The last link, the head, names the state of the archive: written down, it proves\n"
+      "later that nothing up to it was lost. Status 6 where something is wrong.");
+  return [where, options](const Invocation& call) {
+    const auto outcome = where->open(archive::sql::Access::read)
+                             .verify(options->head, [&](std::size_t done, std::size_t all) {
+                               call.console.progress("verifying", done, all);
+                             });
+    call.console.finish();
+    if (options->json) {
+      print_json(archive::store::verification_json(outcome));
+    } else if (outcome.faults.empty()) {
+      call.console.say(fmt::format("whole: {}, {}, {} of the chain\nhead: {}",
+                                   inspect::survey::plural(outcome.entries, "calibration"),
+                                   inspect::survey::plural(outcome.documents, "document"),
+                                   inspect::survey::plural(outcome.events, "link"), outcome.head));
+    }
+    for (const std::string& fault : outcome.faults) {
+      call.console.warn("damaged: " + printable(fault, 400));
+    }
+    return outcome.faults.empty() ? ExitStatus::done : ExitStatus::archive_failed;
+  };
+}
+
+Run add_backup(CLI::App& archive) {
+  const auto output = std::make_shared<std::string>();
+  CLI::App& command = *archive.add_subcommand("backup", "a copy in a file of its own");
+  command.add_option("-o,--output", *output, "file to write; none may be there")->required();
+  const auto where = add_archive_options(command);
+  command.footer("\nOthers may go on archiving meanwhile: the copy is of one moment.");
+  return [where, output](const Invocation& call) {
+    if (*output == "-") {
+      throw UsageError("archive backup: a backup is a database, which needs a file of its own");
+    }
+    where->protect_from(*output);
+    where->open(archive::sql::Access::read).backup(*output);
+    call.console.say("backup: " + printable(*output, longest_path));
+    return ExitStatus::done;
+  };
+}
 
 }  // namespace tribolog::cli

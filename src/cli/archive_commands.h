@@ -1,5 +1,5 @@
 #pragma once
-// `tribolog archive ...`: one file for each of its commands.
+// `tribolog archive ...`: its commands, and what they have in common.
 
 #include <functional>
 #include <memory>

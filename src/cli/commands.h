@@ -140,8 +140,6 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
 /// Bias, scatter and coverage of the estimators over many simulated runs, as one page.
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console);
-/// @param verbose loads what draws, and names it as it runs
-ExitStatus run_version(bool verbose, Console& console);
 
 // What each command is told on the command line: its subcommand with every option and its help.
 

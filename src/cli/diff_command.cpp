@@ -2,7 +2,7 @@
 
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
-#include "cli/history_page.h"
+#include "cli/drawing.h"
 #include "cli/shared_options.h"
 #include "figures/comparison_figures.h"
 #include "figures/figure_csv.h"

@@ -1,13 +1,19 @@
 #pragma once
-// Drawing a calibration's figures with progress, and naming those that failed.
+// Figures drawn with progress, those that failed named, and the pages that have some.
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
+#include "calibration/provenance.h"
+#include "cli/archive_commands.h"
 #include "cli/console.h"
 #include "figures/report_figure.h"
 #include "render/workers/renderer.h"
+#include "report/report_view.h"
 #include "tribolog/figures.h"
+#include "wording/language.h"
 
 namespace tribolog::cli {
 
@@ -20,5 +26,28 @@ std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& 
 /// Warns of each figure that failed; returns how many did.
 std::size_t tell_failures(const std::vector<FigureOutcome>& figures, Console& console);
 std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn, Console& console);
+
+// What `archive diff` and `archive trend` have in common: text from tables, and a page with
+// figures.
+
+/// Characters of a note that are printed at most.
+inline constexpr std::size_t longest_note = 1000;
+
+/// The table in aligned columns, safe for a terminal.
+std::string text_of(const report::Table& table);
+
+struct PageOutput {
+  std::string path;
+  int processes{2};
+  wording::Language language;  ///< Of the pictures.
+};
+
+/// Draws, makes the page of it, and writes that.
+/// @return figure_failed where one could not be drawn; the page is written all the same.
+ExitStatus write_history_page(
+    const PageOutput& output, const std::vector<figures::ReportFigure>& figures,
+    const Invocation& call,
+    const std::function<std::string(const calibration::Provenance&,
+                                    const std::vector<render::workers::DrawnFigure>&)>& make_page);
 
 }  // namespace tribolog::cli

@@ -14,7 +14,6 @@
 #include "cli/shared_options.h"
 #include "inspect/survey/log_survey.h"
 #include "inspect/survey/manifest_proposal.h"
-#include "inspect/survey/survey_output.h"
 
 namespace tribolog::cli {
 

@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
+#include "cli/shared_options.h"
 #include "figures/figure_csv.h"
 #include "figures/model_figures.h"
 #include "friction/catalogue.h"
@@ -100,6 +102,16 @@ std::vector<figures::ReportFigure> figures_of(
 }
 
 }  // namespace
+
+CLI::App& add_models(CLI::App& app, ModelsOptions& models) {
+  CLI::App& command =
+      *app.add_subcommand("models", "list the friction models, or compare them in one page");
+  command.add_flag("--compare", models.compare, "draw all of them side by side");
+  command.add_option("-o,--output", models.output, "page (HTML) to write, with --compare");
+  add_processes(command, models.processes);
+  add_language(command, models.language);
+  return command;
+}
 
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {

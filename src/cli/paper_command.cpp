@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "api/drawing.h"
@@ -7,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
+#include "cli/shared_options.h"
 #include "figures/figure_csv.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
@@ -57,6 +59,18 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
 }
 
 }  // namespace
+
+CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
+  CLI::App& command =
+      *app.add_subcommand("paper", "regenerate the paper, and check it against its print");
+  command.add_option("-o,--output", paper.output, "page (HTML) to write")->required();
+  add_processes(command, paper.processes);
+  add_language(command, paper.language);
+  command.footer(
+      "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
+      "table and equation against what is printed. Status 1 if a check does not hold.");
+  return command;
+}
 
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/archive_commands.h"
-#include "cli/history_page.h"
+#include "cli/drawing.h"
 #include "cli/shared_options.h"
 #include "figures/figure_csv.h"
 #include "figures/trend_figures.h"

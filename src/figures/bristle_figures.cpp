@@ -12,8 +12,8 @@
 #include "figures/loop_panels.h"
 #include "figures/report_figure.h"
 #include "wording/axis_scale.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

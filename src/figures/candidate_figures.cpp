@@ -13,8 +13,8 @@
 #include "figures/close_up.h"
 #include "figures/estimator_style.h"
 #include "figures/run_curves.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

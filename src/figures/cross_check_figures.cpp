@@ -13,8 +13,8 @@
 #include "figures/report_figure.h"
 #include "truth/readings.h"
 #include "wording/axis_scale.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/reading_label.h"
 #include "wording/tr.h"
 #include "wording/words.h"
 

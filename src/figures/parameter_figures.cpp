@@ -11,8 +11,8 @@
 #include "figures/report_figure.h"
 #include "figures/run_curves.h"
 #include "wording/axis_scale.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 #include "wording/words.h"
 

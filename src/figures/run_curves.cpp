@@ -10,8 +10,8 @@
 #include "base/requirements.h"
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

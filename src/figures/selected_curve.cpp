@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "figures/run_curves.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

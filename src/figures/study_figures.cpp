@@ -11,7 +11,7 @@
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
 #include "joint/degrees.h"
-#include "wording/reading_label.h"
+#include "wording/labels.h"
 #include "wording/tr.h"
 #include "wording/words.h"
 

@@ -8,8 +8,8 @@
 #include "figures/report_figure.h"
 #include "figures/sweep_traces.h"
 #include "wording/axis_scale.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

@@ -12,8 +12,8 @@
 #include "method/gravity/cog_sweep.h"
 #include "render/figure/figure.h"
 #include "wording/axis_scale.h"
+#include "wording/labels.h"
 #include "wording/number_text.h"
-#include "wording/shaft.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {

@@ -14,8 +14,8 @@
 
 #include "base/requirements.h"
 #include "base/statement.h"
-#include "friction/dynamic_friction.h"
 #include "friction/exponential_step.h"
+#include "friction/friction_model.h"
 #include "friction/model_entry.h"
 #include "friction/sign_change.h"
 

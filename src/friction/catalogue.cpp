@@ -2,9 +2,7 @@
 
 #include "base/statement.h"
 #include "friction/model_entry.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::friction {
 const std::vector<FrictionModelEntry>& dynamic_friction_models() {

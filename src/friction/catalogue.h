@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "friction/dynamic_friction.h"
-#include "friction/static_friction.h"
+#include "friction/friction_model.h"
 
 namespace tribolog::friction {
 

@@ -12,11 +12,11 @@
 
 #include "base/requirements.h"
 #include "base/statement.h"
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "friction/model_entry.h"
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
-#include "friction/stribeck.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::friction {
 namespace {

@@ -10,12 +10,11 @@
 #include <cmath>
 
 #include "base/requirements.h"
-#include "friction/dynamic_friction.h"
 #include "friction/exponential_step.h"
-#include "friction/maxwell_slip.h"
+#include "friction/friction_model.h"
 #include "friction/model_entry.h"
 #include "friction/sign_change.h"
-#include "friction/stribeck.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::friction {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "base/requirements.h"
 #include "base/statement.h"
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "friction/model_entry.h"
 
 namespace tribolog::friction {

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "base/requirements.h"
-#include "friction/dynamic_friction.h"
 #include "friction/exponential_step.h"
+#include "friction/friction_model.h"
 #include "friction/model_entry.h"
 
 namespace tribolog::friction {

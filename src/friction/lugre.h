@@ -7,7 +7,7 @@
 //
 // z: mean bristle deflection [rad, motor side], w: motor speed [rad/s].
 
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 
 namespace tribolog::friction {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "friction/catalogue.h"
-#include "friction/stribeck.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::friction {
 

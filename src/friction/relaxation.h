@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "friction/exponential_step.h"
-#include "friction/speed_step.h"
+#include "friction/friction_model.h"
 
 namespace tribolog::friction {
 

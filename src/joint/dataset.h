@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/statement.h"
-#include "friction/static_friction.h"
+#include "friction/friction_model.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
 #include "joint/quantity.h"

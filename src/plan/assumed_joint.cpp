@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "joint/degrees.h"
 
 namespace tribolog::plan {

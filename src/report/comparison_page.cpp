@@ -14,7 +14,6 @@
 #include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {

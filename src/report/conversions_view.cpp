@@ -7,8 +7,8 @@
 
 #include "joint/dataset.h"
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 
 namespace tribolog::report {
 

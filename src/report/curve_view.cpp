@@ -5,8 +5,8 @@
 
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 
 namespace tribolog::report {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "report/element_values.h"
 #include "report/fleet_values.h"
 #include "report/page_style.h"

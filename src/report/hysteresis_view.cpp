@@ -6,8 +6,8 @@
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
 #include "wording/axis_scale.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {

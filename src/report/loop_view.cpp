@@ -5,8 +5,8 @@
 #include <map>
 
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {

@@ -1,8 +1,8 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 #include "wording/words.h"
 
 namespace tribolog::report {

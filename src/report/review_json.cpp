@@ -14,10 +14,10 @@
 #include "report/page_style.h"
 #include "report/review_parts.h"
 #include "report/view_parts.h"
-#include "wording/shaft.h"
+#include "wording/labels.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/translated.h"
-#include "wording/units.h"
+#include "wording/translation.h"
 #include "wording/visible_text.h"
 #include "wording/words.h"
 

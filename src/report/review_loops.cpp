@@ -14,8 +14,8 @@
 #include "report/review_json.h"
 #include "report/review_parts.h"
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "report/embedded_files.h"
 #include "report/template_language.h"
 #include "report/template_modifiers.h"
-#include "wording/translated.h"
+#include "wording/translation.h"
 #include "wording/visible_text.h"
 
 namespace tribolog::report {

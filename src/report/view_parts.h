@@ -6,7 +6,7 @@
 
 #include "report/report_view.h"
 #include "wording/rounding.h"
-#include "wording/sentence.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 

@@ -9,7 +9,6 @@
 #include "base/requirements.h"
 #include "base/statement.h"
 #include "friction/exponential_step.h"
-#include "simulate/careful_step.h"
 #include "simulate/motion.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "joint/recording.h"
 #include "simulate/scenario.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "friction/catalogue.h"
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "simulate/motion.h"
 
 namespace tribolog::simulate {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "friction/speed_step.h"
+#include "friction/friction_model.h"
 
 namespace tribolog::simulate {
 

@@ -17,7 +17,7 @@
 #include <functional>
 #include <vector>
 
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "simulate/forced_motion.h"
 
 namespace tribolog::simulate {

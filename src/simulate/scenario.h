@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "friction/friction_model.h"
 #include "friction/lugre.h"
-#include "friction/static_friction.h"
 #include "joint/gravity_load.h"
 
 namespace tribolog::simulate {

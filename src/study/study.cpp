@@ -10,7 +10,7 @@
 
 #include "base/parallel_for.h"
 #include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "identify/identify.h"
 #include "simulate/simulate_joint.h"
 #include "statistics/random_stream.h"

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 #include "truth/identified_joint.h"
 
 namespace tribolog::truth {

@@ -7,7 +7,7 @@
 
 #include "base/requirements.h"
 #include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "method/hysteresis/lugre_problem.h"
 #include "method/motion/encoder_resolution.h"
 #include "method/motion/moving_part.h"

@@ -14,9 +14,9 @@
 namespace tribolog::truth {
 
 /// Standard deviation of the white part of a torque [N·m], from third differences of neighbouring
-/// samples (statistics/white_noise.h). The smaller one of their mean square and their median: jumps
-/// of friction at a reversal weigh on the first, steps of the torque on the second. 0 with fewer
-/// than four samples.
+/// samples (statistics/sampled_signal.h). The smaller one of their mean square and their median:
+/// jumps of friction at a reversal weigh on the first, steps of the torque on the second. 0 with
+/// fewer than four samples.
 double white_torque_Nm(const std::vector<double>& torque_Nm);
 
 /// Torque ripple periodic in the motor's angle, from what the rough sweep's fit leaves: the

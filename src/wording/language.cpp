@@ -7,8 +7,7 @@
 #include <stdexcept>
 
 #include "base/program_module.h"
-#include "wording/translated.h"
-#include "wording/translator.h"
+#include "wording/translation.h"
 
 namespace tribolog::wording {
 namespace {

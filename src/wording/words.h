@@ -33,4 +33,15 @@ std::string words_for(std::string_view topic, std::string_view key, const std::s
 /// Codes of all messages, for a check of what is left over.
 std::vector<std::string> all_codes();
 
+// What is said in the middle of a sentence, as one of its own.
+
+/// With a capital letter, as a label has it. A leading symbol ("q_peak", "n", "σ₀") keeps its
+/// letter.
+std::string capitalised(const std::string& text);
+std::string capitalised(const Statement& statement);
+
+/// The same with a full stop.
+std::string as_sentence(const std::string& text);
+std::string as_sentence(const Statement& statement);
+
 }  // namespace tribolog::wording

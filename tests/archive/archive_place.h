@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/archive_location.h"
 #include "archive/store/schema.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "base/input_file.h"
 
 namespace tribolog::test {

@@ -8,7 +8,7 @@
 #include "archive/old_archive.h"
 #include "archive/postgres_place.h"
 #include "archive/sample_calibration.h"
-#include "archive/sql/open_postgres.h"
+#include "archive/sql/databases.h"
 #include "archive/store/archive_location.h"
 #include "archive/store/schema.h"
 #include "base/error.h"

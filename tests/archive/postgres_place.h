@@ -1,7 +1,7 @@
 #pragma once
 
 #include "archive/archive_place.h"
-#include "archive/sql/open_postgres.h"
+#include "archive/sql/databases.h"
 #include "support/postgres_server.h"
 
 namespace tribolog::test {

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "archive/sample_calibration.h"
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/calibration_archive.h"
 #include "archive/store/schema.h"
 #include "statistics/random_stream.h"

@@ -2,9 +2,7 @@
 
 #include "exports/simulation/simulation_files.h"
 #include "friction/catalogue.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "ingest/manifest/manifest_file.h"
 
 namespace tribolog::dataset_toml_test {

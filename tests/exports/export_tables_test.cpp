@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_directory.h"
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "exports/export_sample.h"
 #include "exports/results/calibration_exports.h"
 #include "support/run_program.h"

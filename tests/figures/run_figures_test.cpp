@@ -9,7 +9,7 @@
 #include "figures/candidate_figures.h"
 #include "figures/hand_made_calibration.h"
 #include "figures/selected_curve.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::figures::run_figures_test {
 namespace {

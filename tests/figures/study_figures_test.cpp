@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/cross_check_figures.h"
-#include "wording/reading_label.h"
+#include "wording/labels.h"
 
 namespace tribolog::study_figures_test {
 namespace {

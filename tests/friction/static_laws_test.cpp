@@ -1,5 +1,7 @@
 // Eq. (1) and (2): where they agree, where they do not, and what is impossible.
 
+#include "friction/static_laws.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -7,9 +9,6 @@
 
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
-#include "friction/waiboer.h"
 #include "wording/words.h"
 
 namespace tribolog::static_laws_test {

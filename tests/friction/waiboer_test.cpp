@@ -1,10 +1,9 @@
-#include "friction/waiboer.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "friction/static_laws.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::waiboer_test {

@@ -6,7 +6,6 @@
 #include <new>
 
 #include "base/error.h"
-#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/isolated_reading.h"
 
 namespace tribolog::ingest::arrays {

@@ -1,12 +1,11 @@
 // The factor that the report shows is the one that every row was multiplied by.
 
-#include "ingest/dataset/column_conversions.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
+#include "ingest/dataset/recording_rows.h"
 
 namespace tribolog::column_conversions_test {
 namespace {

@@ -1,10 +1,10 @@
 // What a clock is told to be, and what is wrong with it.
 
-#include "inspect/survey/clock_survey.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "inspect/survey/log_survey.h"
 
 namespace tribolog::clock_survey_test {
 namespace {

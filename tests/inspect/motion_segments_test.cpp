@@ -26,7 +26,7 @@ constexpr double end_share = 0.02;
 inspect::motion::MotionKind kind_of(joint::Role role) {
   if (role == joint::Role::oscillation) return inspect::motion::MotionKind::oscillation;
   if (role == joint::Role::break_away) return inspect::motion::MotionKind::break_away_ramp;
-  return inspect::motion::MotionKind::constant_speed;  // slow ones too: see recording_roles.h
+  return inspect::motion::MotionKind::constant_speed;  // slow ones too: see manifest_proposal.h
 }
 
 const inspect::motion::MotionSegment* nearest(

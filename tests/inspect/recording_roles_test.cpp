@@ -1,10 +1,9 @@
 // Which segment plays which role.
 
-#include "inspect/survey/recording_roles.h"
-
 #include <gtest/gtest.h>
 
 #include "inspect/long_recording.h"
+#include "inspect/survey/manifest_proposal.h"
 
 namespace tribolog::recording_roles_test {
 namespace {

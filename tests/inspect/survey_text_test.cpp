@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "inspect/survey/survey_output.h"
+#include "inspect/survey/log_survey.h"
 #include "inspect/survey/text_table.h"
 #include "support/run_program.h"
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel_for.h"
-#include "statistics/block_draw.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::bootstrap::bootstrap_test {
 namespace {

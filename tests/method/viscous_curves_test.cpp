@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::viscous_curves_test {

@@ -1,10 +1,9 @@
-#include "paper/page/errata.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "paper/drawings/printed_paper.h"
+#include "paper/page/page_parts.h"
 
 namespace tribolog::errata_test {
 namespace {

@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/charts/joint_scale.h"
 #include "paper/figure_checks.h"
 
 namespace tribolog::paper::paper_charts_test {

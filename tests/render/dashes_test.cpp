@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/figure/marks.h"
+#include "render/figure/draw_list.h"
 #include "render/vtk/strip_builder.h"
 
 namespace tribolog::render::dashes_test {

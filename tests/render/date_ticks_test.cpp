@@ -1,8 +1,8 @@
-#include "render/layout/date_ticks.h"
-
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "render/layout/axis.h"
 
 namespace tribolog::render::date_ticks_test {
 namespace {

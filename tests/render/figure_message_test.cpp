@@ -1,5 +1,3 @@
-#include "render/workers/figure_message.h"
-
 #include <limits>
 #include <stdexcept>
 
@@ -7,6 +5,7 @@
 
 #include "render/example_diagram.h"
 #include "render/example_figures.h"
+#include "render/workers/messages.h"
 
 namespace tribolog::render::figure_message_test {
 namespace {

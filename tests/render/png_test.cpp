@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/png/palette.h"
 #include "render/png/png_encoder.h"
 #include "render/png_reading.h"
 

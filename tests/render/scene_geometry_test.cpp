@@ -1,3 +1,5 @@
+#include "render/scene/scene_geometry.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -7,9 +9,6 @@
 #include "render/composition/figure_layout.h"
 #include "render/example_figures.h"
 #include "render/figure/scene.h"
-#include "render/scene/part_map.h"
-#include "render/scene/part_meshes.h"
-#include "render/scene/scene_view.h"
 #include "wording/words.h"
 
 namespace tribolog::render::scene_geometry_test {

@@ -1,11 +1,10 @@
-#include "render/workers/statement_message.h"
-
 #include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "render/workers/messages.h"
 
 namespace tribolog::render::statement_message_test {
 namespace {

@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "render/text/accents.h"
+#include "render/text/characters.h"
 #include "render/text/text_line.h"
-#include "render/text/utf8.h"
 #include "wording/words.h"
 
 namespace tribolog::render::text_test {

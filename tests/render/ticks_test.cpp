@@ -1,10 +1,10 @@
-#include "render/layout/ticks.h"
-
 #include <cmath>
 #include <cstddef>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "render/layout/axis.h"
 
 namespace tribolog::render::ticks_test {
 namespace {

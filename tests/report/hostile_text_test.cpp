@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
 #include "report/document_checks.h"
 #include "report/html_report.h"
 #include "report/run_python.h"

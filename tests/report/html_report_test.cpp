@@ -8,7 +8,7 @@
 
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
-#include "render/figure/part_names.h"
+#include "render/figure/figure.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/page/check_rows.h"
+#include "paper/page/page_parts.h"
 #include "report/sample_calibration.h"
 
 namespace tribolog::paper_page_test {

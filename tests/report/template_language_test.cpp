@@ -10,7 +10,7 @@
 
 #include "report/embedded_files.h"
 #include "wording/language.h"
-#include "wording/translated.h"
+#include "wording/translation.h"
 
 namespace tribolog::report::template_language_test {
 namespace {

@@ -1,7 +1,5 @@
 // The derivative that all stages share: what it leaves as it is, and what it takes out.
 
-#include "statistics/local_slope.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +8,7 @@
 
 #include "method/motion/plateaus.h"
 #include "statistics/random_stream.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::local_slope_test {
 namespace {

@@ -1,13 +1,13 @@
 // Where a signal first gets somewhere: the same as by looking at every sample, in far fewer looks.
 
-#include "statistics/summits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::summits_test {
 namespace {

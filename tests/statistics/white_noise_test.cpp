@@ -1,12 +1,11 @@
 // White noise is told from what is slow beside it, and from jumps.
 
-#include "statistics/white_noise.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::white_noise_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "friction/dynamic_friction.h"
+#include "friction/friction_model.h"
 #include "simulate/cvode_solver.h"
 #include "simulate/motion.h"
 

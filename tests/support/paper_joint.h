@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "simulate/scenario.h"
 #include "simulate/simulate_joint.h"
 

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "wording/units.h"
-
 namespace tribolog::report::rounding_test {
 namespace {
 

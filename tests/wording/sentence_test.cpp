@@ -1,6 +1,6 @@
-#include "wording/sentence.h"
-
 #include <gtest/gtest.h>
+
+#include "wording/words.h"
 
 namespace tribolog::test::sentence_test {
 namespace {

@@ -14,7 +14,7 @@
 #include <libpq-fe.h>
 
 #include "archive/postgres/postgres_answers.h"
-#include "archive/sql/open_postgres.h"
+#include "archive/sql/databases.h"
 #include "base/error.h"
 
 namespace tribolog::archive::postgres {

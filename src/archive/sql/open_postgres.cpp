@@ -1,8 +1,7 @@
-#include "archive/sql/open_postgres.h"
-
 #include <memory>
 #include <string>
 
+#include "archive/sql/databases.h"
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/program_module.h"

@@ -1,5 +1,3 @@
-#include "archive/sql/sqlite_connection.h"
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -11,11 +9,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "archive/sql/databases.h"
 #include "archive/sql/sql_connection.h"
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/file_descriptor.h"
-#include "base/temporary_file.h"
+#include "base/output_place.h"
 
 namespace tribolog::archive::sql {
 namespace {

@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "archive/sql/open_postgres.h"
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/schema.h"
 #include "base/atomic_file.h"
 #include "base/early_end.h"

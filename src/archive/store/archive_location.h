@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "archive/sql/databases.h"
 #include "archive/sql/sql_connection.h"
-#include "archive/sql/sqlite_connection.h"
 #include "archive/store/calibration_archive.h"
 
 namespace tribolog::archive::store {

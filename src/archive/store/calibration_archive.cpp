@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/digest.h"
 #include "archive/store/entry_rows.h"
 #include "archive/store/schema.h"

@@ -1,4 +1,3 @@
-#include "archive/store/entry_proof.h"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 // Internal to the store: what an archive holds, to and from the rows of its tables.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,5 +58,25 @@ std::string compressed(std::string_view bytes);
 /// @param bytes how many they were.
 /// @throw ArchiveError: damaged, or another length. @param name of the archive, for the message.
 std::string uncompressed(const std::string& stored, std::uint64_t bytes, const std::string& name);
+
+// One entry of an archive, held against its digest and its chain.
+
+/// What the chain says of the entries that have to be there, by their ids.
+struct ChainedEntries {
+  std::map<std::string, std::string> digests;
+  std::map<std::string, std::string> reports;               ///< Fingerprints.
+  std::map<std::string, std::vector<std::string>> reviews;  ///< Digests in their order.
+};
+
+struct EntryProof {
+  std::size_t documents{};
+  std::vector<std::string> faults;  ///< Empty: the entry is as it was archived.
+};
+
+/// Every column of every row of the entry is covered: by its digest, by the chain, by a fingerprint
+/// over what stands beside it, or since nothing else would have been written there.
+/// @param version of the archive's schema.
+EntryProof prove(sql::Connection& connection, int version, const calibration::Entry& entry,
+                 const ChainedEntries& chain);
 
 }  // namespace tribolog::archive::store

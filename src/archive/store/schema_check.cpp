@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/schema.h"
 #include "base/error.h"
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "archive/sql/sqlite_connection.h"
+#include "archive/sql/databases.h"
 #include "archive/store/calibration_archive.h"
 #include "archive/store/digest.h"
-#include "archive/store/entry_proof.h"
+#include "archive/store/entry_rows.h"
 #include "archive/store/schema.h"
 #include "base/error.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/requirements.h"
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "wording/visible_text.h"
 
 namespace tribolog::exports::results {

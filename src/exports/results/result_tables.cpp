@@ -5,7 +5,7 @@
 
 #include "base/shown_text.h"
 #include "base/utf8.h"
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
 #include "wording/rounding.h"

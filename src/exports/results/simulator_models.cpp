@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/requirements.h"
 #include "base/shown_text.h"
-#include "calibration/gear_side.h"
+#include "calibration/archived_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
 #include "exports/results/friction_table.h"

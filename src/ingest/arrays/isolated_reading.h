@@ -1,6 +1,8 @@
 #pragma once
-// Reading through a library that a damaged file may crash: in a process of its own.
+// Reading through libraries that a damaged file may crash, in a process of its own; those for HDF5
+// and MATLAB lie in a module that is loaded for such logs alone.
 
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -23,4 +25,26 @@ class UnreadableFile : public std::runtime_error {
 ///        threw, crashed or ran over a bound.
 FileArrays read_isolated(const std::string& path, const std::function<FileArrays()>& read);
 
+// What libhdf5 and matio read.
+
+/// To be called under read_isolated().
+struct ArrayLibraries {
+  /// What an HDF5 file holds, by libhdf5. @throw UnreadableFile
+  FileArrays (*hdf5_arrays)(const std::string& path);
+  /// Does some link, storage or virtual dataset of the file lead to another file?
+  /// @throw UnreadableFile
+  bool (*hdf5_leads_to_other_files)(const std::string& path);
+  /// The first `count` variables of a MAT file, by matio.
+  /// @return how many there were to read, at most `count`. @throw UnreadableFile
+  std::size_t (*read_mat_variables)(const std::string& path, std::size_t count, FileArrays& found);
+};
+
+/// Loads the module. @param path of the log that is to be read
+/// @throw InputError: it, or a library that it stands on, is missing.
+ArrayLibraries array_libraries(const std::string& path);
+
 }  // namespace tribolog::ingest::arrays
+
+/// What the module tribolog_arrays gives to the program.
+extern "C" __attribute__((visibility("default"))) void tribolog_array_libraries(
+    tribolog::ingest::arrays::ArrayLibraries& libraries);

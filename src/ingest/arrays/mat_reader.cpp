@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/byte_order.h"

@@ -1,5 +1,3 @@
-#include "ingest/bags/message_columns.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "ingest/bags/topic_tables.h"
 
 namespace tribolog::ingest::bags {
 namespace {

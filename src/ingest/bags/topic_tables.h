@@ -1,19 +1,81 @@
 #pragma once
-// All topics of a log, each with its table or the reason why it has none.
+// The messages of a log as tables: one for each topic, or the reason why it has none.
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/statement.h"
-#include "ingest/bags/message_columns.h"
+#include "ingest/bags/cdr_reader.h"
+#include "ingest/bags/ros2msg_schema.h"
 #include "ingest/log/log_table.h"
 
 namespace tribolog::ingest::bags {
+
+// Messages of one type as rows, their numbers as columns.
+//
+// A column's name is the path of its number: `wrench.force.x`, `dtau_j[0]`. Where a type names the
+// elements of its arrays, these names stand instead, so that the order may change from message to
+// message: `<joint>.position`, `.velocity`, `.effort` in sensor_msgs/JointState, and
+// `<joint>.<interface>` in control_msgs/DynamicJointState. The message's own header gives no column
+// but the time of the row. Not read: texts, and arrays without names of more than 64 elements
+// (images, point clouds).
+
+class MessageColumns {
+ public:
+  explicit MessageColumns(MessageSchema schema);
+  MessageColumns(const MessageColumns&) = delete;
+  MessageColumns& operator=(const MessageColumns&) = delete;
+  ~MessageColumns();
+
+  /// Reads one message as the next row. @return header.stamp in ns, where there is a header.
+  /// @throw CdrError: it ends too early, an array has neither no elements nor as many as there are
+  ///        names, or a name stands there twice. What was read of this row is then undefined.
+  std::optional<std::int64_t> take_row(CdrReader& message);
+
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  /// Messages that are longer than their type says.
+  [[nodiscard]] std::size_t too_long() const { return too_long_; }
+  /// Paths of arrays that were left out for their length, and whether there were too many columns.
+  [[nodiscard]] const std::vector<std::string>& long_arrays() const { return long_arrays_; }
+  [[nodiscard]] bool has_too_many_columns() const { return has_too_many_columns_; }
+
+  /// All columns, each with as many values as there are rows, in the order in which they occurred.
+  std::vector<log::LogColumn> finish() &&;
+
+ private:
+  /// What is known of one place in the message's tree. Places appear as messages need them.
+  struct Place;
+  using Names = std::vector<std::string_view>;
+
+  std::optional<std::int64_t> take_stamp(CdrReader& message, const MessageType& type);
+  void take_fields(CdrReader& message, const MessageType& type, std::size_t first, Place* place);
+  void take_field(CdrReader& message, const MessageField& field, Place* place);
+  void take_elements(CdrReader& message, const MessageField& field, std::size_t count,
+                     Place* place);
+  void take_named(CdrReader& message, const MessageField& field, std::size_t count,
+                  const Names& names, bool with_field, Place* parent, Place* place);
+  Names take_names(CdrReader& message);
+  void put(Place* place, double value);
+  Place* field_of(Place* parent, std::size_t index, const MessageField& field);
+  Place* element_of(Place* parent, std::size_t index);
+  Place* added(std::unique_ptr<Place>& where, std::string path);
+
+  MessageSchema schema_;
+  std::unique_ptr<Place> root_;
+  std::size_t places_{0};
+  std::vector<log::LogColumn> columns_;
+  std::vector<std::string> long_arrays_;
+  bool has_too_many_columns_{false};
+  std::size_t rows_{0};
+  std::size_t too_long_{0};
+};
 
 class TopicTable {
  public:

@@ -1,8 +1,8 @@
-#include "ingest/dataset/column_conversions.h"
-
 #include <array>
 #include <optional>
 #include <utility>
+
+#include "ingest/dataset/recording_rows.h"
 
 namespace tribolog::ingest::dataset {
 namespace {

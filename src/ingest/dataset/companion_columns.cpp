@@ -14,7 +14,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/requirements.h"
-#include "ingest/dataset/column_conversions.h"
+#include "ingest/dataset/recording_rows.h"
 
 namespace tribolog::ingest::dataset {
 

@@ -12,7 +12,6 @@
 #include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/recording_rows.h"
-#include "ingest/dataset/row_choice.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {

@@ -8,7 +8,7 @@
 
 #include "base/closest_match.h"
 #include "base/requirements.h"
-#include "ingest/dataset/row_choice.h"
+#include "ingest/dataset/recording_rows.h"
 #include "ingest/log/units.h"
 
 namespace tribolog::ingest::dataset {

@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "ingest/dataset/column_conversions.h"
 #include "ingest/dataset/log_reader.h"
-#include "ingest/dataset/row_choice.h"
 #include "ingest/log/log_table.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"

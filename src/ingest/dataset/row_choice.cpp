@@ -1,5 +1,3 @@
-#include "ingest/dataset/row_choice.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "base/closest_match.h"
 #include "base/requirements.h"
+#include "ingest/dataset/recording_rows.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::dataset {

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"

@@ -2,7 +2,6 @@
 #include <array>
 
 #include "ingest/layout/log_layout.h"
-#include "ingest/layout/name_words.h"
 
 namespace tribolog::ingest::layout {
 

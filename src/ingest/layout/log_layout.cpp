@@ -4,8 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "ingest/layout/name_words.h"
-
 namespace tribolog::ingest::layout {
 namespace {
 

@@ -1,8 +1,8 @@
-#include "ingest/layout/name_words.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "ingest/layout/log_layout.h"
 
 namespace tribolog::ingest::layout {
 

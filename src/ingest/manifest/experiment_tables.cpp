@@ -1,11 +1,10 @@
-#include "ingest/manifest/experiment_tables.h"
-
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_table.h"
 #include "joint/degrees.h"
 #include "simulate/motion.h"
 

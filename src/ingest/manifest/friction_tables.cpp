@@ -1,5 +1,3 @@
-#include "ingest/manifest/friction_tables.h"
-
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -10,7 +8,7 @@
 #include "base/closest_match.h"
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
-#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/scenario_tables.h"
 #include "ingest/manifest/toml_table.h"
 #include "wording/words.h"
 

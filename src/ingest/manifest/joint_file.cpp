@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "ingest/arrays/json_text.h"
-#include "ingest/manifest/experiment_tables.h"
-#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_table.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::manifest {

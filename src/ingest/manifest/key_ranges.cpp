@@ -1,11 +1,10 @@
-#include "ingest/manifest/key_ranges.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "ingest/manifest/toml_table.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::manifest {

@@ -1,10 +1,9 @@
-#include "ingest/manifest/manifest_columns.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "base/closest_match.h"
+#include "ingest/manifest/manifest_tables.h"
 
 namespace tribolog::ingest::manifest {
 

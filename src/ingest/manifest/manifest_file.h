@@ -45,7 +45,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ingest/manifest/manifest_columns.h"
+#include "ingest/manifest/manifest_tables.h"
 #include "ingest/text/csv_dialect.h"
 #include "joint/dataset.h"
 

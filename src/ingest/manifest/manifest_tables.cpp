@@ -9,7 +9,7 @@
 
 #include "base/closest_match.h"
 #include "ingest/log/units.h"
-#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/toml_table.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::manifest {

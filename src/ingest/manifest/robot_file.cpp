@@ -11,8 +11,8 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
-#include "ingest/manifest/experiment_tables.h"
-#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_table.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::manifest {

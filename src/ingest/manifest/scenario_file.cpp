@@ -9,10 +9,9 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
-#include "ingest/manifest/experiment_tables.h"
-#include "ingest/manifest/friction_tables.h"
-#include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_table.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog::ingest::manifest {

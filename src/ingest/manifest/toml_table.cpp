@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_document.h"
 
 namespace tribolog::ingest::manifest {

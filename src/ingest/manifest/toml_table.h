@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@
 
 namespace tribolog::ingest::manifest {
 
-/// Which numbers a key takes. In every case finite, and in the range of its unit (key_ranges.h).
+/// Which numbers a key takes. In every case finite, and in the range of its unit (range_of_key()).
 enum class Sign { any, not_negative, positive };
 
 class TomlTable {
@@ -77,5 +78,40 @@ class TomlTable {
 /// @param text a whole document. @param file its name.
 Location place_in_toml(std::string_view text, const std::string& file, const std::string& table,
                        const std::string& key);
+
+// What a key of a file may be, and what is said where it is not.
+
+/// @throw InputError at the key, with the error's words.
+[[noreturn]] void refuse_with_words(const TomlTable& table, const std::string& key,
+                                    const std::invalid_argument& error);
+
+/// Runs `build` and returns its result.
+/// @throw InputError at the key, with the constructor's words, if it throws std::invalid_argument.
+template <class Build>
+auto guarded(const TomlTable& table, const std::string& key, const Build& build) {
+  try {
+    return build();
+  } catch (const std::invalid_argument& error) {
+    refuse_with_words(table, key, error);
+  }
+}
+
+// Which numbers a key may have, by the unit at its name's end: the range of all joints that there
+// are, with room, and far inside the range in which numbers can be multiplied without loss. What
+// lies outside is a slip of the unit or of the decimal point.
+
+/// Magnitudes; 0 is allowed beside them where the key takes it at all.
+struct KeyRange {
+  double smallest{};
+  double largest{};
+  std::string unit;  ///< "N·m"; empty: a pure number.
+
+  [[nodiscard]] bool holds(double value) const;
+  /// "1e-09 to 1e+07 N·m"
+  [[nodiscard]] std::string in_words() const;
+};
+
+/// Of "torque_limit_Nm" that of torques; of a name without a unit that of pure numbers.
+KeyRange range_of_key(std::string_view key);
 
 }  // namespace tribolog::ingest::manifest

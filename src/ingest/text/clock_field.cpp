@@ -1,9 +1,7 @@
-#include "ingest/text/clock_field.h"
-
 #include <charconv>
 #include <chrono>
 
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/closest_match.h"
 #include "ingest/text/csv_lines.h"
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "ingest/log/log_table.h"
 #include "ingest/text/csv_lines.h"
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 

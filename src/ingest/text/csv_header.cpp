@@ -8,8 +8,8 @@
 #include "base/closest_match.h"
 #include "base/utf8.h"
 #include "ingest/log/units.h"
-#include "ingest/text/clock_field.h"
 #include "ingest/text/csv_rows.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "base/closest_match.h"
 #include "base/utf8.h"
-#include "ingest/text/clock_field.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_rows.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 

@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/requirements.h"
-#include "ingest/text/clock_field.h"
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 #include "ingest/text/plain_rows.h"
 
 namespace tribolog::ingest::text {

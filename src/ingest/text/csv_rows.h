@@ -11,7 +11,7 @@
 #include "ingest/text/csv_dialect.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_reader.h"
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 

@@ -1,5 +1,3 @@
-#include "ingest/text/number_field.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 namespace {

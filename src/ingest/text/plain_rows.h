@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "ingest/log/log_table.h"
-#include "ingest/text/clock_field.h"
 #include "ingest/text/csv_dialect.h"
-#include "ingest/text/number_field.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 

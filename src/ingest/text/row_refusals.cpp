@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "ingest/text/clock_field.h"
 #include "ingest/text/csv_rows.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::inspect::motion {
 

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "inspect/motion/angle_trace.h"
-#include "inspect/motion/strokes.h"
-#include "inspect/motion/torque_ramps.h"
+#include "inspect/motion/strokes_and_ramps.h"
 #include "method/motion/plateaus.h"
 
 namespace tribolog::inspect::motion {

@@ -2,10 +2,10 @@
 // A recording cut by what the joint is made to do, so that each part can be given the role in which
 // an identification uses it.
 //
-// Strokes (strokes.h) that alternate over the same way belong together. Of few strokes, wide and
-// slow, they are a sweep; of several narrow ones an oscillation; strokes as fast at their ends as
-// in their middle are runs at constant speed. Where the torque rises steadily while the joint
-// stands, it is a break-away ramp. What is left is rest or motion of no use.
+// Strokes (strokes_and_ramps.h) that alternate over the same way belong together. Of few strokes,
+// wide and slow, they are a sweep; of several narrow ones an oscillation; strokes as fast at their
+// ends as in their middle are runs at constant speed. Where the torque rises steadily while the
+// joint stands, it is a break-away ramp. What is left is rest or motion of no use.
 
 #include <cstddef>
 #include <string>
@@ -53,7 +53,7 @@ inline constexpr double widest_oscillation_rad = 0.2;
 
 /// Segments in the order of time, from the first sample to the last. Strokes of constant speed are
 /// `constant_speed`, slow ones too: which of them are sweeps is seen only beside the other ones
-/// (recording_roles.h).
+/// (manifest_proposal.h).
 std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace);
 
 }  // namespace tribolog::inspect::motion

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "inspect/motion/angle_trace.h"
-#include "inspect/motion/strokes.h"
+#include "inspect/motion/strokes_and_ramps.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::inspect::motion {

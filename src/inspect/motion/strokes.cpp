@@ -1,11 +1,10 @@
-#include "inspect/motion/strokes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "inspect/motion/angle_trace.h"
+#include "inspect/motion/strokes_and_ramps.h"
 
 namespace tribolog::inspect::motion {
 namespace {

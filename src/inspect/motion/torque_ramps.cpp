@@ -1,10 +1,9 @@
-#include "inspect/motion/torque_ramps.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "inspect/motion/angle_trace.h"
+#include "inspect/motion/strokes_and_ramps.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::inspect::motion {

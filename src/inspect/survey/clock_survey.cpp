@@ -1,5 +1,3 @@
-#include "inspect/survey/clock_survey.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "base/requirements.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/log/units.h"
+#include "inspect/survey/log_survey.h"
 
 namespace tribolog::inspect::survey {
 namespace {

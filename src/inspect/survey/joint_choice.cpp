@@ -1,5 +1,3 @@
-#include "inspect/survey/joint_choice.h"
-
 #include <algorithm>
 #include <array>
 
@@ -8,7 +6,8 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/requirements.h"
-#include "ingest/layout/name_words.h"
+#include "ingest/layout/log_layout.h"
+#include "inspect/survey/manifest_proposal.h"
 
 namespace tribolog::inspect::survey {
 

@@ -1,6 +1,6 @@
 #pragma once
 // What a log holds, as far as it tells by itself: format, tables, columns, clock, and the motion of
-// each joint. Guesses are marked as such.
+// each joint; and how that is told to people and to programs. Guesses are marked as such.
 
 #include <cstddef>
 #include <optional>
@@ -10,11 +10,43 @@
 #include "base/statement.h"
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_format.h"
+#include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
 #include "inspect/motion/motion_segments.h"
-#include "inspect/survey/clock_survey.h"
 
 namespace tribolog::inspect::survey {
+
+// The clock: its unit, its rate and what is wrong with it.
+
+struct ClockGap {
+  double at_s{};
+  double length_s{};
+};
+
+struct ClockSurvey {
+  std::string column;     ///< As the log names it.
+  std::string unit;       ///< "s", "ms", "us" or "ns"; "iso8601".
+  bool unit_is_stated{};  ///< By the header or the logger; else told by the magnitude of its steps.
+  double seconds_per_unit{1};
+  double origin{};  ///< In the clock's unit, taken off; 0 unless it counts from 1970.
+  double first_s{};
+  double last_s{};
+  double interval_s{};      ///< Median step.
+  double jitter_percent{};  ///< Scatter of the steps that are no gaps, of the median.
+  std::size_t repeated{};   ///< Stamps that stand where the one before stood.
+  std::size_t back{};       ///< Steps back.
+  double largest_step_back_s{};
+  std::vector<ClockGap> gaps;  ///< Steps of more than five intervals, in the order of time.
+  std::size_t missing{};       ///< Rows without a time.
+
+  [[nodiscard]] double rate_Hz() const { return interval_s > 0 ? 1 / interval_s : 0; }
+};
+
+/// @param column the log's clock. @param meaning its unit, where it is stated.
+ClockSurvey survey_clock(const ingest::log::LogColumn& column,
+                         const ingest::layout::ColumnMeaning& meaning, bool is_iso);
+
+// The log.
 
 struct ColumnSurvey {
   std::string name;  ///< As the log has it.
@@ -68,5 +100,18 @@ struct LogSurvey {
 
 /// @throw InputError for a log that cannot be read.
 LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules = {});
+
+// Surveys as a person reads them: what `tribolog inspect` prints.
+
+/// A block for each log; logs with the same columns share one, with a row for each. Fits into 100
+/// places; control characters of a log are made visible.
+/// @param joint whose motion the rows tell; empty: the one that moves most.
+std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& joint = "");
+
+// Surveys as JSON: what `tribolog inspect --json` writes.
+
+/// All of the surveys, in SI but for the columns' own ranges, which are in the log's unit.
+/// @param manifest the proposed one; empty: none could be proposed.
+std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& manifest);
 
 }  // namespace tribolog::inspect::survey

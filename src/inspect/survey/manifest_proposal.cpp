@@ -12,7 +12,6 @@
 #include "base/utf8.h"
 #include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
-#include "inspect/survey/joint_choice.h"
 
 namespace tribolog::inspect::survey {
 namespace {

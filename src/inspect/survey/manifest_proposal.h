@@ -1,15 +1,58 @@
 #pragma once
 // A manifest for logs, as far as they tell by themselves: what `tribolog init` writes.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "inspect/survey/log_survey.h"
-#include "inspect/survey/recording_roles.h"
 #include "joint/drive.h"
+#include "joint/recording.h"
 
 namespace tribolog::inspect::survey {
+
+// Which segment of which log plays which role in an identification (joint/recording.h).
+
+/// A joint in one log.
+struct JointInLog {
+  std::size_t log{};
+  std::size_t table{};
+  std::size_t joint{};
+};
+
+inline const TableSurvey& table_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
+  return logs[of.log].tables[of.table];
+}
+inline const JointSurvey& joint_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
+  return table_of(logs, of).joints[of.joint];
+}
+
+struct ProposedRecording {
+  JointInLog of;
+  joint::Role role{};
+  std::optional<double> from_s;  ///< Absent: from the log's start.
+  std::optional<double> to_s;
+  std::string what;  ///< "sine of 0.1 Hz, 5.9 cycles, -189° to -70°".
+};
+
+struct RoleProposal {
+  std::vector<ProposedRecording> recordings;  ///< In the order of logs and of time.
+  std::vector<std::size_t> without_role;      ///< Logs in which nothing was found to use.
+  /// Nothing in any log is a motion that a stage reads: each log is named whole, as a sweep.
+  bool is_makeshift{};
+};
+
+/// Strokes of constant speed are a rough sweep where they are slow (a stroke of 3 s or longer, up
+/// to 0.5 rad/s) and wider than those of any other speed, and a precise one where they are the
+/// slowest by far, and narrow, beside a sweep. All others are runs at constant speed.
+RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
+                           const std::vector<JointInLog>& joint);
+
+/// "constant speed 10 deg/s, 2 strokes, -30° to 30°", for people.
+std::string describe(const motion::MotionSegment& segment);
+
+// The manifest.
 
 /// What the user knows beside the logs.
 struct ProposalOptions {
@@ -35,5 +78,40 @@ struct ManifestProposal {
 /// @throw InputError if no log has a clock and an angle; UsageError for a joint that no log has.
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options);
+
+// Which joint a manifest is for, and what its effort is.
+
+struct JointChoice {
+  std::string name;
+  std::vector<JointInLog> in_logs;     ///< One of each log that has it, and in it the widest.
+  std::vector<std::string> moves_too;  ///< Others that move a hundredth as far or further.
+};
+
+/// The joint of that name, or else the one with the widest motion. Logs whose only joint has no
+/// name take part in either case.
+/// @throw InputError if no log has a clock and an angle; UsageError if none has that joint.
+JointChoice choose_joint(const std::vector<LogSurvey>& logs,
+                         const std::optional<std::string>& name);
+
+// What the effort of a joint is proposed to be, and how sure that is.
+
+struct EffortProposal {
+  joint::EffortKind kind{joint::EffortKind::none};
+  std::vector<std::string> remarks;  ///< For comments, one line each.
+  std::vector<std::string> lines;    ///< Of [effort], each a key with its value and a comment.
+  bool is_target{};  ///< No measured effort is there: a controller's value stands in.
+
+  /// The column in a joint's own log; nothing where it has none of this kind.
+  [[nodiscard]] std::optional<std::size_t> column_of(const JointSurvey& joint) const;
+};
+
+/// A current is one of the motor. A torque is taken as the known logger has it, as the motor's
+/// where its name says so, else as the joint's. What no logger states is not confirmed. The first
+/// log of the joint that has an effort decides.
+EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
+                              const std::vector<JointInLog>& joint, const ProposalOptions& options);
+
+/// Columns that look like voltages or duty cycles, from which no torque follows.
+std::vector<std::string> voltages_of(const TableSurvey& table);
 
 }  // namespace tribolog::inspect::survey

@@ -1,10 +1,9 @@
-#include "inspect/survey/recording_roles.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "inspect/survey/manifest_proposal.h"
 #include "joint/degrees.h"
 
 namespace tribolog::inspect::survey {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
-#include "inspect/survey/survey_output.h"
+#include "inspect/survey/log_survey.h"
 #include "wording/words.h"
 
 namespace tribolog::inspect::survey {

@@ -7,10 +7,8 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "inspect/survey/joint_choice.h"
 #include "inspect/survey/log_survey.h"
-#include "inspect/survey/recording_roles.h"
-#include "inspect/survey/survey_output.h"
+#include "inspect/survey/manifest_proposal.h"
 #include "inspect/survey/text_table.h"
 #include "wording/words.h"
 

@@ -11,7 +11,7 @@
 #include "method/checks/scale_causes.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::checks {
 

@@ -6,7 +6,7 @@
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 #include "method/motion/encoder_resolution.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::checks {
 

@@ -6,7 +6,7 @@
 
 #include "method/gravity/sweep_regression.h"
 #include "statistics/order_statistics.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::gravity {
 namespace {

@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 
 #include "statistics/distributions.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::gravity {
 

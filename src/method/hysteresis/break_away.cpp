@@ -7,7 +7,7 @@
 
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
-#include "statistics/summits.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::hysteresis {
 

@@ -6,7 +6,7 @@
 
 #include "friction/dual.h"
 #include "friction/exponential_step.h"
-#include "simulate/careful_step.h"
+#include "simulate/bristle_integrator.h"
 #include "simulate/motion.h"
 
 namespace tribolog::method::hysteresis {

@@ -9,7 +9,7 @@
 #include "base/parallel_for.h"
 #include "method/hysteresis/loop_shape.h"
 #include "statistics/random_stream.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::hysteresis {
 

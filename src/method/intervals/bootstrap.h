@@ -4,7 +4,7 @@
 // Every stage is reduced once to what each of its blocks does to its result; a resample draws
 // blocks with replacement and redoes the small algebra: no sample is touched again. Blocks are
 // fixed: neighbours within the strokes of a sweep, whole cycles of the oscillation, tenths of a
-// run's plateau, and runs for the fitted curve (block_draw.h, parameter_resample.h). Of several
+// run's plateau, and runs for the fitted curve (random_stream.h, parameter_resample.h). Of several
 // oscillations half cycles for LuGre's parameters, and the positions' scatter for gravity. Angle
 // and gravity drawn in a resample go into its masses, curves and parameters, so that what has a
 // common cause moves together. Ripple at the position of a single oscillation is drawn at any

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "method/intervals/sweep_resample.h"
-#include "statistics/block_draw.h"
 #include "statistics/distributions.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::method::intervals {
 namespace {

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "base/requirements.h"
-#include "statistics/block_draw.h"
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
 #include "statistics/levenberg_marquardt.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::method::intervals {
 namespace {

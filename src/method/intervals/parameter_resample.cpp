@@ -7,8 +7,8 @@
 
 #include <Eigen/Dense>
 
-#include "statistics/block_draw.h"
 #include "statistics/block_regression.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::method::intervals {
 namespace {

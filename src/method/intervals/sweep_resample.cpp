@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "statistics/block_draw.h"
 #include "statistics/distributions.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::method::intervals {
 

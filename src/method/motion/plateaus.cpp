@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/local_slope.h"
 #include "statistics/order_statistics.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::motion {
 

@@ -52,7 +52,7 @@ struct SpeedSource {
   bool is_logged{};      ///< A speed is logged too.
   std::size_t window{};  ///< Samples from which a local slope of the angle is made.
   double window_s{};     ///< Their duration at the median interval.
-  double cut_off_Hz{};   ///< -3 dB of that derivative; see local_slope.h.
+  double cut_off_Hz{};   ///< -3 dB of that derivative; see sampled_signal.h.
 };
 
 /// One for each recording of two samples or more.

@@ -8,8 +8,8 @@
 
 #include "method/motion/encoder_resolution.h"
 #include "method/motion/moving_part.h"
+#include "statistics/sampled_signal.h"
 #include "statistics/smoothing_spline.h"
-#include "statistics/white_noise.h"
 
 namespace tribolog::method::motion {
 

@@ -9,7 +9,7 @@
 
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
-#include "statistics/white_noise.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::selection {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/statement.h"
-#include "friction/static_friction.h"
+#include "friction/friction_model.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 

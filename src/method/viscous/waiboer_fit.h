@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "base/statement.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::viscous {

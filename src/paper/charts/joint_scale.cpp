@@ -1,4 +1,4 @@
-#include "paper/charts/joint_scale.h"
+#include "paper/charts/paper_charts.h"
 
 namespace tribolog::paper::charts {
 namespace {

@@ -1,19 +1,15 @@
 #pragma once
-// The paper's charts of friction laws, figures 2 to 6 and their scale.
+// The paper's charts of friction laws, and the parameters that they are drawn with.
 
 #include <vector>
 
 #include "figures/report_figure.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 #include "simulate/presliding_loops.h"
 
 namespace tribolog::paper::charts {
 
-// Figures 1 and 2: static friction that is discontinuous at rest, eq. (1), and its linear zone,
-// eq. (2).
-
-// The law itself is what is drawn solid.
+// Static friction that is discontinuous at rest, eq. (1). The law itself is what is drawn solid.
 
 /// Friction over speed on both sides of rest, the range at rest, and the levels.
 figures::ReportFigure static_friction_figure(const friction::StribeckFriction& friction);
@@ -33,5 +29,19 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
 /// @throw std::invalid_argument if there is none.
 figures::ReportFigure presliding_hysteresis_figure(
     const std::vector<simulate::PreslidingLoop>& loops);
+
+// Parameters for the paper's static laws, of which it prints none.
+//
+// Sizes are those of the paper's joint at the motor: the break-away torque that its hysteresis
+// loop has (0.884 N·m), and Coulomb torque, Stribeck velocity and viscous slope with which eq. (1)
+// follows the reconstructed curve of eq. (6) in the large: 0.45 N·m at its dip and about 1.17 N·m
+// at 300 rad/s.
+
+/// Eq. (1).
+friction::StribeckFriction stribeck_at_joint_scale();
+
+/// Eq. (2) with the same torques and slope; its Stribeck effect decays over the Stribeck velocity
+/// of the former, and its threshold is the largest that the paper names.
+friction::ThresholdSpeedFriction linear_zone_at_joint_scale();
 
 }  // namespace tribolog::paper::charts

@@ -10,7 +10,7 @@
 #include "paper/checks/check.h"
 #include "paper/drawings/paper_drawings.h"
 #include "paper/drawings/printed_paper.h"
-#include "paper/scenes/test_numbers.h"
+#include "paper/scenes/scene_words.h"
 #include "simulate/cvode_solver.h"
 #include "wording/tr.h"
 

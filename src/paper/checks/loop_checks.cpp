@@ -6,7 +6,7 @@
 #include "joint/degrees.h"
 #include "paper/checks/check.h"
 #include "paper/drawings/printed_paper.h"
-#include "paper/scenes/test_numbers.h"
+#include "paper/scenes/scene_words.h"
 #include "wording/tr.h"
 
 namespace tribolog::paper::checks {

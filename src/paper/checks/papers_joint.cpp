@@ -7,7 +7,7 @@
 
 #include "base/requirements.h"
 #include "identify/identify.h"
-#include "paper/charts/joint_scale.h"
+#include "paper/charts/paper_charts.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog::paper::checks {

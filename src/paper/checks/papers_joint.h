@@ -6,9 +6,7 @@
 
 #include "calibration/calibration.h"
 #include "friction/lugre.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 #include "joint/dataset.h"
 #include "robot/joint_under_test.h"
 #include "simulate/presliding_loops.h"

@@ -1,8 +1,7 @@
-#include "paper/page/check_rows.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "paper/page/page_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 

@@ -1,17 +1,14 @@
-#include "paper/page/errata.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "friction/catalogue.h"
-#include "friction/stribeck.h"
-#include "friction/threshold_speed.h"
+#include "friction/static_laws.h"
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 #include "paper/drawings/printed_paper.h"
+#include "paper/page/page_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
-#include "wording/units.h"
 
 namespace tribolog::paper::page {
 namespace {

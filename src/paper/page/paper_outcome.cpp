@@ -1,11 +1,9 @@
-#include "paper/page/paper_outcome.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "paper/drawings/printed_paper.h"
-#include "paper/page/check_rows.h"
+#include "paper/page/page_parts.h"
 #include "report/element_values.h"
 #include "report/view_parts.h"
 #include "wording/tr.h"

@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "paper/page/check_rows.h"
-#include "paper/page/errata.h"
-#include "paper/page/paper_outcome.h"
+#include "paper/page/page_parts.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/report_values.h"

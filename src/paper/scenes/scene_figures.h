@@ -6,7 +6,7 @@
 
 #include "calibration/calibration.h"
 #include "figures/report_figure.h"
-#include "paper/scenes/test_numbers.h"
+#include "paper/scenes/scene_words.h"
 #include "robot/joint_under_test.h"
 
 namespace tribolog::paper::scenes {

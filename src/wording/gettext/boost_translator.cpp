@@ -10,7 +10,7 @@
 #include <boost/locale/message.hpp>
 
 #include "wording/gettext/compiled_messages.h"
-#include "wording/translator.h"
+#include "wording/translation.h"
 
 namespace tribolog::wording::gettext {
 namespace {

@@ -1,7 +1,5 @@
 // Messages of any type as columns.
 
-#include "ingest/bags/message_columns.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
+#include "ingest/bags/topic_tables.h"
 #include "support/cdr_writer.h"
 
 namespace tribolog::message_columns_test {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/layout/name_words.h"
 #include "ingest/text/csv_dialect.h"
 
 namespace tribolog::log_layout_test {

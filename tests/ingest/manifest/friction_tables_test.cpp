@@ -1,10 +1,9 @@
-#include "ingest/manifest/friction_tables.h"
-
 #include <gtest/gtest.h>
 
 #include "base/input_file.h"
 #include "base/temporary_directory.h"
 #include "friction/catalogue.h"
+#include "ingest/manifest/scenario_tables.h"
 
 namespace tribolog::friction_tables_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "friction/waiboer.h"
+#include "friction/static_laws.h"
 
 namespace tribolog::manifest_file_test {
 namespace {

@@ -1,8 +1,8 @@
 // Time stamps to the nanosecond.
 
-#include "ingest/text/clock_field.h"
-
 #include <gtest/gtest.h>
+
+#include "ingest/text/fields.h"
 
 namespace tribolog::clock_field_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "ingest/text/number_field.h"
-
 #include <charconv>
 #include <clocale>
 #include <cmath>
@@ -8,6 +6,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "ingest/text/fields.h"
 
 #if __has_include(<rapidcheck/gtest.h>)
 #include <rapidcheck.h>

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "render/text/font.h"
-#include "render/vector/true_type_subset.h"
+#include "render/vector/true_type.h"
 #include "support/run_program.h"
 
 namespace tribolog::render::subset_test {
