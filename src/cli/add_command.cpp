@@ -25,7 +25,8 @@ struct AddOptions {
 void check(const AddOptions& options) {
   const bool of_one = !options.report.empty() || !options.inputs.empty();
   if (of_one && options.calibrations.size() > 1) {
-    throw UsageError("--report and --inputs belong to one calibration; add them one by one");
+    throw UsageError(
+        "--report and --inputs apply to a single calibration; add calibrations one at a time");
   }
 }
 
@@ -33,18 +34,18 @@ void check(const AddOptions& options) {
 
 Run add_add(CLI::App& archive) {
   const auto options = std::make_shared<AddOptions>();
-  CLI::App& command = *archive.add_subcommand("add", "keep calibrations that identify wrote");
+  CLI::App& command = *archive.add_subcommand("add", "archive calibrations written by identify");
   command.add_option("CALIBRATION", options->calibrations, "calibration files (JSON)")->required();
-  command.add_option("--report", options->report, "its report (HTML), kept as it is");
+  command.add_option("--report", options->report, "its report (HTML), kept unchanged");
   command.add_option("--inputs", options->inputs,
-                     "directory of its manifest: manifest and recordings are kept too");
+                     "directory of its manifest: also keep manifest and recordings");
   command.add_flag("--again", options->again,
-                   "where the same inputs are archived already: keep it beside that one");
-  command.add_flag("--json", options->json, "a line of JSON for each, as soon as it is kept");
+                   "if the same inputs are already archived: keep this one as well");
+  command.add_flag("--json", options->json, "one line of JSON for each, as soon as it is archived");
   const auto where = add_archive_options(command);
   command.footer(
-      "\nWhat was said to be archived is on the disk. The same inputs archived twice are one\n"
-      "entry. All files are read before the first one is kept.");
+      "\nWhatever is reported as archived is on disk. The same inputs archived twice are "
+      "one\nentry. All files are read before the first one is archived.");
   return [where, options](const Invocation& call) {
     check(*options);
     const std::string now = calibration::make_provenance({}).created_utc;
@@ -65,7 +66,7 @@ Run add_add(CLI::App& archive) {
       }
       if (!report.empty() && !kept.attach_report(added.id, report, now)) {
         call.console.warn("note: " + added.id.substr(0, calibration::shown_digits) +
-                          " has a report already, which stays");
+                          " already has a report, which is kept");
       }
     }
     return ExitStatus::done;

@@ -26,7 +26,7 @@ void ArchiveOptions::protect_from(const std::string& output) const {
 
 void make_way(Console& console, const std::string& output, bool prints_json) {
   if (prints_json && is_standard_output(output)) {
-    throw UsageError("-o and --json cannot both go to standard output; state a file for -o");
+    throw UsageError("-o and --json cannot both go to standard output; give a file for -o");
   }
   console.make_way_for(output);
 }
@@ -50,14 +50,13 @@ std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
 }
 
 void add_filter(CLI::App& command, archive::store::Filter& filter) {
-  command.add_option("--robot", filter.robot, "of this robot alone");
-  command.add_option("--serial", filter.serial, "of this serial number alone");
-  command.add_option("--joint", filter.joint, "of this joint alone");
+  command.add_option("--robot", filter.robot, "only this robot");
+  command.add_option("--serial", filter.serial, "only this serial number");
+  command.add_option("--joint", filter.joint, "only this joint");
 }
 
 std::function<Run()> add_archive(CLI::App& app) {
-  CLI::App* const archive =
-      app.add_subcommand("archive", "keep calibrations, compare them, watch them");
+  CLI::App* const archive = app.add_subcommand("archive", "keep, compare and monitor calibrations");
   archive->require_subcommand(1);
   archive->fallthrough();
   std::vector<std::pair<CLI::App*, Run>> commands;

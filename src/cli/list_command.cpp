@@ -34,7 +34,7 @@ Run add_list(CLI::App& archive) {
     bool json{false};
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *archive.add_subcommand("list", "which calibrations it holds");
+  CLI::App& command = *archive.add_subcommand("list", "list its calibrations");
   const auto where = add_archive_options(command);
   add_filter(command, options->filter);
   command.add_flag("--json", options->json, "as JSON, to standard output");

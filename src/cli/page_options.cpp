@@ -9,8 +9,8 @@ CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   command.add_option("FILE", show.file, "report (HTML) or calibration (JSON)")->required();
   command.add_flag("--json", show.json, "all of them as JSON, to standard output");
   command.footer(
-      "\nEvery page of tribolog carries its numbers as JSON; --json gives them back as they\n"
-      "are. Values are SI, torques at the motor.");
+      "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
+      "are SI, torques at the motor.");
   return command;
 }
 
@@ -26,13 +26,13 @@ CLI::App& add_models(CLI::App& app, ModelsOptions& models) {
 
 CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
   CLI::App& command =
-      *app.add_subcommand("paper", "regenerate the paper, and check it against its print");
+      *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
   command.add_option("-o,--output", paper.output, "page (HTML) to write")->required();
   add_processes(command, paper.processes);
   add_language(command, paper.language);
   command.footer(
-      "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
-      "table and equation against what is printed. Status 1 if a check does not hold.");
+      "\nSimulates the paper's joint, identifies it, draws all figures, and compares every "
+      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.");
   return command;
 }
 

@@ -14,12 +14,12 @@ Run add_remove(CLI::App& archive) {
     bool json{false};
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *archive.add_subcommand("remove", "takes calibrations out for good");
+  CLI::App& command = *archive.add_subcommand("remove", "remove calibrations permanently");
   command.add_option("ID", options->ids, "the first digits of their ids")->required();
-  command.add_flag("--yes", options->is_sure, "without it, it is only said what would go");
+  command.add_flag("--yes", options->is_sure, "without it, only show what would be removed");
   command.add_flag("--json", options->json, "what was removed, as JSON to standard output");
   const auto where = add_archive_options(command);
-  command.footer("\nThe chain remembers that it was removed, and when.");
+  command.footer("\nThe chain records that it was removed, and when.");
   return [where, options](const Invocation& call) {
     const std::string now = calibration::make_provenance({}).created_utc;
     archive::store::CalibrationArchive kept =
@@ -36,7 +36,7 @@ Run add_remove(CLI::App& archive) {
       call.console.say((options->is_sure ? "removed: " : "would be removed: ") + what);
     }
     if (!options->is_sure) {
-      throw UsageError("archive remove: nothing was removed; --yes removes for good");
+      throw UsageError("archive remove: nothing was removed; --yes removes permanently");
     }
     if (options->json) print_json(archive::store::removed_json(entries));
     return ExitStatus::done;

@@ -25,7 +25,7 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
   const report::EmbeddedJson numbers = numbers_of(read_file(options.file), options.file);
   if (numbers.element != result_element) {
     if (!options.json) {
-      throw UsageError(fmt::format("{}: the page holds {}, which is shown with --json alone",
+      throw UsageError(fmt::format("{}: the page contains {}, which only --json shows",
                                    printable(options.file, longest_path), numbers.element));
     }
     print_json(numbers.json);

@@ -14,15 +14,15 @@ Run add_verify(CLI::App& archive) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command =
-      *archive.add_subcommand("verify", "proves that nothing in it was lost or altered");
+      *archive.add_subcommand("verify", "prove that nothing in it was lost or altered");
   command.add_option("--head", options->head,
-                     "a head that an earlier verify told: nothing before it may be lost");
+                     "a head reported by an earlier verify: nothing before it may be lost");
   const auto where = add_archive_options(command);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command.footer(
-      "\nEach calibration has a digest over all it says, each addition and removal is a link of a\n"
-      "chain. The last link, the head, names the state of the archive: written down, it proves\n"
-      "later that nothing up to it was lost. Status 6 where something is wrong.");
+      "\nEach calibration has a digest of its contents, each addition and removal is a link in "
+      "a\nchain. The last link, the head, identifies the state of the archive: written down, it "
+      "proves\nlater that nothing up to it was lost. Status 6 if something is wrong.");
   return [where, options](const Invocation& call) {
     const auto outcome = where->open(archive::sql::Access::read)
                              .verify(options->head, [&](std::size_t done, std::size_t all) {

@@ -101,7 +101,7 @@ std::string reference_label(const calibration::Calibration& calibration) {
 
 std::string reference_words(const std::string& reference) {
   if (reference == "analytic") return tr("analytic curve");
-  if (reference == "direction_difference") return tr("half the difference of the directions");
+  if (reference == "direction_difference") return tr("half the difference between the directions");
   return reference.empty() ? tr("none") : reference;
 }
 

@@ -22,7 +22,7 @@ std::string point_meaning(const std::string& point) {
   if (point == "fit") return tr("gravity torque of LuGre fitted to all loops");
   if (point == "sweep") return tr("gravity amplitude of the rough sweep");
   if (point == "runs") return tr("gravity amplitude of the runs at constant speed");
-  if (point == "stated") return tr("gravity that the manifest states; nothing is decided by it");
+  if (point == "stated") return tr("gravity stated in the manifest; it decides nothing");
   return "–";
 }
 
