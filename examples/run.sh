@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The main job from nothing: installs what is missing, builds, simulates the paper's joint with the
+# Everything from scratch: installs what is missing, builds, simulates the paper's joint with the
 # noise of a real drive, identifies it, draws the figures, writes the report and a small study, and
-# says where they are.
+# prints where they are.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ./setup.sh program

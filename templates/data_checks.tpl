@@ -1,7 +1,7 @@
 {{%AUTOESCAPE context="HTML"}}
 <section id="data-checks" aria-labelledby="data-checks-title">
 <h2 id="data-checks-title">Checks on the data <a class="self" href="#data-checks" aria-label="Link to this section">#</a></h2>
-<p>Before any fit, the recordings are held against each other and against what a joint can do. A check that fails lowers the verdict of the quantities it touches; one that warns is told, and lowers nothing. The number is that of the worst recording.</p>
+<p>Before any fit, the recordings are compared with each other and with what a joint can do. A check that fails lowers the verdict of the quantities it affects; a warning is reported and lowers nothing. The number is that of the worst recording.</p>
 <div class="table-box long" id="table-data-checks" tabindex="0" role="region" aria-labelledby="table-data-checks-caption">
 <table class="judged">
 <caption id="table-data-checks-caption"><span>Each check with its number and its limit</span></caption>

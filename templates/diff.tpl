@@ -42,7 +42,7 @@
 <section id="conditions" aria-labelledby="conditions-title">
 <h2 id="conditions-title">Conditions <a class="self" href="#conditions" aria-label="Link to this section">#</a></h2>
 {{>CONDITIONS}}
-<p>The intervals hold what the recordings of one calibration show. How much the joint differs from day to day is in its trend over many calibrations: <code>tribolog archive trend</code>.</p>
+<p>The intervals cover what the recordings of one calibration show. How much the joint varies from day to day is in its trend over many calibrations: <code>tribolog archive trend</code>.</p>
 </section>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made <a class="self" href="#made" aria-label="Link to this section">#</a></h2>

@@ -1,6 +1,6 @@
 {{%AUTOESCAPE context="HTML"}}
 <div class="explain">
 <p>The joint moves slowly over its range. Friction then stays nearly the same while gravity changes with the angle, so the driving torque has its maximum where the centre of gravity is level with the axis. That angle is <i>q</i><sub>peak</sub>; the angle of the centre of gravity in the link is <i>q</i><sub>c</sub> = −<i>q</i><sub>peak</sub>.</p>
-<p>The paper takes the angle of the largest torque. This program also fits gravity to the whole sweep, by least squares and with a torque level <i>T</i><sub>f</sub> of its own for each direction, which uses every sample instead of one:</p>
+<p>The paper takes the angle of the largest torque. This program also fits gravity to the whole sweep, by least squares and with a separate torque level <i>T</i><sub>f</sub> for each direction, which uses every sample instead of one:</p>
 <math display="block" tabindex="0"><mrow><mi>T</mi><mo>=</mo><msub><mi>T</mi><mi mathvariant="normal">f</mi></msub><mo>+</mo><mi>b</mi><mspace width="0.2em"/><mi>cos</mi><mspace width="0.15em"/><mi>q</mi><mo>+</mo><mi>c</mi><mspace width="0.2em"/><mi>sin</mi><mspace width="0.15em"/><mi>q</mi><mo>,</mo><mspace width="1.5em"/><msub><mi>q</mi><mtext>peak</mtext></msub><mo>=</mo><mi>atan2</mi><mo stretchy="false">(</mo><mi>c</mi><mo>,</mo><mi>b</mi><mo stretchy="false">)</mo><mo>,</mo><mspace width="1.5em"/><mfrac><mi>G</mi><mi>n</mi></mfrac><mo>=</mo><msqrt><mrow><msup><mi>b</mi><mn>2</mn></msup><mo>+</mo><msup><mi>c</mi><mn>2</mn></msup></mrow></msqrt></mrow></math>
 </div>

@@ -7,6 +7,6 @@
 {{#FIGURE_CAPTION_IF}}<p><bdi>{{FIGURE_CAPTION:x-symbols}}</bdi></p>{{/FIGURE_CAPTION_IF}}
 {{#HOW_TO_READ_IF}}<p class="how"><b>How to read this.</b> <bdi>{{HOW_TO_READ:x-symbols}}</bdi></p>{{/HOW_TO_READ_IF}}
 {{#DATA}}<p class="data"><a download="{{FILE}}" href="{{CSV:x-csv}}">Data of this figure <small>CSV, {{SIZE}}</small></a></p>
-{{/DATA}}{{#WARNING}}<p class="warning"><b>Drawn with a remark:</b> <bdi>{{TEXT}}</bdi></p>{{/WARNING}}
+{{/DATA}}{{#WARNING}}<p class="warning"><b>Drawn with a warning:</b> <bdi>{{TEXT}}</bdi></p>{{/WARNING}}
 </figcaption>
 </figure>

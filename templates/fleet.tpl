@@ -15,7 +15,7 @@
 <header class="page-head">
 <p class="kicker">{{TOOL}} · archive</p>
 <h1>Fleet sheet</h1>
-<p class="subtitle">Every joint's results beside those of the others and its own past.</p>
+<p class="subtitle">Every joint's results compared with those of the others and with its own past.</p>
 {{#FACTS}}<dl class="identity">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
@@ -23,7 +23,7 @@
 <main id="content" class="page-body">
 {{>VERDICT}}
 {{#OUTLIERS}}<section id="outliers" aria-labelledby="outliers-title">
-<h2 id="outliers-title">Outliers, the furthest first</h2>
+<h2 id="outliers-title">Outliers, furthest first</h2>
 <div class="cards">
 {{#CARD}}<article class="outlier">
 <h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="unit"><bdi>{{ROBOT}}</bdi></span></h3>
@@ -37,15 +37,15 @@
 {{/OUTLIERS}}<section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How to read it</h2>
 <p class="spark-key"><svg class="spark"><path d="M0 10h184v32H0z"/><path d="M0 20h184"/><path d="M5 30 34 22 63 28 92 25 121 27 150 21 179 12M179 5V19"/><path d="M179 12h0"/></svg>
-<span>Each small picture is one result of one joint over the time of all calibrations. The line is its history, the dot the latest result with its 95 % interval as a bar. In the grey band the dot does not stand out from the joint's own past. The dashed line is the median of the same joint of the other robots; it lies at the edge where it is farther away. Each picture has its own scale. All values are SI, on the motor's side of the gear; the angle of the centre of gravity and the surrogate mass are of the joint. Red: stands out. Grey: the verdict on it is not usable.</span></p>
+<span>Each small picture is one result of one joint over the period of all calibrations. The line is its history, the dot the latest result with its 95 % interval as a bar. Within the grey band the dot does not stand out from the joint's own past. The dashed line is the median of the same joint of the other robots; it is drawn at the edge if it is farther away. Each picture has its own scale. All values are SI, on the motor's side of the gear; the angle of the centre of gravity and the surrogate mass are of the joint. Red: stands out. Grey: the verdict on it is not usable.</span></p>
 <details><summary>How outliers are found</summary>
-<p>The latest result <i>x</i> with the half width <i>h</i> of its 95 % interval is held against the median <i>m</i> of <i>n</i> others, once of the same joint of other robots (at least {{OTHERS_NEEDED}}), once of its own earlier calibrations (at least {{EARLIER_NEEDED}}): <i>t</i> = (<i>x</i> − <i>m</i>) / max(<i>s</i> √(1 + π/(2<i>n</i>)), <i>h</i>/1.96). <i>s</i> is the scatter Q<sub>n</sub> of Rousseeuw and Croux, which outliers do not move: of the latest results of all such joints, or of all their earlier ones, each about the median of its own joint. <i>z</i> is the normal deviate as improbable as <i>t</i> is in Student's distribution with 0.82 (<i>N</i> − 1) degrees of freedom, <i>N</i> being the number of values behind <i>s</i>.</p>
-<p>A joint stands out where |<i>z</i>| of one of its results is beyond {{LIMIT}}: at least 3.5, and so large that of the {{DISTANCES}} distances on this page half a one would be beyond it by chance. The same joint: one of the same name and gear ratio, on robots of the same name where there are six or more, else on all. Temperature and payload are not taken into account: a joint that was measured cold may stand out for that.</p>
+<p>The latest result <i>x</i> with the half width <i>h</i> of its 95 % interval is compared with the median <i>m</i> of <i>n</i> others, once of the same joint on other robots (at least {{OTHERS_NEEDED}}), once of its own earlier calibrations (at least {{EARLIER_NEEDED}}): <i>t</i> = (<i>x</i> − <i>m</i>) / max(<i>s</i> √(1 + π/(2<i>n</i>)), <i>h</i>/1.96). <i>s</i> is the scatter Q<sub>n</sub> of Rousseeuw and Croux, which outliers do not affect: of the latest results of all such joints, or of all their earlier ones, each about the median of its own joint. <i>z</i> is the normal deviate as improbable as <i>t</i> is in Student's distribution with 0.82 (<i>N</i> − 1) degrees of freedom, <i>N</i> being the number of values behind <i>s</i>.</p>
+<p>A joint stands out where |<i>z</i>| of one of its results is beyond {{LIMIT}}: at least 3.5, and so large that of the {{DISTANCES}} distances on this page half of one would be expected beyond it by chance. The same joint: one of the same name and gear ratio, on robots of the same name where there are six or more, otherwise on all. Temperature and payload are not taken into account: a joint that was measured cold may stand out for that reason.</p>
 </details>
 </section>
 <section id="robots" aria-labelledby="robots-title">
-<h2 id="robots-title">Robots, the furthest off first</h2>
-<p>The report of a calibration: <code>tribolog archive report ID -o report.html</code>, with the ID that stands below the joint's name.</p>
+<h2 id="robots-title">Robots, furthest off first</h2>
+<p>The report of a calibration: <code>tribolog archive report ID -o report.html</code>, with the ID given below the joint's name.</p>
 {{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi></h3>
 <table class="fleet"><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
 {{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}{{#DECISION_IF}} <br>{{DECISION}}{{/DECISION_IF}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>

@@ -14,7 +14,7 @@
 <header class="page-head">
 <p class="kicker">{{TOOL}} · friction models</p>
 <h1>Friction models side by side</h1>
-<p class="subtitle">The dynamic models of the literature in four experiments, each with parameters that match the same contact. LuGre's curve lies over each of the others in thin dashes.</p>
+<p class="subtitle">The dynamic models of the literature in four experiments, each with parameters that match the same contact. LuGre's curve is overlaid on each of the others in thin dashes.</p>
 {{#FACTS}}<dl class="identity">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}

@@ -15,14 +15,14 @@
 <header class="page-head">
 <p class="kicker">{{TOOL}} · the paper, regenerated</p>
 <h1>Viscous friction measurement technique in robot joint with the use of surrogate mass</h1>
-<p class="subtitle">Every figure, table and equation of the paper in the order of print, each computed anew and held against what is printed.</p>
+<p class="subtitle">Every figure, table and equation of the paper in the order printed, each recomputed and compared with what is printed.</p>
 </header>
 <div class="layout">
 <nav class="contents" aria-label="Contents">
 <h2 id="contents">Contents</h2>
 <ol>
 <li><a href="#verdict">Outcome</a></li>
-<li><a href="#tick-off">To tick off</a></li>
+<li><a href="#tick-off">Checklist</a></li>
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}} {{TITLE}}</a></li>
 {{/CONTENTS_ENTRY}}
 <li><a href="#golden">Golden numbers</a></li>
@@ -34,7 +34,7 @@
 <main id="content">
 {{>VERDICT}}
 <section id="tick-off" aria-labelledby="tick-off-title">
-<h2 id="tick-off-title">To tick off <a class="self" href="#tick-off" aria-label="Link to this section">#</a></h2>
+<h2 id="tick-off-title">Checklist <a class="self" href="#tick-off" aria-label="Link to this section">#</a></h2>
 {{>TALLY}}
 {{#KIND}}<h3>{{KIND_NAME}}</h3>
 <ul class="ticks">
@@ -42,8 +42,8 @@
 {{/ENTRY}}</ul>
 {{/KIND}}
 <h3 id="how-to-read">How to read the checks</h3>
-<p>“Expected” comes from <b>print</b>: it stands in the paper; from <b>method</b>: the paper does not print it, it belongs to the LuGre joint that reproduces the paper's table 2; or from <b>law</b>: it follows from the equation or from mechanics. “Allowed” is the largest difference that counts as agreement, with its reason. Nothing is compared with a number that this program stored of itself.</p>
-<p>The paper prints no parameter of its joint. What is simulated here is a joint whose six torques agree with table 2; which number is printed, reconstructed or chosen is said <a href="#scenario">at the end</a>.</p>
+<p>“Expected” comes from <b>print</b>: it is in the paper; from <b>method</b>: it is not in the paper but belongs to the LuGre joint that reproduces the paper's table 2; or from <b>law</b>: it follows from the equation or from mechanics. “Allowed” is the largest difference that counts as agreement, with its reason. Nothing is compared with a number that this program itself has stored.</p>
+<p>The paper prints no parameter of its joint. What is simulated here is a joint whose six torques agree with table 2; which numbers are printed, reconstructed or chosen is stated <a href="#scenario">at the end</a>.</p>
 </section>
 {{#PAPER_SECTION}}<section id="{{SECTION_ID}}" class="stage" aria-labelledby="{{SECTION_ID}}-title">
 <h2 id="{{SECTION_ID}}-title"><span class="number">{{NUMBER}}</span> {{TITLE}} <a class="self" href="#{{SECTION_ID}}" aria-label="Link to this section">#</a></h2>
@@ -53,13 +53,13 @@
 {{/PAPER_SECTION}}
 <section id="golden" class="stage" aria-labelledby="golden-title">
 <h2 id="golden-title">Golden numbers <a class="self" href="#golden" aria-label="Link to this section">#</a></h2>
-<p>Every number that the method's description gives for the paper and for its reconstructed joint. The torques given without inertia and Stribeck effect were read late by up to 0.2 ms at B, E and F, where torque moves by 15 N·m/s; the same torques in closed form stand above them.</p>
+<p>Every number that the description of the method gives for the paper and for its reconstructed joint. The torques given without inertia and Stribeck effect were read up to 0.2 ms late at B, E and F, where torque changes by 15 N·m/s; the same torques in closed form are listed above them.</p>
 {{>GOLDEN}}
 </section>
 {{>ERRATA}}
 <section id="scenario" class="stage" aria-labelledby="scenario-title">
 <h2 id="scenario-title">The joint that is simulated <a class="self" href="#scenario" aria-label="Link to this section">#</a></h2>
-<p>The two files that this page is computed from, as they are built into the program and stand in <code>examples/paper</code>.</p>
+<p>The two files that this page is computed from, as built into the program and found in <code>examples/paper</code>.</p>
 {{#SOURCE_FILE}}<details><summary><code>{{FILE_NAME}}</code></summary>
 <pre class="command">{{FILE_TEXT}}</pre>
 </details>

@@ -7,15 +7,15 @@
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="generator" content="{{TOOL}}">
-<title>Plan of an experiment: {{TITLE}}</title>
+<title>Experiment plan: {{TITLE}}</title>
 <style>{{CSS:x-css}}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the plan</a>
 <header class="page-head">
-<p class="kicker">{{TOOL}} · plan of an experiment</p>
+<p class="kicker">{{TOOL}} · experiment plan</p>
 <h1><bdi>{{TITLE}}</bdi></h1>
-<p class="subtitle">What to do, what it will give, and how surely.</p>
+<p class="subtitle">What to do, what it will give, and how reliably.</p>
 {{#FACTS}}<dl class="identity">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
@@ -53,7 +53,7 @@
 </section>{{/HOW}}
 <section id="assumptions" aria-labelledby="assumptions-title">
 <h2 id="assumptions-title">Assumptions <a class="self" href="#assumptions" aria-label="Link to this section">#</a></h2>
-<p>What is not stated is assumed. State it in the file of the joint where it is known: amplitudes, speeds and expected intervals follow.</p>
+<p>What is not stated is assumed. State what is known in the joint's file: amplitudes, speeds and expected intervals follow from it.</p>
 {{>ASSUMPTIONS}}
 </section>
 <section id="made" aria-labelledby="made-title">

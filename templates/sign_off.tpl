@@ -8,5 +8,5 @@
 {{#REVIEW}}<li>{{DECISION}} by <bdi>{{REVIEWER}}</bdi>, {{AT}}.{{#NOTE}} <bdi>{{LINE}}</bdi>{{/NOTE}}</li>
 {{/REVIEW}}</ol>
 </details>
-{{/EARLIER}}<p><small>Added to the report after it was made; its own text is unchanged. In the archive: <code>{{ID}}</code></small></p>
+{{/EARLIER}}<p><small>Added to the report after it was made; the report's own text is unchanged. In the archive: <code>{{ID}}</code></small></p>
 </section>

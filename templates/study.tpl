@@ -15,7 +15,7 @@
 <header class="page-head">
 <p class="kicker">{{TOOL}} · Monte-Carlo study</p>
 <h1>Where the method can be trusted</h1>
-<p class="subtitle">Bias, scatter and coverage of every estimator, from runs of known truth: one factor at a time about the base case.</p>
+<p class="subtitle">Bias, scatter and coverage of every estimator, from runs of known truth: one factor at a time around the base case.</p>
 {{#FACTS}}<dl class="identity">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
@@ -35,7 +35,7 @@
 {{>VERDICT}}
 <section id="trust" aria-labelledby="trust-title">
 <h2 id="trust-title">Limits of trust <a class="self" href="#trust" aria-label="Link to this section">#</a></h2>
-<p>For each factor the unbroken row of levels about the base case at which the promise holds. “No”: the estimator breaks it in the base case already, as a biased one does. A dash: the recordings of that factor do not show it.</p>
+<p>For each factor, the unbroken range of levels around the base case at which the criterion is met. “No”: the estimator fails it already in the base case, as a biased one does. A dash: the recordings of that factor do not show it.</p>
 {{>TRUST}}
 </section>
 {{#FACTOR}}<section id="{{SECTION_ID}}" class="stage" aria-labelledby="{{SECTION_ID}}-title">
@@ -47,9 +47,9 @@
 {{/FACTOR}}
 <section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How it was done <a class="self" href="#how" aria-label="Link to this section">#</a></h2>
-<p>Each run lays its own noise on the ideal recordings of the scenario, and ripple at phases of its own; the recordings go through the whole identification, and every number is held against the scenario. Run by run the random numbers are the same at all levels, so that levels differ by their factor and not by luck. The number of threads changes nothing.</p>
-<p>Gravity torque, angle of the peak, break-away torque, bristle stiffness and eq. (6) have their truth from the scenario. The straight line over the curve and the sweep's friction have none of their own: their truth is what the same motions give without any noise.</p>
-<p>An estimator is called biased where its bias exceeds three of its own standard errors and also what matters: 0.1 % of the gravity torque, 0.02° of the angle, 1 % of a friction parameter. Points A to F are read as in the paper, in the first strokes from rest; A and B also in the steady loop, as the mean over its cycles.</p>
+<p>Each run adds its own noise to the ideal recordings of the scenario, and ripple with its own phases; the recordings go through the whole identification, and every number is compared with the scenario. Run by run the random numbers are the same at all levels, so that levels differ by their factor and not by chance. The number of threads makes no difference.</p>
+<p>Gravity torque, angle of the peak, break-away torque, bristle stiffness and eq. (6) have their true values from the scenario. The straight line through the curve and the sweep's friction have none of their own: theirs are what the same motions give without any noise.</p>
+<p>An estimator is called biased where its bias exceeds three of its own standard errors and is also large enough to matter: 0.1 % of the gravity torque, 0.02° of the angle, 1 % of a friction parameter. Points A to F are read as in the paper, in the first strokes from rest; A and B also in the steady loop, as the mean over its cycles.</p>
 <details><summary>The scenario, <code><bdi>{{SCENARIO_FILE}}</bdi></code></summary>
 <pre class="command"><bdi>{{SCENARIO_TEXT}}</bdi></pre>
 </details>

@@ -15,7 +15,7 @@
 <header class="page-head">
 <p class="kicker">{{TOOL}} · calibrations over time</p>
 <h1><bdi>{{TITLE}}</bdi></h1>
-<p class="subtitle">What has moved, from when on, and whether it is more than chance.</p>
+<p class="subtitle">What has changed, since when, and whether it is more than chance.</p>
 </header>
 <div class="layout">
 <nav class="contents" aria-label="Contents">
@@ -36,7 +36,7 @@
 {{#NOTE}}<li><bdi>{{TEXT}}</bdi></li>
 {{/NOTE}}</ul>{{/NOTES}}
 {{>FIGURE}}
-<details><summary>How a change is told from scatter</summary>
+<details><summary>How a change is distinguished from scatter</summary>
 <p>{{CHART_WORDS}}</p>
 </details>
 </section>{{/JOINT}}

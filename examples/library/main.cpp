@@ -1,4 +1,4 @@
-// Identifies a joint from its logs, prints what was found with units and verdicts, and writes the
+// Identifies a joint from its logs, prints the results with units and verdicts, and writes the
 // numbers, a report and the figures: joint_check DATASET.toml DIRECTORY
 
 #include <cstddef>
@@ -42,7 +42,7 @@ int check(const std::string& manifest, const std::string& directory) {
   tribolog::write_files({{"report.html", report.html}, {"calibration.json", found.to_json()}},
                         directory);
 
-  // Another day, from the file alone.
+  // Another day, from the file only.
   const tribolog::Calibration kept = tribolog::Calibration::read(directory + "/calibration.json");
   if (const auto torque = kept.quantity("coulomb_torque"); torque && torque->at_joint) {
     std::printf("Coulomb torque at the joint: %.6g N·m\n", torque->at_joint->value);

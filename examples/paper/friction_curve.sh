@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the README's picture anew: the friction curve that is identified in the logs of the paper's joint
-# with the noise of a real drive.
+# Redraws the README's picture: the friction curve identified from the logs of the paper's joint with the
+# noise of a real drive.
 #   examples/paper/friction_curve.sh [PICTURE.svg]
 # Environment: TRIBOLOG (the program).
 set -euo pipefail

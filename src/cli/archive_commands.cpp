@@ -29,7 +29,7 @@ void ArchiveOptions::protect_from(const std::string& output) const {
 
 void make_way(Console& console, const std::string& output, bool prints_json) {
   if (prints_json && is_standard_output(output)) {
-    throw UsageError("-o and --json cannot both go to standard output; state a file for -o");
+    throw UsageError("-o and --json cannot both go to standard output; give a file for -o");
   }
   console.make_way_for(output);
 }
@@ -53,14 +53,13 @@ std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
 }
 
 void add_filter(CLI::App& command, archive::store::Filter& filter) {
-  command.add_option("--robot", filter.robot, "of this robot alone");
-  command.add_option("--serial", filter.serial, "of this serial number alone");
-  command.add_option("--joint", filter.joint, "of this joint alone");
+  command.add_option("--robot", filter.robot, "only this robot");
+  command.add_option("--serial", filter.serial, "only this serial number");
+  command.add_option("--joint", filter.joint, "only this joint");
 }
 
 std::function<Run()> add_archive(CLI::App& app) {
-  CLI::App* const archive =
-      app.add_subcommand("archive", "keep calibrations, compare them, watch them");
+  CLI::App* const archive = app.add_subcommand("archive", "keep, compare and monitor calibrations");
   archive->require_subcommand(1);
   archive->fallthrough();
   std::vector<std::pair<CLI::App*, Run>> commands;
@@ -89,15 +88,15 @@ Run add_verify(CLI::App& archive) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command =
-      *archive.add_subcommand("verify", "proves that nothing in it was lost or altered");
+      *archive.add_subcommand("verify", "prove that nothing in it was lost or altered");
   command.add_option("--head", options->head,
-                     "a head that an earlier verify told: nothing before it may be lost");
+                     "a head reported by an earlier verify: nothing before it may be lost");
   const auto where = add_archive_options(command);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command.footer(
-      "\nEach calibration has a digest over all it says, each addition and removal is a link of a\n"
-      "chain. The last link, the head, names the state of the archive: written down, it proves\n"
-      "later that nothing up to it was lost. Status 6 where something is wrong.");
+      "\nEach calibration has a digest of its contents, each addition and removal is a link in "
+      "a\nchain. The last link, the head, identifies the state of the archive: written down, it "
+      "proves\nlater that nothing up to it was lost. Status 6 if something is wrong.");
   return [where, options](const Invocation& call) {
     const auto outcome = where->open(archive::sql::Access::read)
                              .verify(options->head, [&](std::size_t done, std::size_t all) {
@@ -121,13 +120,13 @@ Run add_verify(CLI::App& archive) {
 
 Run add_backup(CLI::App& archive) {
   const auto output = std::make_shared<std::string>();
-  CLI::App& command = *archive.add_subcommand("backup", "a copy in a file of its own");
-  command.add_option("-o,--output", *output, "file to write; none may be there")->required();
+  CLI::App& command = *archive.add_subcommand("backup", "write a copy to another file");
+  command.add_option("-o,--output", *output, "file to write; must not exist yet")->required();
   const auto where = add_archive_options(command);
-  command.footer("\nOthers may go on archiving meanwhile: the copy is of one moment.");
+  command.footer("\nOthers may keep archiving meanwhile: the copy is a consistent snapshot.");
   return [where, output](const Invocation& call) {
     if (*output == "-") {
-      throw UsageError("archive backup: a backup is a database, which needs a file of its own");
+      throw UsageError("archive backup: a backup is a database and needs a file");
     }
     where->protect_from(*output);
     where->open(archive::sql::Access::read).backup(*output);

@@ -28,7 +28,8 @@ struct AddOptions {
 void check(const AddOptions& options) {
   const bool of_one = !options.report.empty() || !options.inputs.empty();
   if (of_one && options.calibrations.size() > 1) {
-    throw UsageError("--report and --inputs belong to one calibration; add them one by one");
+    throw UsageError(
+        "--report and --inputs apply to a single calibration; add calibrations one at a time");
   }
 }
 
@@ -36,18 +37,18 @@ void check(const AddOptions& options) {
 
 Run add_add(CLI::App& archive) {
   const auto options = std::make_shared<AddOptions>();
-  CLI::App& command = *archive.add_subcommand("add", "keep calibrations that identify wrote");
+  CLI::App& command = *archive.add_subcommand("add", "archive calibrations written by identify");
   command.add_option("CALIBRATION", options->calibrations, "calibration files (JSON)")->required();
-  command.add_option("--report", options->report, "its report (HTML), kept as it is");
+  command.add_option("--report", options->report, "its report (HTML), kept unchanged");
   command.add_option("--inputs", options->inputs,
-                     "directory of its manifest: manifest and recordings are kept too");
+                     "directory of its manifest: also keep manifest and recordings");
   command.add_flag("--again", options->again,
-                   "where the same inputs are archived already: keep it beside that one");
-  command.add_flag("--json", options->json, "a line of JSON for each, as soon as it is kept");
+                   "if the same inputs are already archived: keep this one as well");
+  command.add_flag("--json", options->json, "one line of JSON for each, as soon as it is archived");
   const auto where = add_archive_options(command);
   command.footer(
-      "\nWhat was said to be archived is on the disk. The same inputs archived twice are one\n"
-      "entry. All files are read before the first one is kept.");
+      "\nWhatever is reported as archived is on disk. The same inputs archived twice are "
+      "one\nentry. All files are read before the first one is archived.");
   return [where, options](const Invocation& call) {
     check(*options);
     const std::string now = calibration::make_provenance({}).created_utc;
@@ -68,7 +69,7 @@ Run add_add(CLI::App& archive) {
       }
       if (!report.empty() && !kept.attach_report(added.id, report, now)) {
         call.console.warn("note: " + added.id.substr(0, calibration::shown_digits) +
-                          " has a report already, which stays");
+                          " already has a report, which is kept");
       }
     }
     return ExitStatus::done;
@@ -103,7 +104,7 @@ Run add_list(CLI::App& archive) {
     bool json{false};
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *archive.add_subcommand("list", "which calibrations it holds");
+  CLI::App& command = *archive.add_subcommand("list", "list its calibrations");
   const auto where = add_archive_options(command);
   add_filter(command, options->filter);
   command.add_flag("--json", options->json, "as JSON, to standard output");
@@ -127,12 +128,12 @@ Run add_remove(CLI::App& archive) {
     bool json{false};
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *archive.add_subcommand("remove", "takes calibrations out for good");
+  CLI::App& command = *archive.add_subcommand("remove", "remove calibrations permanently");
   command.add_option("ID", options->ids, "the first digits of their ids")->required();
-  command.add_flag("--yes", options->is_sure, "without it, it is only said what would go");
+  command.add_flag("--yes", options->is_sure, "without it, only show what would be removed");
   command.add_flag("--json", options->json, "what was removed, as JSON to standard output");
   const auto where = add_archive_options(command);
-  command.footer("\nThe chain remembers that it was removed, and when.");
+  command.footer("\nThe chain records that it was removed, and when.");
   return [where, options](const Invocation& call) {
     const std::string now = calibration::make_provenance({}).created_utc;
     archive::store::CalibrationArchive kept =
@@ -149,7 +150,7 @@ Run add_remove(CLI::App& archive) {
       call.console.say((options->is_sure ? "removed: " : "would be removed: ") + what);
     }
     if (!options->is_sure) {
-      throw UsageError("archive remove: nothing was removed; --yes removes for good");
+      throw UsageError("archive remove: nothing was removed; --yes removes permanently");
     }
     if (options->json) print_json(archive::store::removed_json(entries));
     return ExitStatus::done;

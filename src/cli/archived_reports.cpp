@@ -147,27 +147,27 @@ calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
   const std::string page = report::without_sign_off(read_file(path));
   if (const auto entry = kept.find_report(sha256_hex(page))) return *entry;
   throw InputError({path, 0, 0}, {"this report is not in the archive", "",
-                                  "one that it holds, unchanged", hint_for(kept, page, path)});
+                                  "one that it contains, unchanged", hint_for(kept, page, path)});
 }
 
 }  // namespace
 
 std::function<Run()> add_review(CLI::App& app) {
   const auto options = std::make_shared<ReviewOptions>();
-  CLI::App& command = *app.add_subcommand("review", "approve or reject a report that is archived");
+  CLI::App& command = *app.add_subcommand("review", "approve or reject an archived report");
   command.add_option("REPORT", options->report, "the report (HTML), or the id of its calibration")
       ->required();
   auto* const approve = command.add_flag("--approve", options->approve, "the report is good");
   command.add_flag("--reject", options->reject, "it is not")->excludes(approve);
   command.add_option("--reviewer", options->reviewer, "who decides")->required();
-  command.add_option("--note", options->note, "why, or under which condition");
+  command.add_option("--note", options->note, "reason or condition");
   command.add_option("-o,--output", options->output,
                      "report with the decision (HTML) to write; default: the report itself");
   const auto where = add_archive_options(command);
   command.footer(
-      "\nThe decision is kept in the archive with reviewer and time, behind earlier ones; none is\n"
-      "ever changed. Reports written from then on show it; `tribolog archive report ID\n"
-      "--original` gives the report as it was made, byte for byte.");
+      "\nThe decision is kept in the archive with reviewer and time, after earlier ones; none "
+      "is\never changed. Reports written from then on show it; `tribolog archive report "
+      "ID\n--original` gives the report as it was made, byte for byte.");
   return [&command, where, options]() -> Run {
     if (!command) return {};
     return [where, options](const Invocation& call) {

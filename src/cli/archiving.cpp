@@ -37,8 +37,8 @@ void tell_added(const archive::store::Added& added, const std::string& what, Con
     console.say(fmt::format("archived: {} ({})", id, file));
   } else {
     console.say(fmt::format(
-        "already archived: {} ({}), identified by tribolog {}; --again keeps this one beside it",
-        id, file, printable(added.tool_version)));
+        "already archived: {} ({}), identified by tribolog {}; --again keeps this one as well", id,
+        file, printable(added.tool_version)));
   }
 }
 
@@ -104,7 +104,7 @@ std::optional<EarlierCalibration> Archiving::since_last() {
 void Archiving::keep_report(const std::string& html, Console& console) {
   if (!archive_) return;
   if (!archive_->attach_report(id_, html, calibration::make_provenance({}).created_utc)) {
-    console.say("the archive keeps the report it has of " +
+    console.say("the archive keeps its existing report of " +
                 id_.substr(0, calibration::shown_digits));
   }
 }

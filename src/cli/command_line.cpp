@@ -22,18 +22,18 @@ constexpr const char* overview = R"(Identification reports of robot joints from 
 A dataset manifest (TOML) names the robot, the joint, its gear ratio, what the
 effort column is, and the recordings by role. From it tribolog finds the centre
 of gravity, the surrogate mass, the friction hysteresis and the viscous curve,
-says how sure it is of each, and writes one HTML report.
+states an uncertainty for each, and writes one HTML report.
 
   tribolog simulate examples/paper/scenario_noise.toml -o out/paper
   tribolog report out/paper/dataset.toml -o out/paper/report.html
 )";
 
 constexpr const char* exit_statuses = R"(
-Exit status: 0 done; 1 the verdict fails and --fail-on asked for that, or a check
+Exit status: 0 done; 1 the verdict fails and --fail-on was given, or a check
 of the paper does not hold; 2 usage; 3 an input file is refused; 4 an output file
 or standard output cannot be written (no file was changed, unless the message says
 which are kept); 5 a figure could not be drawn (the numbers are kept); 6 the
-archive is damaged, locked or of a newer program; 70 a fault of the program, or no
+archive is damaged, locked or from a newer program; 70 internal error, or out of
 memory; 128 + n: ended by signal n (130: SIGINT, 143: SIGTERM).)";
 
 /// An unset variable of a script is not meant to be the user's own archive, which `--archive` alone
@@ -87,7 +87,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   bool version = false;
   bool verbose = false;
   app.add_flag("-q,--quiet", quiet, "print errors only");
-  app.add_flag("--version", version, "print the versions of the program and of what it stands on");
+  app.add_flag("--version", version,
+               "print the versions of the program and of the libraries it uses");
   app.add_flag("--verbose", verbose, "with --version: start the graphics stack and name it too");
   app.fallthrough();
 

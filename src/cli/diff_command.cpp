@@ -79,18 +79,17 @@ Run add_diff(CLI::App& archive) {
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command
       .add_option("--allowed-kelvin", options->allowed.temperature_K,
-                  "friction is compared up to this difference of temperature")
+                  "compare friction only up to this temperature difference")
       ->check(number_between(0, 1000))
       ->capture_default_str();
   command.add_flag("--different-joints", options->different_joints,
-                   "compare two that are not of one joint");
+                   "allow calibrations of different joints");
   add_processes(command, options->processes);
   add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(
-      "\nEach quantity's change has a 95 % interval, made of both intervals. \"changed\" takes "
-      "into\n"
-      "account that several quantities are looked at.");
+      "\nEach quantity's change has a 95 % interval, combined from both. \"changed\" takes "
+      "into\naccount that several quantities are compared.");
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);

@@ -42,7 +42,8 @@ std::string text_of(const ExportOptions& options, const exports::results::Archiv
 
 Run add_export(CLI::App& archive) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App& command = *archive.add_subcommand("export", "one calibration for where it is used");
+  CLI::App& command =
+      *archive.add_subcommand("export", "export one calibration for use in other programs");
   command.add_option("ID", options->id, "the first digits of its id")->required();
   command.add_option("--format", options->format, "csv, json, latex, urdf, mjcf or modelica")
       ->required()
@@ -52,7 +53,7 @@ Run add_export(CLI::App& archive) {
                    "urdf, mjcf, modelica: also numbers whose verdict is not usable");
   command
       .add_option("--side", options->side,
-                  "modelica: side of the gear on which the bearing stands; default: joint")
+                  "modelica: side of the gear on which the bearing is; default: joint")
       ->check(CLI::IsMember({"joint", "motor"}));
   command
       .add_option("--arm-inertia", options->simulator.arm_inertia_kgm2,
@@ -61,10 +62,11 @@ Run add_export(CLI::App& archive) {
       ->check(number_between(0, 1e9));
   const auto where = add_archive_options(command);
   command.footer(
-      "\nEach file says in its comments what it is of, and the conversions of units and sides.\n"
-      "csv, json, latex: every quantity on both sides of the gear, marked with its verdict.\n"
-      "urdf: <dynamics damping friction>. mjcf: <joint damping frictionloss armature>.\n"
-      "modelica: tau_pos and peak of Modelica.Mechanics.Rotational.Components.BearingFriction.");
+      "\nEach file states in its comments what it describes, and the conversions of units and "
+      "sides.\ncsv, json, latex: every quantity on both sides of the gear, marked with its "
+      "verdict.\nurdf: <dynamics damping friction>. mjcf: <joint damping frictionloss "
+      "armature>.\nmodelica: tau_pos and peak of "
+      "Modelica.Mechanics.Rotational.Components.BearingFriction.");
   return [where, options](const Invocation& call) {
     check(*options);
     where->protect_from(options->output);

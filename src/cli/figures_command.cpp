@@ -76,7 +76,7 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
               }
             }
           },
-          "png (the default), svg, pdf: one or more, with commas between them")
+          "png (the default), svg, pdf: one or more, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(figure_formats))
@@ -92,10 +92,10 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   add_processes(command, figures.processes);
   add_language(command, figures.language);
   command.footer(
-      "\nThe figure of the known-truth check comes with --truth-runs 20, as in a report.\n"
-      "SVG and PDF keep text as text and carry the letters they use. Charts in them need no\n"
-      "graphics stack; the solid parts of the robot's drawings are a picture below the lines.\n"
-      "--style paper leaves the title to the caption; letters are 7 to 8 pt in print.");
+      "\n--truth-runs 20 adds the figure of the known-truth check, as in a report.\nSVG and PDF "
+      "keep text as text and embed the glyphs they use. Charts in them need no\ngraphics stack; "
+      "the solid parts of the robot's drawings are a picture below the lines.\n--style paper "
+      "leaves the title to the caption; letters are 7 to 8 pt in print.");
   return command;
 }
 

@@ -80,9 +80,9 @@ Run add_fleet(CLI::App& archive) {
   const auto where = add_archive_options(command);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command.footer(
-      "\nEach joint's latest results against the median of the same joint of the other robots and\n"
-      "of its own past, by a robust z; the page says how. A report has the size of its figures:\n"
-      "--reports writes one for every joint that has one in the archive.");
+      "\nEach joint's latest results against the median of the same joint of the other robots "
+      "and\nof its own past, by a robust z; the page explains how. Reports are as large as their "
+      "figures:\n--reports writes one for every joint that has one in the archive.");
   return [where, options](const Invocation& call) {
     check(*options);
     where->protect_from(options->output);

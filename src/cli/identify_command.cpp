@@ -40,28 +40,28 @@ The manifest says, for example:
   [joint]
   name = "J3"
   gear_ratio = 100
-  [effort]                      # never guessed: it must be stated
+  [effort]                      # never guessed: must be stated
   kind = "motor_current"        # or "motor_torque", "joint_torque"; "target_torque": a
                                 # controller's value; "none": the log has no torque, and what
                                 # its motion shows is checked
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
-  confirmed = true              # false: kind and side are a proposal; the report warns
+  confirmed = true              # false: kind and side are only proposed; the report warns
   [columns]
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }
-  effort = { name = "i", unit = "A" }    # file = "tau.csv": where it stands in another file,
+  effort = { name = "i", unit = "A" }    # file = "tau.csv": if it is in another file,
                                          # row by row; time = its time's name there
   [intervals]                   # optional: of the 95 % intervals by resampling
-  resamples = 1000              # 0: closed forms alone
+  resamples = 1000              # 0: closed forms only
   seed = 1
   [[recording]]
   role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
   file = "sweep.csv"
-  [[limit]]                     # optional: what you accept; the report says whether it is kept
-  quantity = "coulomb_joint_Nm" # a wrong name gets the list of them
+  [[limit]]                     # optional: what you accept; the report says whether it is met
+  quantity = "coulomb_joint_Nm" # a wrong name prints the list
   max = 15                      # max, min, half_width, half_width_percent
-  [log]                         # optional: what a text log cannot tell itself
+  [log]                         # optional: what a text log does not show by itself
   decimal_comma = true
   skip_bad_rows = true          # damaged rows: leave out and count them, up to 1 %
   [[known_load]]                # optional: gravity of further axes, subtracted from the logs
@@ -71,8 +71,8 @@ The manifest says, for example:
   amplitude_Nm = 38.465
   q_peak_deg = 90
 
-Each role may occur any number of times, and each is optional: what is absent
-makes the stages that need it say so; the rest still runs. README.md, "Your own
+Each role may occur any number of times, and each is optional: if one is absent,
+the stages that need it say so; the rest still runs. README.md, "Your own
 joint", describes every key.)";
 
 }  // namespace
@@ -96,7 +96,7 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   command.add_option("DATASET", report.dataset, "dataset manifest (TOML)")->required();
   command.add_option("-o,--output", report.output, "report (HTML) to write")->required();
   command.add_option("--calibration", report.calibration,
-                     "where to write the numbers (JSON); default: beside the report");
+                     "where to write the numbers (JSON); default: next to the report");
   command.add_flag_callback(
       "--no-figures", [&report] { report.figures = false; }, "numbers and tables only");
   add_truth_runs(command, report.truth_runs);
@@ -106,10 +106,10 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   add_processes(command, report.processes);
   add_language(command, report.language);
   command.footer(
-      std::string("\nReport and numbers replace older ones together, once both are on the disk;\n"
-                  "where one cannot be written, both stay. With --archive the archive keeps the\n"
-                  "numbers before figures are drawn, whatever becomes of the files.\n"
-                  "-o - is standard output; --calibration then states where the numbers go.\n") +
+      std::string("\nReport and numbers replace older ones together, once both are on disk;\nif "
+                  "one cannot be written, both old ones remain. With --archive the archive keeps "
+                  "the\nnumbers before figures are drawn, whatever happens to the files.\n-o - is "
+                  "standard output; --calibration then states where the numbers go.\n") +
       manifest_help);
   return command;
 }

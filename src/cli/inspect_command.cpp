@@ -85,17 +85,17 @@ void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& c
   for (const auto& [role, count] : counts) {
     roles += fmt::format("{}{} {}", roles.empty() ? "" : ", ", count, joint::to_string(role));
   }
-  console.say(fmt::format("joint {}: {}",
-                          proposal.joint.empty() ? "without a name" : in_quotes(proposal.joint),
-                          proposal.roles.is_makeshift
-                              ? "no motion that a stage reads; each log is named as a rough_sweep "
-                                "for the time being"
-                              : roles));
+  console.say(fmt::format(
+      "joint {}: {}", proposal.joint.empty() ? "without a name" : in_quotes(proposal.joint),
+      proposal.roles.is_makeshift
+          ? "no motion that a stage can use; each log is listed as a rough_sweep for now"
+          : roles));
   if (!proposal.moves_too.empty()) {
-    console.say("others that move too: " + list_of_names(proposal.moves_too, 8));
+    console.say("others that also move: " + list_of_names(proposal.moves_too, 8));
   }
   if (!proposal.roles.without_role.empty()) {
-    console.say(fmt::format("{} log(s) hold nothing to use", proposal.roles.without_role.size()));
+    console.say(
+        fmt::format("{} log(s) contain nothing usable", proposal.roles.without_role.size()));
   }
 }
 
@@ -123,7 +123,7 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   namespace fs = std::filesystem;
   if (!options.force && is_file_output(options.output) && fs::exists(options.output)) {
     throw OutputError(printable(options.output, 400) +
-                      ": exists, and is left as it is; --force replaces it");
+                      ": exists and was left unchanged; --force replaces it");
   }
   check_output_can_be_written(options.output, options.logs.files);
   console.make_way_for(options.output);
@@ -145,13 +145,12 @@ const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format")->required();
   command.add_option("--joint", logs.known.joint,
-                     "the joint, by its name in the logs; default: the one "
-                     "that moves most");
+                     "name of the joint in the logs; default: the one that moves most");
   command.add_option("--gear-ratio", logs.known.gear_ratio, "motor angle / joint angle")
       ->check(number_between(1e-3, 1e6));
   command
       .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
-                  "N·m per ampere, of a motor current")
+                  "N·m per ampere, for a motor current")
       ->check(number_between(1e-6, 1e6));
   command
       .add_option_function<std::string>(
@@ -167,7 +166,7 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       "text logs have decimal commas");
   command
       .add_option("--header-line", rules.header_line,
-                  "line of the columns' names, where others stand in front of it")
+                  "line with the column names, if other lines precede it")
       ->check(number_between(1, 1e9));
   command.add_flag_callback(
       "--latin1", [&rules] { rules.encoding = ingest::text::TextEncoding::latin1; },
@@ -177,14 +176,14 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
 }  // namespace
 
 CLI::App& add_inspect(CLI::App& app, InspectOptions& inspect) {
-  CLI::App& command =
-      *app.add_subcommand("inspect", "what a log holds: columns, clock, motion, a manifest for it");
+  CLI::App& command = *app.add_subcommand(
+      "inspect", "what a log contains: columns, clock, motion, a manifest for it");
   add_inspected_logs(command, inspect.logs);
-  command.add_option("--json", inspect.json, "file for all of it (JSON)");
+  command.add_option("--json", inspect.json, "file for the full result (JSON)");
   command.footer(
-      "\nGuesses are marked as such. Speeds are slopes of the angle between marks of its travel;\n"
-      "the logged speed is not trusted. A log that is refused does not keep the others from\n"
-      "being shown; the exit status is 3 then.");
+      "\nGuesses are marked as such. Speeds are slopes of the angle between marks of its "
+      "travel;\nthe logged speed is not trusted. A log that is refused does not prevent the others "
+      "from\nbeing shown; the exit status is 3 then.");
   return command;
 }
 
@@ -192,10 +191,10 @@ CLI::App& add_init(CLI::App& app, InitOptions& init) {
   CLI::App& command = *app.add_subcommand("init", "write the manifest that inspect proposes");
   add_inspected_logs(command, init.logs);
   command.add_option("-o,--output", init.output, "manifest (TOML) to write")->required();
-  command.add_flag("--force", init.force, "replace a manifest that exists");
+  command.add_flag("--force", init.force, "replace an existing manifest");
   command.footer(
-      "\nGear ratio and torque constant are seldom in a log: state them here, or in the file.\n"
-      "Its comments say what was guessed.");
+      "\nGear ratio and torque constant are rarely in a log: state them here, or in the file.\nIts "
+      "comments say what was guessed.");
   return command;
 }
 

@@ -69,8 +69,8 @@ std::string heading_of(const std::string& model) {
 
 void list_models(Console& console) {
   console.say(
-      "dynamic friction models, as a scenario names them (friction.model), and their own\n"
-      "parameters (table [friction.<model>], each matched to [friction.presliding] if not "
+      "dynamic friction models, by their name in a scenario (friction.model), and their "
+      "own\nparameters (table [friction.<model>], each matched to [friction.presliding] if not "
       "stated):\n");
   for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     console.say(fmt::format("  {}\n    shows {}{}\n{}", heading_of(one.name), shown_by(one.traits),
@@ -83,7 +83,7 @@ void list_models(Console& console) {
     console.say(
         fmt::format("  {}\n{}", heading_of(one.name), parameter_lines(one.name, one.parameters)));
   }
-  console.say("[ ]: the usual value, where neither the file nor a match gives one");
+  console.say("[ ]: the default, where neither the file nor a match gives one");
 }
 
 std::vector<figures::ModelExperiment> experiments_in(const wording::Language& language,
@@ -116,7 +116,7 @@ CLI::App& add_models(CLI::App& app, ModelsOptions& models) {
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {
   if (options.compare == options.output.empty()) {
-    throw UsageError("tribolog models: --compare and -o FILE belong together; see its --help");
+    throw UsageError("tribolog models: --compare and -o FILE go together; see its --help");
   }
   if (!options.compare) {
     list_models(console);
@@ -127,7 +127,7 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   calibration::Provenance provenance = calibration::make_provenance(arguments);
   render::workers::FigureRenderer renderer(
       options.processes);  // starts while the models are computed
-  console.progress("moving the models", 0, 1);
+  console.progress("simulating the models", 0, 1);
   const friction::ContactParameters contact;
   std::vector<figures::ModelExperiment> experiments = experiments_in(options.language, contact);
   if (!options.language.is_english()) {

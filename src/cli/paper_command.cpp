@@ -62,13 +62,13 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
 
 CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
   CLI::App& command =
-      *app.add_subcommand("paper", "regenerate the paper, and check it against its print");
+      *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
   command.add_option("-o,--output", paper.output, "page (HTML) to write")->required();
   add_processes(command, paper.processes);
   add_language(command, paper.language);
   command.footer(
-      "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
-      "table and equation against what is printed. Status 1 if a check does not hold.");
+      "\nSimulates the paper's joint, identifies it, draws all figures, and compares every "
+      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.");
   return command;
 }
 

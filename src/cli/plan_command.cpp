@@ -57,8 +57,8 @@ void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
 [[noreturn]] void refuse_together(const std::invalid_argument& error, const std::string& text,
                                   const std::string& file) {
   throw InputError(ingest::manifest::place_in_toml(text, file, "joint", ""),
-                   {"no plan can be made of this: " + wording::words(error), "", "",
-                    "are all numbers in the units that their keys name?"});
+                   {"no plan can be made from this: " + wording::words(error), "", "",
+                    "are all numbers in the units that their keys state?"});
 }
 
 /// @throw InputError: numbers of which each is possible, and of which together no plan comes.
@@ -134,15 +134,13 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
 
 CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
   CLI::App& command =
-      *app.add_subcommand("plan", "plan the experiment on a joint, and what to expect of it");
+      *app.add_subcommand("plan", "plan the experiment on a joint, and what to expect from it");
   constexpr std::size_t most = 10'000;
   command.add_option("JOINT", plan.joint, "file of the joint (TOML)")->required();
   command.add_option("-o,--output", plan.directory, "directory to write to")->required();
   command.add_option("--calibration", plan.calibration,
                      "calibration (JSON) of this joint, from an earlier plan");
-  command
-      .add_option("--runs", plan.runs,
-                  "simulations behind the intervals to expect; 0: none are made")
+  command.add_option("--runs", plan.runs, "simulations behind the intervals to expect; 0: none")
       ->check(CLI::Range(std::size_t{0}, most))
       ->capture_default_str();
   command.add_option("--seed", plan.seed, "seed of their noise")
@@ -152,12 +150,12 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
   add_processes(command, plan.processes);
   add_language(command, plan.language);
   command.footer(
-      "\nFrom the joint's limits of angle, speed, acceleration and torque, and what is known of\n"
-      "gravity, friction, encoder and ripple: the sweeps, oscillations, runs and ramps to carry\n"
-      "out, and the intervals to expect, by simulation. Writes plan.html, plan.json,\n"
-      "setpoints.csv (time, angle, speed; torque of the ramps) and dataset.toml, with which\n"
-      "`tribolog report` takes the log that is recorded. What the limits do not allow is said,\n"
-      "with the number and what would help. examples/plan/joint.toml shows every key.");
+      "\nFrom the joint's limits of angle, speed, acceleration and torque, and what is known "
+      "of\ngravity, friction, encoder and ripple: the sweeps, oscillations, runs and ramps to "
+      "carry\nout, and the intervals to expect, by simulation. Writes plan.html, "
+      "plan.json,\nsetpoints.csv (time, angle, speed; torque of the ramps) and dataset.toml, with "
+      "which\n`tribolog report` reads the recorded log. What the limits do not allow is "
+      "reported,\nwith the number and what would help. examples/plan/joint.toml shows every key.");
   return command;
 }
 

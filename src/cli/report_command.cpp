@@ -28,7 +28,7 @@ std::string calibration_of(const ReportOptions& options) {
   if (!options.calibration.empty()) return options.calibration;
   if (is_file_output(options.output)) return calibration_beside(options.output);
   throw UsageError(
-      "tribolog report: nothing can stand beside standard output, a pipe or a device; "
+      "tribolog report: no file can be placed next to standard output, a pipe or a device; "
       "--calibration FILE states where the numbers go");
 }
 

@@ -90,9 +90,9 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
           "a value, in the user's own")
       ->expected(0, 1)
       ->type_name("LOCATION");
-  command.add_flag("--archive-inputs", archiving.inputs, "manifest and recordings too");
+  command.add_flag("--archive-inputs", archiving.inputs, "also archive manifest and recordings");
   command.add_flag("--archive-again", archiving.again,
-                   "where the same inputs are archived already: keep this beside that");
+                   "if the same inputs are already archived: keep this one as well");
   command
       .add_option("--wait", archiving.wait_s,
                   "seconds to wait while another process writes to the archive")
@@ -123,9 +123,10 @@ void add_threads(CLI::App& command, std::size_t& threads) {
 
 void add_language(CLI::App& command, wording::Language& language) {
   command
-      .add_option("--language", language.code,
-                  fmt::format("of the texts: {}; numbers, units and JSON are the same in each",
-                              codes_in_words()))
+      .add_option(
+          "--language", language.code,
+          fmt::format("language of the texts: {}; numbers, units and JSON are the same in each",
+                      codes_in_words()))
       ->check(CLI::IsMember(language_codes()))
       ->type_name("CODE");
 }

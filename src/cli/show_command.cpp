@@ -140,8 +140,8 @@ CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   command.add_option("FILE", show.file, "report (HTML) or calibration (JSON)")->required();
   command.add_flag("--json", show.json, "all of them as JSON, to standard output");
   command.footer(
-      "\nEvery page of tribolog carries its numbers as JSON; --json gives them back as they\n"
-      "are. Values are SI, torques at the motor.");
+      "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
+      "are SI, torques at the motor.");
   return command;
 }
 
@@ -149,7 +149,7 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
   const report::EmbeddedJson numbers = numbers_of(read_file(options.file), options.file);
   if (numbers.element != result_element) {
     if (!options.json) {
-      throw UsageError(fmt::format("{}: the page holds {}, which is shown with --json alone",
+      throw UsageError(fmt::format("{}: the page contains {}, which only --json shows",
                                    printable(options.file, longest_path), numbers.element));
     }
     print_json(numbers.json);

@@ -24,7 +24,7 @@ std::vector<joint::Recording> simulated(const simulate::Scenario& scenario,
     throw InputError(
         ingest::manifest::place_in_toml(read_file(file), file, "friction", "presliding"),
         {"cannot be simulated: " + wording::words(error), "", "",
-         "are all numbers in the units that their keys name?"});
+         "are all numbers in the units that their keys state?"});
   }
 }
 
@@ -47,7 +47,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
 
 CLI::App& add_simulate(CLI::App& app, SimulateOptions& simulate) {
   CLI::App& command =
-      *app.add_subcommand("simulate", "simulate a joint: recordings, manifest and the truth");
+      *app.add_subcommand("simulate", "simulate a joint: recordings, manifest and true values");
   command.add_option("SCENARIO", simulate.scenario, "scenario file (TOML)")->required();
   command.add_option("-o,--output", simulate.directory, "directory to write to")->required();
   command.add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's")

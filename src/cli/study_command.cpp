@@ -100,11 +100,10 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   command.add_option("-o,--output", study.output, "page (HTML) to write")->required();
   command.add_option("--json", study.json, "file for all numbers (JSON)");
   command
-      .add_option("--factor", study.factors,
-                  "study this one alone (may be given again); default: all")
+      .add_option("--factor", study.factors, "study only this one (may be repeated); default: all")
       ->check(CLI::IsMember({"torque_noise", "torque_step", "encoder", "ripple_one_position",
                              "ripple_eight_positions", "amplitude", "cycles"}));
-  command.add_option("--runs", study.runs, "runs of each case")
+  command.add_option("--runs", study.runs, "runs per case")
       ->check(CLI::Range(std::size_t{2}, most))
       ->capture_default_str();
   command.add_option("--seed", study.seed, "seed of all noise")
@@ -119,14 +118,12 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   add_processes(command, study.processes);
   add_language(command, study.language);
   command.footer(
-      "\nSimulates the scenario again and again with noise of its own in each run, identifies "
-      "each,\n"
-      "and holds every estimator against the truth: bias, scatter, and coverage of the stated 95 "
-      "%\n"
-      "intervals, one factor at a time about the base case: white torque noise, torque step,\n"
-      "encoder, ripple from one and from eight motor positions, amplitude and cycles of the\n"
-      "oscillation. 200 runs of about thirty cases take some minutes on two cores; --runs 20\n"
-      "shows the biases in seconds.");
+      "\nSimulates the scenario many times, each run with its own noise, identifies each,\nand "
+      "compares every estimator with the truth: bias, scatter, and coverage of the stated 95 "
+      "%\nintervals, one factor at a time around the base case: white torque noise, torque "
+      "step,\nencoder, ripple from one and from eight motor positions, amplitude and cycles of "
+      "the\noscillation. 200 runs of about thirty cases take some minutes on two cores; --runs "
+      "20\nshows the biases in seconds.");
   return command;
 }
 

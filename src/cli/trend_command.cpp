@@ -49,10 +49,11 @@ void tell(const history::JointTrend& trend, Console& console) {
 
 ExitStatus write_page(const TrendOptions& options, const std::vector<history::JointTrend>& trends,
                       const Invocation& call) {
-  if (trends.empty()) throw UsageError("no calibration is of that robot, serial number and joint");
+  if (trends.empty())
+    throw UsageError("there is no calibration of that robot, serial number and joint");
   if (trends.size() > most_joints_of_a_page) {
     throw UsageError(fmt::format(
-        "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
+        "these are {} joints; a page holds at most {}; choose with --robot, --serial and --joint",
         trends.size(), most_joints_of_a_page));
   }
   const auto figures =
@@ -71,31 +72,31 @@ Run add_trend(CLI::App& archive) {
   const auto options = std::make_shared<TrendOptions>();
   options->filter.latest_revisions = true;
   CLI::App& command =
-      *archive.add_subcommand("trend", "joints over time: what moved, and from when on");
+      *archive.add_subcommand("trend", "joints over time: what changed, and since when");
   add_filter(command, options->filter);
   command.add_option("-o,--output", options->output, "page (HTML) to write");
   command.add_flag("--json", options->json, "as JSON, to standard output");
-  CLI::Option* const count = command
-                                 .add_option("--baseline", options->baseline.count,
-                                             "the first so many calibrations are only learned from")
-                                 ->check(whole_number())
-                                 ->capture_default_str();
+  CLI::Option* const count =
+      command
+          .add_option("--baseline", options->baseline.count,
+                      "number of first calibrations that only set the baseline")
+          ->check(whole_number())
+          ->capture_default_str();
   command
       .add_option("--baseline-from", options->baseline.from,
-                  "instead: those from this date on; what is older is not used")
+                  "instead: baseline from this date on; older calibrations are not used")
       ->excludes(count);
   command.add_option("--baseline-to", options->baseline.to, "and up to the end of this date")
       ->excludes(count);
   command.add_flag("--fail-on-warning", options->fails_on_warning,
-                   "status 1 where a change stands");
+                   "exit with status 1 if there is a change");
   add_processes(command, options->processes);
   add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(
       "\nEach quantity has a control chart (CUSUM), and a straight line over time for slow drifts. "
-      "A\nchange is told with the date from which it is visible; single odd calibrations are "
-      "none.\n"
-      "Friction is brought to one temperature where the calibrations state it.");
+      "A\nchange is reported with the date from which it is visible; a single odd calibration is "
+      "not one.\nFriction is corrected to one temperature where the calibrations state it.");
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);

@@ -77,7 +77,7 @@ std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
   add(LuGreParameterName::static_torque, "Ts", "N·m");
   add(LuGreParameterName::coulomb_torque, "Tc", "N·m");
   add(LuGreParameterName::stribeck_speed, "ωs", "rad/s");
-  if (found.empty()) return tr("From the loop alone: no parameter is shown.");
+  if (found.empty()) return tr("From the loop alone: no parameter is identified.");
   return tr("From the loop alone: {parameters}.", {{"parameters", wording::listed(found)}});
 }
 
@@ -114,21 +114,21 @@ std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& ca
       wording::size_words(loop.residual_Nm, wording::torque_floor_Nm, "N·m");
   const std::string left = wording::size_words(misfit.largest(), wording::torque_floor_Nm, "N·m");
   out.caption = found_sentence(*fit) + " " +
-                tr("Single samples scatter about the fit by {scatter}; averaged over the angle, at "
-                   "most {misfit} is left.",
+                tr("Single samples scatter about the fit by {scatter}; averaged over the angle, "
+                   "the residual is at most {misfit}.",
                    {{"scatter", scatter}, {"misfit", left}});
   if (fit->loops.size() > 1) {
     out.caption += " " + tr("The first of {loops} loops that were fitted together.",
                             {{"loops", fit->loops.size()}});
   }
-  out.how_to_read = tr(
-      "Below, the mean should lie far inside the band and cross zero often. A bow or a step that "
-      "both directions repeat is friction that this model does not have; opposite signs of the two "
-      "directions are a loop too wide or too narrow.");
-  out.alt = tr(
-      "Measured torque over joint angle with the fitted LuGre loop on it, and the mean of what the "
-      "fit leaves, at most {misfit} against a scatter of {scatter}.",
-      {{"misfit", left}, {"scatter", scatter}});
+  out.how_to_read =
+      tr("Below, the mean should lie far inside the band and cross zero often. A bow or a step "
+         "seen in both directions is friction that this model does not have; opposite signs in the "
+         "two directions mean a loop that is too wide or too narrow.");
+  out.alt =
+      tr("Measured torque against joint angle with the fitted LuGre loop, and the mean residual of "
+         "the fit, at most {misfit} against a scatter of {scatter}.",
+         {{"misfit", left}, {"scatter", scatter}});
   return out;
 }
 
@@ -292,12 +292,10 @@ std::optional<ReportFigure> break_away_figure(const joint::Dataset& dataset,
                {{"ramps", result.ramps.size()}, {"break_away", found_and_censored(result)}});
   out.how_to_read =
       tr("From left to right the torque rises; samples at which the joint has not moved are not "
-         "drawn. In pre-sliding the travel grows smoothly; at "
-         "break-away it leaps by decades. Steps behind the first leap are slips that were caught "
-         "again, by "
-         "gravity or by friction that changes with the angle. Ramps of one direction that leap at "
-         "different "
-         "torques tell how far the break-away torque itself scatters.");
+         "drawn. In pre-sliding the travel grows smoothly; at break-away it leaps by decades. "
+         "Steps after the first leap are slips that were caught again, by gravity or by friction "
+         "that varies with the angle. Ramps in one direction that leap at different torques show "
+         "how much the break-away torque itself scatters.");
   out.alt = out.caption;
   return out;
 }

@@ -94,13 +94,13 @@ std::string caption_of_curves(const calibration::Calibration& calibration,
   }
   if (!(masses.span() > 0.0)) {
     return tr(
-        "Driving torque less the gravity torque of the candidate mass ({mass_kg} kg), over "
+        "Driving torque minus the gravity torque of the candidate mass ({mass_kg} kg), over "
         "{runs_and_speeds}.",
         {{"mass_kg", wording::significant(masses.low, 4)}, {"runs_and_speeds", runs}});
   }
   const std::size_t candidates = calibration.viscous.curves.size();
   return tr(
-      "Driving torque less the gravity torque of each of {candidates} candidate masses "
+      "Driving torque minus the gravity torque of each of {candidates} candidate masses "
       "({lightest_kg} to {heaviest_kg} kg), over {runs_and_speeds}.",
       {{"candidates", candidates},
        {"lightest_kg", wording::significant(masses.low, 3)},
@@ -205,10 +205,11 @@ std::optional<ReportFigure> friction_against_reference_figure(
   out.caption = tr("The candidates of figure 18 against the reference ({reference}).",
                    {{"reference", reference}}) +
                 away;
-  out.how_to_read = tr(
-      "Above, the reference is in black; AB, CD and EF are the means of opposite points. Below, "
-      "the distance to it: a wrong mass gives a level line off zero; a line that bends with speed "
-      "would be an error of the friction measurement itself, which no choice of mass repairs.");
+  out.how_to_read =
+      tr("Above, the reference is in black; AB, CD and EF are the means of opposite points. Below, "
+         "the difference from it: a wrong mass gives a level line off zero; a line that bends with "
+         "speed would be an error of the friction measurement itself, which no choice of mass can "
+         "correct.");
   out.alt =
       (wording::has_motor_side(calibration.manifest)
            ? tr("Candidate friction curves and the reference ({reference}) against motor speed.",
@@ -281,14 +282,14 @@ std::string alt_of_errors(const calibration::Calibration& calibration) {
   if (wording::has_motor_side(calibration.manifest)) {
     return tr_count(
         count,
-        "Error of {candidates} candidate in percent of the driving torque against motor speed.",
-        "Error of {candidates} candidates in percent of the driving torque against motor speed.",
+        "Error of {candidates} candidate in per cent of the driving torque against motor speed.",
+        "Error of {candidates} candidates in per cent of the driving torque against motor speed.",
         {{"candidates", count}});
   }
   return tr_count(
       count,
-      "Error of {candidates} candidate in percent of the driving torque against joint speed.",
-      "Error of {candidates} candidates in percent of the driving torque against joint speed.",
+      "Error of {candidates} candidate in per cent of the driving torque against joint speed.",
+      "Error of {candidates} candidates in per cent of the driving torque against joint speed.",
       {{"candidates", count}});
 }
 
@@ -324,13 +325,15 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
 
   const std::string rms = rms_of_selected(calibration);
   out.caption = caption_of_errors(quality, rms);
-  out.how_to_read = tr(
-      "The closer to zero over all speeds the better the mass. A wrong mass gives a level line in "
-      "each direction, a step apart because the driving torque differs; scatter of the same size "
-      "as the distance between two candidates means that the runs cannot choose between them.");
+  out.how_to_read =
+      tr("The closer to zero over all speeds, the better the mass. A wrong mass gives a level line "
+         "in each direction, with a step between them because the driving torque differs; scatter "
+         "as large as the distance between two candidates means that the runs cannot decide "
+         "between them.");
   if (quality.reference_rms_percent > 0.0) {
     out.how_to_read +=
-        " " + tr("An error within its bar says nothing: the reference is no better known.");
+        " " +
+        tr("An error within its bar is not significant: the reference is not known any better.");
   }
   out.alt = alt_of_errors(calibration) + rms;
   return out;

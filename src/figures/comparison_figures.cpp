@@ -118,9 +118,9 @@ std::optional<ReportFigure> friction_figure(const history::Comparison& c,
           {"second_runs", run_count(second)},
           {"second_calibration", looks[1].label}});
   out.how_to_read =
-      tr("A curve moved away from zero on both sides is Coulomb friction that rose; one that is "
-         "steeper is viscous friction, as of colder or thicker grease. Bars are 95 % intervals of "
-         "the torque.");
+      tr("A curve moved away from zero on both sides means higher Coulomb friction; a steeper one "
+         "means more viscous friction, as with colder or thicker grease. Bars are 95 % intervals "
+         "of the torque.");
   out.alt =
       tr("Friction over motor speed of both calibrations; mean size {first_friction} and "
          "{second_friction}.",
@@ -160,20 +160,19 @@ std::optional<ReportFigure> loop_figure(const history::Comparison& c,
   }
   out.figure.panels = {std::move(panel)};
   const wording::AxisScale size = wording::prefixed("N·m", span_of(a.torque_Nm));
-  out.caption =
-      tr("Steady loops of the first oscillation of each: {first_height} high on "
-         "{first_calibration}, {second_height} high on {second_calibration}; {first_width} and "
-         "{second_width} wide.",
-         {{"first_height", wording::with_unit(span_of(a.torque_Nm), size, 3)},
-          {"first_calibration", looks[0].label},
-          {"second_height", wording::with_unit(span_of(b.torque_Nm), size, 3)},
-          {"second_calibration", looks[1].label},
-          {"first_width", wording::with_unit(span_of(a.from_centre_rad), x, 3)},
-          {"second_width", wording::with_unit(span_of(b.from_centre_rad), x, 3)}});
+  out.caption = tr(
+      "Steady loops of the first oscillation in each: {first_height} high on {first_calibration}, "
+      "{second_height} high on {second_calibration}; {first_width} and {second_width} wide.",
+      {{"first_height", wording::with_unit(span_of(a.torque_Nm), size, 3)},
+       {"first_calibration", looks[0].label},
+       {"second_height", wording::with_unit(span_of(b.torque_Nm), size, 3)},
+       {"second_calibration", looks[1].label},
+       {"first_width", wording::with_unit(span_of(a.from_centre_rad), x, 3)},
+       {"second_width", wording::with_unit(span_of(b.from_centre_rad), x, 3)}});
   out.how_to_read =
-      tr("Loops of one width compare: a higher one is more friction, one moved up or down is "
-         "another gravity torque, steeper flanks are a stiffer contact. Loops of different width "
-         "were driven differently.");
+      tr("Loops of the same width can be compared: a higher one means more friction, one moved up "
+         "or down a different gravity torque, steeper flanks a stiffer contact. Loops of different "
+         "widths were driven differently.");
   out.alt = tr("Torque over angle of both calibrations.") + " " + out.caption;
   return out;
 }

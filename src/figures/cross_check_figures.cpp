@@ -73,11 +73,11 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
                    [](const method::intervals::CrossCheck& c) { return c.is_recommended; });
   ReportFigure out;
   out.id = "fig-masses-by-way";
-  out.title = tr("Surrogate mass by every way");
+  out.title = tr("Surrogate mass by every estimator");
   out.stage = "cross-checks";
   const wording::AxisScale scale = wording::levelled("kg", extent_of(checks));
   render::figure::Panel panel;
-  panel.x.title = tr("way, numbered as below");
+  panel.x.title = tr("estimator, numbered as below");
   panel.x.counts = true;
   panel.x.minimum = 0.5;
   panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
@@ -104,18 +104,18 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
       disagree == 0
           ? tr("All agree with the recommended one within the interval of the difference.")
           : tr_count(static_cast<std::int64_t>(disagree),
-                     "{ways} way disagrees with the recommended one beyond the interval of the "
-                     "difference.",
-                     "{ways} ways disagree with the recommended one beyond the interval of the "
-                     "difference.",
+                     "{ways} estimator disagrees with the recommended one beyond the interval of "
+                     "the difference.",
+                     "{ways} estimators disagree with the recommended one beyond the interval of "
+                     "the difference.",
                      {{"ways", disagree}});
   const std::string ways = wording::listed(names);
   out.caption = tr("95 % intervals of {ways}.", {{"ways", ways}}) + " " + agreement;
   out.how_to_read =
-      tr("Each way fails differently. Bars that all cross the dashed line are what a sound "
-         "measurement gives; one that lies beside it points at the assumption it rests on. The two "
-         "bars of a way should be equally long.");
-  out.alt = tr("Surrogate mass with 95 % intervals by {count} ways: {ways}.",
+      tr("Each estimator fails in a different way. In a sound measurement all bars cross the "
+         "dashed line; one that misses it points to the assumption that it depends on. The two "
+         "bars of an estimator should be equally long.");
+  out.alt = tr("Surrogate mass with 95 % intervals by {count} estimators: {ways}.",
                {{"count", checks.size()}, {"ways", ways}}) +
             " " + agreement;
   return out;
@@ -159,10 +159,11 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
 
   ReportFigure out;
   out.id = "fig-known-truth";
-  out.title = tr("What came back of what was put in");
+  out.title = tr("Recovery of the simulated values");
   out.stage = "known-truth";
   render::figure::Panel panel;
-  panel.x.title = tr("deviation from what was put in, in half widths of the stated 95 % interval");
+  panel.x.title =
+      tr("deviation from the simulated value, in half widths of the stated 95 % interval");
   panel.y.title = tr("quantity");
   const double reach = reach_of(shown);
   panel.x.minimum = -reach - 0.5;
@@ -170,7 +171,7 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
   panel.y.minimum = 0.2;
   panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
   panel.bands.push_back(
-      {tr("inside the interval"), {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
+      {tr("within the interval"), {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
   render::figure::Series inside;
   render::figure::Series outside;
   std::size_t held = 0;
@@ -194,8 +195,8 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
     }
     panel.y.names.push_back({level, wording::reading_label(to_string(shown[i]->name))});
   }
-  inside.label = tr("held by its interval");
-  outside.label = tr("not held");
+  inside.label = tr("within its interval");
+  outside.label = tr("outside its interval");
   for (render::figure::Series* series : {&inside, &outside}) {
     series->style = render::figure::LineStyle::none;
     series->marker =
@@ -208,24 +209,24 @@ std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& c
   out.figure.panels.push_back(std::move(panel));
   out.figure.height_px = std::max(600, 240 + 84 * static_cast<int>(shown.size()));
   const std::string quantities = place_words(shown);
-  out.caption =
-      tr_count(static_cast<std::int64_t>(check.runs),
-               "Deviations of {simulations} simulation in units of the half width that each run "
-               "states for itself: {held} of {values} are held by their intervals.",
-               "Deviations of {simulations} simulations in units of the half width that each run "
-               "states for itself: {held} of {values} are held by their intervals.",
-               {{"simulations", check.runs}, {"held", held}, {"values", all}}) +
-      " " + tr("From top: {quantities}", {{"quantities", quantities}});
-  out.how_to_read = tr(
-      "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
-      "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "
-      "side is biased on these motions; one that spreads wider has intervals that are too narrow.");
+  out.caption = tr_count(static_cast<std::int64_t>(check.runs),
+                         "Deviations of {simulations} simulation in units of the half width stated "
+                         "by each run: {held} of {values} lie within their intervals.",
+                         "Deviations of {simulations} simulations in units of the half width "
+                         "stated by each run: {held} of {values} lie within their intervals.",
+                         {{"simulations", check.runs}, {"held", held}, {"values", all}}) +
+                " " + tr("From top: {quantities}", {{"quantities", quantities}});
+  out.how_to_read =
+      tr("Each mark is one simulation of what was identified, at the noise that was found. Between "
+         "−1 and 1 its interval contains the simulated value: about 19 of 20 should. A row that "
+         "lies to one side is biased on these motions; one that spreads wider has intervals that "
+         "are too narrow.");
   if (reach >= farthest_shown) {
     out.how_to_read +=
         " " + tr("Marks at ±{half_widths:.0f} lie there or beyond.", {{"half_widths", reach}});
   }
   out.alt =
-      tr("{held} of {values} returned values lie within their stated intervals: {quantities}.",
+      tr("{held} of {values} recovered values lie within their stated intervals: {quantities}.",
          {{"held", held}, {"values", all}, {"quantities", quantities}});
   return out;
 }

@@ -50,8 +50,8 @@ std::string origin_words(const calibration::Calibration& calibration, const Loop
         " " + tr("The first of {oscillations} oscillations is shown.", {{"oscillations", loops}});
   }
   if (view.modelled) {
-    text += " " + tr("The bristle is not measured: it is that of the LuGre model fitted to the "
-                     "torque.");
+    text += " " + tr("The bristle deflection is not measured: it is that of the LuGre model fitted "
+                     "to the torque.");
   }
   return text;
 }
@@ -91,11 +91,11 @@ std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& c
                    {{"height", height}, {"midline", midline}});
   if (!points.empty()) out.caption += " " + tr("Readings: {readings}.", {{"readings", points}});
   out.caption += origin_words(calibration, *view);
-  out.how_to_read = tr(
-      "From rest at A the torque climbs into the loop; every later cycle should lie on the one "
-      "before. Gravity is the mid-line: a loop that drifts, or that is a bare ellipse without flat "
-      "ends, has not left pre-sliding or was not yet steady, and its points then read low or "
-      "high.");
+  out.how_to_read =
+      tr("From rest at A the torque climbs into the loop; every later cycle should lie on the one "
+         "before. Gravity is the mid-line: a loop that drifts, or that is a plain ellipse without "
+         "flat ends, has not left pre-sliding or was not yet steady, and its points then read low "
+         "or high.");
   out.alt =
       points.empty()
           ? tr("Hysteresis loop of driving torque over joint angle, {height} high, mid-line at "
@@ -166,7 +166,7 @@ std::optional<ReportFigure> bristle_loop_figure(const calibration::Calibration& 
   out->how_to_read =
       tr("A and B are the crossings of zero, where friction carries no elastic torque; C and D the "
          "extremes. The loop should flatten towards C and D: if it is still steep there, the "
-         "oscillation is too small to break away and its points say little about friction.");
+         "oscillation is too small to reach break-away and its points say little about friction.");
   return out;
 }
 

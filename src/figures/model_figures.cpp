@@ -115,17 +115,17 @@ std::string break_away_words(const simulate::ModelPortrait& p) {
 
 std::string static_words(const simulate::ModelPortrait& p) {
   const auto& torque = p.steady.torque_Nm;
-  return tr("{force_at_rest_N:.3f} N next to rest, {force_N:.3f} N at five Stribeck velocities.",
+  return tr("{force_at_rest_N:.3f} N close to rest, {force_N:.3f} N at five Stribeck velocities.",
             {{"force_at_rest_N", torque[torque.size() / 2]}, {"force_N", torque.back()}});
 }
 
 std::string loop_words(const simulate::ModelPortrait& p) {
-  return tr("torque where a small inner loop closes: {gap_N} N off where it began.",
+  return tr("torque where a small inner loop closes: {gap_N} N away from where it began.",
             {{"gap_N", signed_text(p.inner_loop_gap_Nm)}});
 }
 
 std::string lag_words(const simulate::ModelPortrait& p) {
-  return tr("at rising speed {difference_N} N more than at falling speed, on the average.",
+  return tr("at rising speed {difference_N} N more than at falling speed, on average.",
             {{"difference_N", signed_text(p.lag_Nm)}});
 }
 
@@ -134,7 +134,7 @@ std::vector<Sitting> sittings() {
       {"static-curve",
        to_translate("Static curve"),
        to_translate(
-           "Friction of steady sliding at each speed. The Stribeck effect is the fall from rest."),
+           "Friction in steady sliding at each speed. The Stribeck effect is the fall from rest."),
        to_translate("speed [mm/s]"),
        1e3,
        &simulate::ModelPortrait::steady,
@@ -145,7 +145,7 @@ std::vector<Sitting> sittings() {
        to_translate(
            "A slow stroke of one and a half elastic deflections with a third harmonic, so that it "
            "turns back within itself; two periods from rest. With non-local memory an inner loop "
-           "closes where it was left, and the outer curve goes on as if nothing had been."),
+           "closes where it was left, and the outer curve continues as if nothing had happened."),
        to_translate("displacement [µm]"),
        1e6,
        &simulate::ModelPortrait::loop,

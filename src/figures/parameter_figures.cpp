@@ -91,7 +91,7 @@ render::figure::Panel errors_panel(const method::viscous::CurveModelChoice& choi
   panel.x.counts = true;
   panel.y.title = wording::axis_title(tr("rms error"), scale);
   panel.y.minimum = 0;
-  render::figure::Series held = line(tr("at speeds held out: decides"), {}, {}, colour::vermilion);
+  render::figure::Series held = line(tr("at held-out speeds: decides"), {}, {}, colour::vermilion);
   render::figure::Series training =
       line(tr("on its own data"), {}, {}, colour::blue, 2.5, render::figure::LineStyle::dash);
   held.marker = render::figure::Marker::circle;
@@ -128,7 +128,7 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   if (chosen == nullptr) return std::nullopt;
   ReportFigure out;
   out.id = "fig-curve-models";
-  out.title = tr("Which friction model the curve carries");
+  out.title = tr("Which friction model the curve supports");
   out.stage = "friction_parameters";
   out.figure.panels.push_back(
       curves_panel(c, wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest())));
@@ -141,26 +141,25 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   const int parameters = choice.chosen.parameters();
   out.caption = tr_count(
       parameters,
-      "Chosen: {model} ({parameters} parameter), with an error of {error} at speeds held out.",
-      "Chosen: {model} ({parameters} parameters), with an error of {error} at speeds held out.",
+      "Chosen: {model} ({parameters} parameter), with an error of {error} at held-out speeds.",
+      "Chosen: {model} ({parameters} parameters), with an error of {error} at held-out speeds.",
       {{"model", model}, {"parameters", parameters}, {"error", error}});
   out.how_to_read = tr(
-      "Above, the models on the curve; where a term for load or direction was taken up they are "
+      "Above, the models and the curve; where a term for load or direction was included they are "
       "drawn at the mean load and the mean of the directions, and the points scatter about them. "
       "Below, at the same speeds: the error on a model's own data falls with every parameter and "
-      "says nothing; the error at speeds that took no part in the fit stops falling, or rises, "
-      "where the parameters "
-      "begin to follow noise. The simplest model within one standard error of the best is taken.");
+      "says nothing; the error at held-out speeds stops falling, or rises, where the parameters "
+      "begin to follow noise. The simplest model within one standard error of the best is chosen.");
   const auto models = static_cast<std::int64_t>(choice.ladder.size());
   out.alt =
       tr_count(models,
                "Friction curves of {models} model over the measured curve, and their errors "
-               "over the number of parameters.",
+               "against the number of parameters.",
                "Friction curves of {models} models over the measured curve, and their errors "
-               "over the number of parameters.",
+               "against the number of parameters.",
                {{"models", models}}) +
       " " +
-      tr("Chosen: {model}, {error} at speeds held out.", {{"model", model}, {"error", error}});
+      tr("Chosen: {model}, {error} at held-out speeds.", {{"model", model}, {"error", error}});
   return out;
 }
 
@@ -211,7 +210,7 @@ std::optional<ReportFigure> direction_lines_figure(const calibration::Calibratio
       wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest());
   ReportFigure out;
   out.id = "fig-directions";
-  out.title = tr("Friction of each direction");
+  out.title = tr("Friction in each direction");
   out.stage = "friction_parameters";
   render::figure::Panel panel;
   panel.x.title = wording::speed_size(c.manifest) + " [rad/s]";
@@ -225,18 +224,17 @@ std::optional<ReportFigure> direction_lines_figure(const calibration::Calibratio
   out.caption =
       tr("Gravity removed: {candidate}.", {{"candidate", candidate_words(c, lines->estimator)}}) +
       " " + both;
-  out.how_to_read = tr(
-      "Each direction has its own line, through the runs that travel far enough for ripple to "
-      "average out and lie beyond the Stribeck dip. Parallel lines apart are friction that is not "
-      "the same in both directions, an offset of the torque signal, or a wrong gravity torque; "
-      "lines of different slope are different viscous friction.");
-  out.alt =
-      (wording::has_motor_side(c.manifest)
-           ? tr("Friction over the size of the motor speed, forward and backward, each with a "
-                "straight line.")
-           : tr("Friction over the size of the joint speed, forward and backward, each with a "
-                "straight line.")) +
-      " " + both;
+  out.how_to_read =
+      tr("Each direction has its own line, through the runs that travel far enough for ripple to "
+         "average out and lie beyond the Stribeck dip. Parallel lines with a gap mean friction "
+         "that differs between the directions, an offset of the torque signal, or a wrong gravity "
+         "torque; lines of different slope mean different viscous friction.");
+  out.alt = (wording::has_motor_side(c.manifest)
+                 ? tr("Friction against the magnitude of the motor speed, forward and backward, "
+                      "each with a straight line.")
+                 : tr("Friction against the magnitude of the joint speed, forward and backward, "
+                      "each with a straight line.")) +
+            " " + both;
   return out;
 }
 
@@ -261,9 +259,9 @@ render::figure::Panel over_load(const method::viscous::LoadDependenceResult& r,
     friction.push_back(scale(p.friction_Nm - viscous * p.speed_rad_s));
   }
   render::figure::Panel panel;
-  panel.x.title = wording::axis_title(tr("size of the gravity torque"), scale);
+  panel.x.title = wording::axis_title(tr("magnitude of the gravity torque"), scale);
   panel.y.title = wording::axis_title(
-      r.viscous_Nms_rad ? tr("friction less its viscous part") : tr("friction T_{{f}}"), scale);
+      r.viscous_Nms_rad ? tr("friction minus its viscous part") : tr("friction T_{{f}}"), scale);
   add_visible(panel, markers(tr("(T(+) − T(−)) / 2 at equal angle"), load, friction));
   const auto fitted = [&](double at) { return scale(r.unloaded_Nm.value + r.per_load.value * at); };
   const std::vector<double> ends{r.lowest_load_Nm, r.highest_load_Nm};
@@ -317,16 +315,16 @@ std::optional<ReportFigure> load_dependence_figure(const calibration::Calibratio
               : tr("Friction does not visibly grow with the load: {percent:.3g} % of the gravity "
                    "torque ({low:.3g} to {high:.3g} %).",
                    {{"percent", percent}, {"low", low}, {"high", high}});
-  out.how_to_read = tr(
-      "Half the difference of the two directions at equal angle is friction, whatever gravity is. "
-      "Points along a rising line are friction that grows with the load; below, it then has its "
-      "least where gravity torque passes zero. A fit that misses a pattern over the angle means "
-      "friction that depends on the angle itself.");
-  out.alt =
-      tr("Friction over the gravity torque from {lowest} to {highest}, and over the joint angle.",
-         {{"lowest", wording::with_unit(r.lowest_load_Nm, scale, 3)},
-          {"highest", wording::with_unit(r.highest_load_Nm, scale, 3)}}) +
-      " " + out.caption;
+  out.how_to_read =
+      tr("Half the difference between the two directions at equal angle is friction, whatever "
+         "gravity is. Points along a rising line mean friction that grows with the load; in the "
+         "lower panel it is then smallest where the gravity torque passes zero. A pattern over the "
+         "angle that the fit misses means friction that depends on the angle itself.");
+  out.alt = tr("Friction against the gravity torque from {lowest} to {highest}, and against the "
+               "joint angle.",
+               {{"lowest", wording::with_unit(r.lowest_load_Nm, scale, 3)},
+                {"highest", wording::with_unit(r.highest_load_Nm, scale, 3)}}) +
+            " " + out.caption;
   return out;
 }
 

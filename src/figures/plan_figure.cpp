@@ -121,12 +121,14 @@ ReportFigure motion_figure(const plan::ExperimentPlan& plan) {
   const std::string duration = exports::experiment::duration_text(plan.duration_s());
   out.caption = tr("{duration} in all: {parts}.",
                    {{"duration", duration}, {"parts", wording::listed(parts)}});
-  out.how_to_read = tr("Coloured: what is recorded and identified; grey: travel and rest between.");
+  out.how_to_read =
+      tr("Coloured: what is recorded and identified; grey: travel and rest in between.");
   if (!plan.positions_rad.empty()) {
     out.how_to_read += " " + tr("The oscillations are too small to be seen at this scale.");
   }
   if (has_ramps) {
-    out.how_to_read += " " + tr("During the ramps the set angle stands while the torque rises.");
+    out.how_to_read +=
+        " " + tr("During the ramps the set angle stays constant while the torque rises.");
   }
   out.alt = has_ramps ? tr("3 panels over {duration}: joint angle, motor speed and ramp torque.",
                            {{"duration", duration}})
@@ -181,8 +183,8 @@ std::optional<ReportFigure> oscillation_figure(const plan::ExperimentPlan& plan)
        {"frequency", wording::significant(plan.frequency_Hz, 3)}});
   out.how_to_read =
       tr("The speed rises from rest without a jump before the first recorded cycle and falls to "
-         "rest behind the last. The log must show such a sine: a drive that smooths its set "
-         "points, or a joint that sticks within its play, does not.");
+         "rest after the last. The log must show such a sine; with a drive that smooths its set "
+         "points, or a joint that sticks within its backlash, it does not.");
   out.alt = tr("Joint angle over time: rest, a short smooth start, then a sine.");
   return out;
 }

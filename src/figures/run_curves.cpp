@@ -104,7 +104,7 @@ std::string reference_words(CurveReference reference) {
     case CurveReference::analytic:
       return tr("analytic curve");
     case CurveReference::direction_difference:
-      return tr("half the difference of the directions");
+      return tr("half the difference between the directions");
   }
   return tr("none");
 }

@@ -116,8 +116,8 @@ void add_line(render::figure::Panel& panel, double at, const std::string& text) 
 render::figure::Panel coverage_panel(const study::StudyResult& study,
                                      const study::StudyFactor& factor,
                                      const std::vector<ReadingName>& readings) {
-  render::figure::Panel panel =
-      panel_of(study, factor, readings, tr("intervals that hold the truth [%]"), coverage_percent);
+  render::figure::Panel panel = panel_of(
+      study, factor, readings, tr("intervals that contain the true value [%]"), coverage_percent);
   panel.y.minimum = -4;
   panel.y.maximum = 104;
   const double first = factor.levels.front().value;
@@ -204,15 +204,15 @@ std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
   add_panel(std::move(coverage), out);
   out.caption = tr_count(
       static_cast<std::int64_t>(study.options.runs),
-      "Errors of the gravity torque in % of the truth, {runs} run a level. Bias: {biases}",
-      "Errors of the gravity torque in % of the truth, {runs} runs a level. Bias: {biases}",
+      "Errors of the gravity torque in % of the true value, {runs} run per level. Bias: {biases}",
+      "Errors of the gravity torque in % of the true value, {runs} runs per level. Bias: {biases}",
       {{"runs", study.options.runs},
        {"biases", bias_words(study, factor, {A, B, midline, fit, sweep})}});
   out.how_to_read =
       tr("A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
          "steady loop they lie symmetrically, so that their mean, the other pair means and the "
-         "mid-line do not. An interval keeps its promise within the green band of the lowest "
-         "panel, 91 to 99 %; below it is narrower than it claims.");
+         "mid-line lie on it. The coverage of an interval is as stated within the green band of "
+         "the lowest panel, 91 to 99 %; below it the interval is too narrow.");
   out.alt = tr(
       "Bias, scatter and coverage of the gravity torque against {factor_axis}: {biases}.",
       {{"factor_axis", axis_of(factor)}, {"biases", bias_words(study, factor, {A, B, midline})}});
@@ -247,13 +247,13 @@ std::optional<ReportFigure> friction_figure(const study::StudyResult& study,
   const std::string biases = bias_words(study, factor, parameters);
   out.caption = tr_count(static_cast<std::int64_t>(study.options.runs),
                          "Errors of the angle of the gravity peak and of the friction parameters, "
-                         "{runs} run a level. Bias: {biases}",
+                         "{runs} run per level. Bias: {biases}",
                          "Errors of the angle of the gravity peak and of the friction parameters, "
-                         "{runs} runs a level. Bias: {biases}",
+                         "{runs} runs per level. Bias: {biases}",
                          {{"runs", study.options.runs}, {"biases", biases}});
   out.how_to_read =
       tr("As above. Coulomb torque and viscous coefficient are those of the straight line that the "
-         "same motions give without noise; where runs at constant speed take no part, they are "
+         "same motions give without noise; where there are no runs at constant speed, they are "
          "absent.");
   out.alt =
       tr("Bias, scatter and coverage of angle and friction parameters against {factor_axis}: "

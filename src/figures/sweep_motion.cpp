@@ -107,11 +107,11 @@ std::optional<ReportFigure> sweep_motion_figure(const joint::Dataset& dataset,
                                   "{recordings} recordings, one after the other.",
                                   {{"recordings", sweeps.size()}});
   }
-  out.how_to_read = tr(
-      "Used samples should cover the whole stroke in both directions, and torque should bend over "
-      "the stroke as a piece of a cosine, with a step where the direction changes. Spikes, drift "
-      "between equal strokes, or a torque that follows the speed instead of the angle mean that "
-      "something other than gravity and friction was measured.");
+  out.how_to_read =
+      tr("Used samples should cover the whole stroke in both directions, and torque should follow "
+         "a piece of a cosine over the stroke, with a step where the direction changes. Spikes, "
+         "drift between equal strokes, or a torque that follows the speed instead of the angle "
+         "mean that something other than gravity and friction was measured.");
   const wording::AxisScale newton_metre = wording::prefixed("N·m", torques.largest());
   const std::string lowest_torque = wording::with_unit(torques.low, newton_metre, 3);
   const std::string highest_torque = wording::with_unit(torques.high, newton_metre, 3);

@@ -79,20 +79,19 @@ std::string argmax_words(const method::gravity::CogSweepResult& sweep) {
       wording::with_unit(sweep.argmax_torque_Nm, wording::AxisScale{1.0, "N·m"}, 4);
   const std::string angle = wording::with_unit(sweep.argmax_rad, deg, 4);
   if (!wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
-    return sweep.argmax_at_end
-               ? tr("the largest torque, {torque}, stands at {angle}, the end of the sweep: no "
-                    "peak was crossed there",
-                    {{"torque", torque}, {"angle", angle}})
-               : tr("the largest torque, {torque}, stands at {angle}",
-                    {{"torque", torque}, {"angle", angle}});
+    return sweep.argmax_at_end ? tr("the largest torque, {torque}, is at {angle}, the end of the "
+                                    "sweep: no peak was crossed there",
+                                    {{"torque", torque}, {"angle", angle}})
+                               : tr("the largest torque, {torque}, is at {angle}",
+                                    {{"torque", torque}, {"angle", angle}});
   }
   const std::string low = wording::with_unit(sweep.argmax_low_rad, deg, 4);
   const std::string high = wording::with_unit(sweep.argmax_high_rad, deg, 4);
   return sweep.argmax_at_end
-             ? tr("the largest torque, {torque}, stands at {angle} (noise allows {low} to {high}), "
-                  "the end of the sweep: no peak was crossed there",
+             ? tr("the largest torque, {torque}, is at {angle} (noise allows {low} to {high}), the "
+                  "end of the sweep: no peak was crossed there",
                   {{"torque", torque}, {"angle", angle}, {"low", low}, {"high", high}})
-             : tr("the largest torque, {torque}, stands at {angle} (noise allows {low} to {high})",
+             : tr("the largest torque, {torque}, is at {angle} (noise allows {low} to {high})",
                   {{"torque", torque}, {"angle", angle}, {"low", low}, {"high", high}});
 }
 
@@ -162,7 +161,7 @@ std::string friction_words(const method::gravity::CogSweepResult& sweep) {
   if (!sweep.coulomb_Nm) return {};
   const std::string friction =
       wording::with_interval(*sweep.coulomb_Nm, wording::prefixed("N·m", sweep.coulomb_Nm->value));
-  return " " + tr("Half the distance of the directions is {friction} of friction.",
+  return " " + tr("Half the distance between the directions is {friction} of friction.",
                   {{"friction", friction}});
 }
 
@@ -229,11 +228,11 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   out.figure.panels.push_back(std::move(panel));
   out.caption = rough_caption(sweep, wording::has_motor_side(dataset.manifest));
   out.alt = alt_of(sweep);
-  out.how_to_read = tr(
-      "The two directions should be the same cosine, one friction torque above and below gravity, "
-      "and the fit should run through the middle of the samples everywhere. A fit that leaves the "
-      "samples at the ends, or directions that approach each other along the stroke, mean friction "
-      "that depends on load or angle, or a payload that moved.");
+  out.how_to_read =
+      tr("The two directions should be the same cosine, one friction torque above and below "
+         "gravity, and the fit should run through the middle of the samples everywhere. A fit that "
+         "departs from the samples at the ends, or directions that converge along the stroke, mean "
+         "friction that depends on load or angle, or a payload that moved.");
   return out;
 }
 
@@ -269,10 +268,10 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   if (out.figure.panels.size() > 1) out.figure.height_px = 1200;
   out.caption = precise_caption(sweep);
   out.alt = alt_of(sweep);
-  out.how_to_read = tr(
-      "Near its peak torque is flat: one degree beside it only 0.015 % are missing. Trust the "
-      "fitted vertex and the width of its interval, not the one highest sample; if the black bar "
-      "is about as wide as the sweep, the log cannot tell the peak from its neighbours.");
+  out.how_to_read =
+      tr("Near its peak the torque is flat: one degree away it is only 0.015 % lower. Trust the "
+         "fitted peak and the width of its interval, not the single highest sample; if the black "
+         "bar is about as wide as the sweep, the log cannot locate the peak.");
   return out;
 }
 

@@ -311,11 +311,11 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
   const ChoiceWords words = choice_words(calibration, choice, torque);
   const std::string shift = shift_words(calibration, choice);
   out.caption = caption_of(words) + shift;
-  out.how_to_read = tr(
-      "In the steady loop opposite points lie equally far above and below gravity, so that their "
-      "mean and the mid-line are free of friction; a single point is not, and comes close only by "
-      "the way the first stroke began. Distrust a choice that lies outside the mid-line's "
-      "interval.");
+  out.how_to_read =
+      tr("In the steady loop opposite points lie equally far above and below gravity, so that "
+         "their mean and the mid-line are free of friction; a single point is not, and comes close "
+         "only because of how the first stroke began. Do not trust a choice that lies outside the "
+         "mid-line's interval.");
   out.alt = alt_of(words) + shift;
   return out;
 }

@@ -154,8 +154,8 @@ render::figure::Panel trend_panel(const history::QuantityTrend& trend,
   const bool is_corrected = is_visibly_corrected(trend);
   const std::size_t all = trend.points.size();
   render::figure::Series learned =
-      marks(is_corrected ? tr("the first, only learned from (at one temperature)")
-                         : tr("the first, only learned from"),
+      marks(is_corrected ? tr("the first, baseline only (at one temperature)")
+                         : tr("the first, baseline only"),
             colour::sky_blue, render::figure::Marker::square, all);
   render::figure::Series judged =
       marks(is_corrected ? tr("calibration, 95 % interval (at one temperature)")
@@ -267,12 +267,9 @@ std::string finding(const history::QuantityTrend& trend, const wording::AxisScal
   const std::initializer_list<StatedValue> values{{"quantity", name_of(trend)},
                                                   {"calibrations", used}};
   if (trend.state == history::TrendState::too_few) {
-    return tr_count(n,
-                    "{quantity}: {calibrations} calibration that can be used, too few to say "
-                    "anything yet.",
-                    "{quantity}: {calibrations} calibrations that can be used, too few to say "
-                    "anything yet.",
-                    values);
+    return tr_count(
+        n, "{quantity}: {calibrations} usable calibration, too few to say anything yet.",
+        "{quantity}: {calibrations} usable calibrations, too few to say anything yet.", values);
   }
   if (trend.changes.empty()) {
     return tr_count(n, "{quantity}: no change visible over {calibrations} calibration.",
@@ -301,18 +298,17 @@ std::string caption_of(const history::QuantityTrend& trend, const wording::AxisS
 }
 
 std::string how_to_read(const history::QuantityTrend& trend) {
-  std::string words =
-      tr("Above, points that leave the band to one side for good are a change; single ones are "
-         "not.");
+  std::string words = tr(
+      "Above, points that leave the band on one side for good are a change; single ones are not.");
   words += " ";
   if (is_visibly_corrected(trend)) {
-    words += tr("All but the plus signs are brought to one temperature.");
+    words += tr("All except the plus signs are corrected to one temperature.");
     words += " ";
   }
   if (trend.judged > 0) {
     words +=
-        tr("Below, a sum that climbs to its limit is the alarm; the change began where the climb "
-           "did. Behind the alarm it is drawn up to twice the limit.");
+        tr("Below, the alarm is raised when the sum reaches its limit; the change began where the "
+           "climb did. After the alarm the sum is drawn up to twice the limit.");
   }
   return words;
 }

@@ -128,7 +128,7 @@ Table compared_quantities_table(const history::Comparison& c) {
   table.caption = tr("Each quantity and its change");
   table.columns = {{tr("Quantity"), "", false, true}, {tr("First"), "", true},
                    {tr("Second"), "", true},          {tr("Change"), "", true},
-                   {tr("In percent"), "", true},      {tr("Word"), "", false}};
+                   {tr("In per cent"), "", true},     {tr("Word"), "", false}};
   for (const history::ComparedQuantity& q : c.quantities) {
     const wording::Scale scale = scale_of(q);
     std::optional<statistics::Estimate> change;
@@ -144,9 +144,9 @@ Table compared_quantities_table(const history::Comparison& c) {
          q.word == history::ChangeWord::changed});
   }
   table.note =
-      tr("At the motor, with 95 % intervals; that of a change is of both, which are independent. "
-         "“changed” needs a chance of at most {chance_percent:.3g} % over all quantities together "
-         "(Holm), so that many quantities do not make a change by chance.",
+      tr("At the motor, with 95 % intervals; that of a change combines both, which are "
+         "independent. “changed” requires a chance of at most {chance_percent:.3g} % over all "
+         "quantities together (Holm), so that many quantities do not make a change by chance.",
          {{"chance_percent", 100 * history::changed_chance}});
   return table;
 }

@@ -106,7 +106,7 @@ Table conversions_table(const calibration::Calibration& c) {
   Table table;
   table.id = "table-conversions";
   table.is_stacked = true;
-  table.caption = tr("What was made of each column");
+  table.caption = tr("How each column was used");
   table.columns = {
       {tr("Signal"), "", false},      {tr("Column"), "", false}, {tr("Unit in the log"), "", false},
       {tr("Steps"), "", false, true}, {tr("Factor"), "", true},  {tr("Result"), "", false},
@@ -138,13 +138,15 @@ std::string way_to_speed(joint::Role role) {
     case joint::Role::precise_sweep:
       return tr("local slope of the angle at every sample");
     case joint::Role::constant_speed:
-      return tr("way of a plateau over its time; the local slope of the angle finds the plateaus");
+      return tr(
+          "travel of a plateau divided by its time; the local slope of the angle finds the "
+          "plateaus");
     case joint::Role::oscillation:
       return tr(
-          "derivative of what is fitted to the angle: harmonics, or a smoothing spline where a "
+          "derivative of the curve fitted to the angle: harmonics, or a smoothing spline where a "
           "torque drives it");
     case joint::Role::break_away:
-      return tr("way over time across 20 steps of the angle or a tenth of the travel");
+      return tr("travel divided by time across 20 steps of the angle or a tenth of the travel");
   }
   return "–";
 }
@@ -186,7 +188,7 @@ Table speeds_table(const std::vector<method::motion::SpeedSource>& sources) {
   table.caption = tr("Where speeds come from");
   table.columns = {{tr("Recordings"), "", false},
                    {tr("Speed logged"), "", false},
-                   {tr("Speed that is used"), "", false, true},
+                   {tr("Speed used"), "", false, true},
                    {tr("Window"), "", false},
                    {tr("Cut-off"), "", false}};
   for (const joint::Role role :
@@ -218,10 +220,10 @@ Table speeds_table(const std::vector<method::motion::SpeedSource>& sources) {
   }
   table.note = tr(
       "Speeds are derivatives of the angle, whether one is logged or not; a logged speed is only "
-      "held against it in the checks on the data. Local slope: mean angle of half a window from a "
-      "sample on, less that of half a window before it, over the distance of their times. That is "
-      "the derivative of the angle smoothed by a triangle as wide as the window, without phase; at "
-      "the cut-off it has fallen by 3 dB.");
+      "compared with it in the checks on the data. Local slope: mean angle of the half window "
+      "after a sample, minus that of the half window before it, divided by the difference of their "
+      "mean times. This is the derivative of the angle smoothed by a triangle as wide as the "
+      "window, without phase shift; at the cut-off it has fallen by 3 dB.");
   return table;
 }
 

@@ -34,8 +34,8 @@ std::string mean_text(const method::viscous::ConstantSpeedRun& run) {
 std::string run_gravity_in_words(const method::gravity::RunGravityResult& r, double gear_ratio) {
   const statistics::Estimate gravity = statistics::scaled(r.gravity_Nm, gear_ratio);
   const std::string left_out =
-      tr_count(r.runs_left_out, "{runs} travels too short a way", "{runs} travel too short a way",
-               {{"runs", wording::count(r.runs_left_out)}});
+      tr_count(r.runs_left_out, "{runs} does not travel far enough",
+               "{runs} do not travel far enough", {{"runs", wording::count(r.runs_left_out)}});
   const std::string words = tr_count(
       r.runs_used,
       "{gravity_torque} at the joint, largest at {angle}; one offset for {runs} run, {left_out}.",
@@ -47,7 +47,8 @@ std::string run_gravity_in_words(const method::gravity::RunGravityResult& r, dou
        {"left_out", left_out}});
   if (!r.always_lifts) return words;
   return words + " " +
-         tr("The drive lifts the load all the way: friction that grows with the load is in it.");
+         tr("The drive lifts the load throughout: friction that grows with the load is included in "
+            "it.");
 }
 
 void describe_run_gravity(const calibration::Calibration& c, Section& section) {
@@ -143,8 +144,8 @@ std::string reference_in_words(method::selection::CurveReference reference) {
       return tr("the analytic curve that the simulation was made with");
     case method::selection::CurveReference::direction_difference:
       return tr(
-          "half the difference of the two directions at the same angle, which gravity cannot "
-          "enter");
+          "half the difference between the two directions at the same angle, which gravity does "
+          "not affect");
   }
   return tr("none");
 }
@@ -172,7 +173,7 @@ void describe_quality_errors(const calibration::Calibration& c, Section& section
                                {{"runs", wording::count(q.runs_left_out)}})});
 
   if (!q.evidence.empty()) {
-    section.facts.push_back({tr("What the reference can tell"), as_sentence(q.evidence)});
+    section.facts.push_back({tr("What the reference can show"), as_sentence(q.evidence)});
   }
 
   Table table;
@@ -255,7 +256,7 @@ void describe_selection(const calibration::Calibration& c, Section& section) {
          {wording::degree_scale(), wording::radian_scale(corrected)}) {
       constexpr int digits = 7;
       angles.rows.push_back(
-          {{tr("q_c less the angle at which the torque was read"),
+          {{tr("q_c minus the angle at which the torque was read"),
             wording::significant(corrected * scale.factor, digits), scale.unit, "–", from},
            false});
     }

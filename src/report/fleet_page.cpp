@@ -107,7 +107,7 @@ struct FleetOutcome {
 FleetOutcome outcome_of(const history::Fleet& fleet, std::size_t outliers) {
   if (fleet.distances == 0) {
     return {tr("NOTHING TO COMPARE"),
-            tr("A joint is held against at least {others} of the same name on other robots, or "
+            tr("A joint is compared with at least {others} of the same name on other robots, or "
                "{earlier} earlier calibrations of its own.",
                {{"others", history::fewest_others}, {"earlier", history::fewest_earlier}}),
             Outcome::absent};

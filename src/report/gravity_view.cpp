@@ -34,9 +34,9 @@ void add_facts(const method::gravity::CogSweepResult& r, Section& section) {
   section.facts.push_back({tr("Directions"), r.both_directions
                                                  ? tr("both: friction cancels in the mean")
                                                  : tr("one: friction stays in the mean torque")});
-  section.facts.push_back(
-      {tr("Speed"), r.constant_speed ? tr("constant, only the plateaus are used")
-                                     : tr("varying, friction and inertia are fitted along")});
+  section.facts.push_back({tr("Speed"), r.constant_speed
+                                            ? tr("constant; only the plateaus are used")
+                                            : tr("varying; friction and inertia are fitted too")});
   section.facts.push_back({tr("Fit"), or_dash(wording::words(r.method))});
 }
 
@@ -63,7 +63,7 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
   }
   table.rows.push_back(number_row(tr("Torque there, at the motor"), r.argmax_torque_Nm,
                                   wording::torque_scale(r.argmax_torque_Nm),
-                                  tr("paper's way: largest torque")));
+                                  tr("paper's method: largest torque")));
   table.rows.push_back(estimate_row(tr("Gravity torque G/n, at the motor"), r.gravity_Nm,
                                     wording::torque_scale(r.gravity_Nm.value)));
   if (gear_ratio != 1.0) {
@@ -86,16 +86,16 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
   const std::string fit = tr("fit of the whole sweep");
   table.rows.push_back(number_row(tr("Torque offset that is not gravity, at the motor"),
                                   r.offset_Nm, wording::torque_scale(r.offset_Nm), fit));
-  table.rows.push_back(number_row(tr("Scatter left by the fit (standard deviation)"), r.residual_Nm,
-                                  wording::torque_scale(r.residual_Nm), fit));
+  table.rows.push_back(number_row(tr("Residual scatter of the fit (standard deviation)"),
+                                  r.residual_Nm, wording::torque_scale(r.residual_Nm), fit));
   if (r.argmax_at_end) {
     table.note =
-        tr("The largest torque lies at the end of the sweep: no peak was crossed, and the "
-           "paper's way gives no angle here. The fitted angle is an extrapolation.");
+        tr("The largest torque lies at the end of the sweep: no peak was crossed, and the paper's "
+           "method gives no angle here. The fitted angle is an extrapolation.");
   } else {
     table.note =
-        tr("Near the peak the torque is flat: 1° off costs 0.015 % of it. The interval of the "
-           "largest torque holds every angle that noise cannot tell from it.");
+        tr("Near the peak the torque is flat: 1° away it is 0.015 % lower. The interval of the "
+           "largest torque contains every angle that noise cannot distinguish from it.");
   }
   section.tables.push_back(table);
 }

@@ -46,10 +46,10 @@ Table oscillations_table(const method::hysteresis::HysteresisResult& r, const Se
           wording::significant(o.steady_cycles, 3), step_text(o, angle)},
          false});
   }
-  table.note = tr("Angles are of the joint. Steady cycles are those behind the start-up stroke.");
+  table.note = tr("Angles are at the joint. Steady cycles are those after the start-up stroke.");
   if (std::any_of(r.oscillations.begin(), r.oscillations.end(),
                   [](const method::hysteresis::Oscillation& o) { return o.step_is_of_print; })) {
-    table.note += " " + tr("Encoder step with ≥: that of the decimals in the log, which hide "
+    table.note += " " + tr("Encoder step with ≥: the resolution of the log's decimals, which hide "
                            "anything finer; the encoder's own may be larger.");
   }
   return table;
@@ -78,11 +78,11 @@ void add_results(const method::hysteresis::HysteresisResult& r, Section& section
   if (r.found) {
     table.rows.push_back(number_row(tr("Height of the loop, at the motor"), r.loop_height_Nm,
                                     wording::torque_scale(r.loop_height_Nm),
-                                    tr("largest less smallest torque")));
+                                    tr("largest minus smallest torque")));
   }
   if (r.presliding_travel_rad) {
     table.rows.push_back(number_row(
-        tr("Travel in which the torque turns over after a reversal"), *r.presliding_travel_rad,
+        tr("Pre-sliding travel after a reversal"), *r.presliding_travel_rad,
         wording::radian_scale(*r.presliding_travel_rad), tr("reversals of the recordings")));
   }
   if (r.encoder_step_rad) {

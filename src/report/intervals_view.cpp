@@ -41,7 +41,7 @@ const Words exact_names[] = {
      wording::viscous_scale},
     {"lugre.viscous_Nms_rad", to_translate("LuGre: viscous coefficient σ2"),
      wording::viscous_scale},
-    {"lugre.static_Nm", to_translate("LuGre: static torque Ts"), wording::torque_scale},
+    {"lugre.static_Nm", to_translate("LuGre: break-away torque Ts"), wording::torque_scale},
     {"lugre.coulomb_Nm", to_translate("LuGre: Coulomb torque Tc"), wording::torque_scale},
     {"lugre.stribeck_speed_rad_s", to_translate("LuGre: Stribeck velocity ws"), speed},
     {"lugre.speed_weakening_Nms2_rad2", to_translate("LuGre: fall with speed (Ts − Tc)/ws²"),
@@ -107,9 +107,8 @@ Table intervals_table(const method::intervals::IntervalsResult& intervals) {
   }
   table.note = tr(
       "Torques, stiffnesses and coefficients are at the motor. The interval stated is the closed "
-      "form wherever it was found to cover as often as it says, the bootstrap elsewhere. Both "
-      "need at least a handful of blocks; neither knows of an error that is the same in all of "
-      "them.");
+      "form wherever its coverage was found to be as stated, the bootstrap elsewhere. Both need at "
+      "least a handful of blocks; neither can detect an error that is the same in all of them.");
   return table;
 }
 
@@ -132,7 +131,7 @@ void add_interval_tables(const calibration::Calibration& c, Section& section) {
   section.facts.push_back(
       {tr("Resamples"),
        intervals.resamples == 0
-           ? tr("none: intervals by closed forms alone")
+           ? tr("none: closed-form intervals only")
            : tr("{resamples}, seed {seed}", {{"resamples", wording::count(intervals.resamples)},
                                              {"seed", std::to_string(intervals.seed)}})});
   section.tables.push_back(intervals_table(intervals));
@@ -152,8 +151,8 @@ std::string signed_percent(double percent) {
 Table masses_table(const method::intervals::CrossChecksResult& r) {
   Table table;
   table.id = "table-cross-checks";
-  table.caption = tr("Surrogate mass by every way, against the recommended one");
-  table.columns = {{tr("Way"), "", false, true},
+  table.caption = tr("Surrogate mass by every estimator, against the recommended one");
+  table.columns = {{tr("Estimator"), "", false, true},
                    {tr("Surrogate mass"), "kg", true},
                    {tr("95 % interval, closed form"), "kg", true},
                    {tr("95 % interval, bootstrap"), "kg", true},
@@ -183,16 +182,16 @@ Table masses_table(const method::intervals::CrossChecksResult& r) {
     }
     table.rows.push_back(row);
   }
-  table.note = tr(
-      "Estimates from the same recordings share their errors: each difference is judged by an "
-      "interval of its own, from resampling both together. Up to 1 interval, or up to 0.1 %, two "
-      "ways agree.");
+  table.note =
+      tr("Estimates from the same recordings share their errors: each difference is judged by its "
+         "own interval, from resampling both together. Within that interval, or within 0.1 %, two "
+         "estimators agree.");
   return table;
 }
 
 Table classical_table(const method::selection::ClassicalRegression& c) {
   Table table =
-      estimates_table("table-classical", tr("The classical regression over everything that moves"));
+      estimates_table("table-classical", tr("The classical regression over all moving samples"));
   const double g = c.gravity_Nm.value;
   table.rows = {
       estimate_row(tr("Gravity torque G/n, at the motor"), c.gravity_Nm, wording::torque_scale(g)),
@@ -204,16 +203,16 @@ Table classical_table(const method::selection::ClassicalRegression& c) {
                    wording::viscous_scale(c.viscous_Nms_rad.value)),
       estimate_row(tr("Inertia, reflected to the motor"), c.inertia_kgm2,
                    wording::plain_scale("kg·m²")),
-      number_row(tr("Scatter left by the fit"), c.residual_Nm, wording::torque_scale(c.residual_Nm),
-                 tr("rows as averaged")),
-      number_row(tr("What the torque's noise would leave"), c.row_noise_Nm,
+      number_row(tr("Residual scatter of the fit"), c.residual_Nm,
+                 wording::torque_scale(c.residual_Nm), tr("rows as averaged")),
+      number_row(tr("Residual expected from the torque noise"), c.row_noise_Nm,
                  wording::torque_scale(c.row_noise_Nm), tr("third differences"))};
   const double times = c.row_noise_Nm > 0 ? c.residual_Nm / c.row_noise_Nm : 0.0;
   if (times > 2) {
     table.note =
-        tr("It leaves {ratio} times the scatter of the noise: friction is no straight line of "
-           "speed, and the rest goes into the parameters. The interval for independent errors does "
-           "not see that; the one of blocks does in part.",
+        tr("Its residual scatters {ratio} times as much as the noise: friction is not a straight "
+           "line in speed, and the misfit biases the parameters. The interval for independent "
+           "errors does not reflect that; the one from blocks does in part.",
            {{"ratio", wording::significant(times, 2)}});
   }
   return table;
@@ -223,7 +222,7 @@ Table ripple_table(const method::gravity::Ripple& ripple) {
   Table table;
   table.id = "table-ripple";
   table.caption = tr("Torque ripple that the rough sweep shows");
-  table.columns = {{tr("Periods a motor turn"), "", true}, {tr("Amplitude"), "mN·m", true}};
+  table.columns = {{tr("Periods per motor turn"), "", true}, {tr("Amplitude"), "mN·m", true}};
   for (const method::gravity::RippleLine& line : ripple.lines) {
     table.rows.push_back({{wording::fixed(line.periods_per_turn, 3),
                            wording::significant(1000 * line.amplitude_Nm, 3)},
@@ -259,8 +258,8 @@ Table plan_table(const method::hysteresis::PositionPlan& plan, const calibration
   };
   table.note =
       tr("The same oscillation at each, spread evenly over {spread}° of the motor. The mid-line's "
-         "gravity torque is known to {known_now} now, of which ripple alone demands {of_ripple}; "
-         "with all eight expect {expected}.",
+         "gravity torque is now known to {known_now}, of which ripple alone accounts for "
+         "{of_ripple}; with all eight expect {expected}.",
          {{"spread", wording::fixed(plan.spread_motor_rad * to_degrees, 0)},
           {"known_now", percent(plan.half_width_now_Nm)},
           {"of_ripple", percent(plan.ripple_half_width_Nm)},
@@ -283,8 +282,7 @@ Section cross_checks_section(const calibration::Calibration& c) {
                                                     : tr("agreement");
   if (c.cross_checks.checks.size() < 2) {
     section.reason =
-        tr("Fewer than two ways gave a gravity torque, so there is nothing to hold against each "
-           "other.");
+        tr("Fewer than two estimators gave a gravity torque, so there is nothing to compare.");
   }
   section.tables.push_back(masses_table(c.cross_checks));
   section.tables.push_back(ripple_table(c.rough.ripple));

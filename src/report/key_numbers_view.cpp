@@ -240,9 +240,8 @@ class KeyNumbers {
     if (refused(Quantity::break_away_torque) && (level || c_.break_away.mean_Nm)) {
       see_the_verdict(break_away);
     } else if (c_.break_away.mean_Nm) {
-      sides(
-          break_away, *c_.break_away.mean_Nm, n_, wording::torque_scale,
-          tr("stage {stage}, ramps of the torque", {{"stage", stage_number(StageId::break_away)}}));
+      sides(break_away, *c_.break_away.mean_Nm, n_, wording::torque_scale,
+            tr("stage {stage}, torque ramps", {{"stage", stage_number(StageId::break_away)}}));
     } else if (level) {
       sides(break_away, *level, n_, wording::torque_scale, from_loop);
     } else if (!c_.break_away.ramps.empty()) {

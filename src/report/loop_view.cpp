@@ -68,10 +68,10 @@ Table shown_table(const method::hysteresis::LuGreFit& f, double n, const Section
     add_both_sides(tr("Gravity torque at the peak"), *f.gravity_Nm, {n, n}, wording::torque_scale,
                    table);
   }
-  table.rows.push_back(number_row(tr("Scatter left by the fit (standard deviation)"), f.residual_Nm,
-                                  wording::torque_scale(f.residual_Nm), tr("fit")));
+  table.rows.push_back(number_row(tr("Residual scatter of the fit (standard deviation)"),
+                                  f.residual_Nm, wording::torque_scale(f.residual_Nm), tr("fit")));
   if (const method::hysteresis::LuGreLoop* worst = f.worst_described()) {
-    table.rows.push_back(number_row(tr("Of it not explained by noise (root mean square)"),
+    table.rows.push_back(number_row(tr("Residual not explained by noise (root mean square)"),
                                     worst->systematic_Nm, wording::torque_scale(f.residual_Nm),
                                     tr("fit")));
   }
@@ -149,8 +149,8 @@ Table traced_table(const method::hysteresis::LuGreFit& f, double n, const Sectio
   table.columns = {{tr("Recording"), "", false, true},
                    {tr("Strokes"), "", true},
                    {tr("Noise of the angle"), angle.unit, true},
-                   {tr("Left of it by the spline"), angle.unit, true},
-                   {tr("Scatter left by the fit"), "N·m", true},
+                   {tr("Residual of the spline"), angle.unit, true},
+                   {tr("Residual scatter of the fit"), "N·m", true},
                    {tr("Explained by noise"), "N·m", true},
                    {tr("Stiffness after a reversal, at the joint: measured"), stiffness.unit, true},
                    {tr("of the model"), stiffness.unit, true}};
@@ -173,11 +173,11 @@ Table traced_table(const method::hysteresis::LuGreFit& f, double n, const Sectio
           stated(loop.traced->model_turn_stiffness_Nm_rad)},
          false});
   }
-  table.note = tr(
-      "Stiffness after a reversal: slope of torque over angle in the first third of each stroke's "
-      "height, from the turn of the spline (95 % interval). It is up to 1.64 times the bristle "
-      "stiffness σ₀ in a "
-      "LuGre contact that turns from sliding, and σ₀ in one that turns long before.");
+  table.note =
+      tr("Stiffness after a reversal: slope of torque over angle in the first third of each "
+         "stroke's height, from the reversal of the spline (95 % interval). It is up to 1.64 times "
+         "the bristle stiffness σ₀ in a LuGre contact that reverses from sliding, and σ₀ in one "
+         "that reverses long before.");
   return table;
 }
 
@@ -188,7 +188,7 @@ Fact identifiability_fact(const method::hysteresis::LuGreIdentifiability& i) {
   }
   return {tr("Singular values of the scaled Jacobian"),
           tr("{singular_values} (rms torque that a change of the parameters by their own size "
-             "makes along each direction); condition {condition}; weakest: {parameters}",
+             "makes along each direction); condition number {condition}; weakest: {parameters}",
              {{"singular_values", wording::with_unit(values, "mN·m")},
               {"condition", wording::significant(i.condition, few_digits)},
               {"parameters", i.weakest_statement}})};
@@ -232,10 +232,10 @@ Table results_table(const method::hysteresis::BreakAwayResult& r, double n,
     if (motor) add_both_sides(quantity, *motor, {n, n}, wording::torque_scale, table);
   };
   add(r.gravity_taken_off ? tr("Towards positive torque")
-                          : tr("Towards positive torque (gravity not taken off)"),
+                          : tr("Towards positive torque (gravity not subtracted)"),
       r.rising_Nm);
   add(r.gravity_taken_off ? tr("Towards negative torque")
-                          : tr("Towards negative torque (gravity not taken off)"),
+                          : tr("Towards negative torque (gravity not subtracted)"),
       r.falling_Nm);
   add(tr("Mean of both directions"), r.mean_Nm);
   return table;
@@ -273,9 +273,9 @@ Table ramps_table(const method::hysteresis::BreakAwayResult& r, const Section& s
           wording::significant(ramp.travel_rad * travel.factor, 3), outcome_words(ramp, travel)},
          false});
   }
-  table.note = tr(
-      "Torques at the motor, travel of the joint. Censored: the ramp ended before the joint broke "
-      "away; its friction is larger than the value, and the value takes no part in the means.");
+  table.note =
+      tr("Torques at the motor, travel of the joint. Censored: the ramp ended before the joint "
+         "broke away; its friction is larger than the value, which is left out of the means.");
   return table;
 }
 
@@ -287,7 +287,7 @@ void describe_break_away(const calibration::Calibration& c, Section& section) {
   section.facts.push_back({tr("Ramps"), wording::count(r.ramps.size())});
   section.facts.push_back({tr("Of these censored"), wording::count(r.censored)});
   section.facts.push_back(
-      {tr("Gravity"), r.gravity_taken_off ? tr("taken off") : tr("not known here")});
+      {tr("Gravity"), r.gravity_taken_off ? tr("subtracted") : tr("not known here")});
   Table results = results_table(r, c.manifest.drive.gear_ratio(), section);
   if (!results.rows.empty()) section.tables.push_back(std::move(results));
   section.tables.push_back(ramps_table(r, section));
@@ -297,7 +297,7 @@ Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes
                         const Section& section) {
   Table table;
   table.id = section.id + "-shapes";
-  table.caption = tr("The loops as they were recorded, without any model");
+  table.caption = tr("The loops as recorded, without any model");
   if (shapes.empty()) return table;
   const wording::Scale angle = wording::radian_scale(shapes.front().width_rad);
   double stiffest = 0;
@@ -324,11 +324,11 @@ Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes
           s.stiffness_Nm_rad ? k.plus_minus() : "–", s.stiffness_Nm_rad ? or_dash(k.range()) : "–"},
          false});
   }
-  table.note = tr(
-      "Closing gap: mean distance of the angle from where it was a cycle before; a loop is closed "
-      "up to 5 %. Stiffness: slope of torque over angle in the first third of the loop's height "
-      "behind a reversal; the tangent at the reversal itself is up to 1.2 times larger in a LuGre "
-      "contact.");
+  table.note =
+      tr("Closing gap: mean distance of the angle from where it was one cycle earlier; a loop "
+         "counts as closed up to 5 %. Stiffness: slope of torque over angle in the first third of "
+         "the loop's height after a reversal; the tangent at the reversal itself is up to 1.2 "
+         "times larger in a LuGre contact.");
   return table;
 }
 

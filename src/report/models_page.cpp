@@ -14,8 +14,8 @@ using wording::tr;
 Table models_table() {
   Table table;
   table.id = "table-models";
-  table.caption = tr("What each model claims to show, in the order of publication");
-  table.columns = {{tr("Model"), "", false},        {tr("As a scenario says it"), "", false},
+  table.caption = tr("What each model is claimed to show, in order of publication");
+  table.columns = {{tr("Model"), "", false},        {tr("Name in a scenario"), "", false},
                    {tr("Source"), "", false, true}, {tr("Pre-sliding"), "", false},
                    {tr("Break-away"), "", false},   {tr("Stribeck"), "", false},
                    {tr("Lag"), "", false},          {tr("Non-local memory"), "", false},

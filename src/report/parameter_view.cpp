@@ -18,14 +18,14 @@ Table line_table(const method::selection::CoulombViscousFit& f, double n, const 
   add_both_sides(tr("Coulomb torque T_c"), f.coulomb_Nm, {n, n}, wording::torque_scale, table);
   add_both_sides(tr("Viscous coefficient c"), f.viscous_Nms_rad, {n, n * n}, wording::viscous_scale,
                  table);
-  table.rows.push_back(number_row(tr("Scatter left by the fit (standard deviation)"), f.residual_Nm,
-                                  wording::torque_scale(f.residual_Nm), tr("fit")));
+  table.rows.push_back(number_row(tr("Residual scatter of the fit (standard deviation)"),
+                                  f.residual_Nm, wording::torque_scale(f.residual_Nm), tr("fit")));
   constexpr int digits = 3;
-  table.note = tr(
-      "Fitted to motor speeds from {slowest} to {fastest}, beyond the Stribeck dip; not to be used "
-      "below.",
-      {{"slowest", wording::significant(f.slowest_rad_s, digits)},
-       {"fastest", wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s")}});
+  table.note =
+      tr("Fitted to motor speeds from {slowest} to {fastest}, beyond the Stribeck dip; not valid "
+         "below.",
+         {{"slowest", wording::significant(f.slowest_rad_s, digits)},
+          {"fastest", wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s")}});
   return table;
 }
 
@@ -41,7 +41,7 @@ Table waiboer_table(const method::viscous::WaiboerFit& f, const Section& section
                 estimate_row(tr("Viscous coefficient c_v"), f.viscous_coefficient,
                              wording::plain_scale("N·m·(s/rad)^(1−δ_v)")),
                 estimate_row(tr("Viscous power δ_v"), f.viscous_power, wording::plain_scale("")),
-                number_row(tr("Scatter left by the fit (standard deviation)"), f.residual_Nm,
+                number_row(tr("Residual scatter of the fit (standard deviation)"), f.residual_Nm,
                            wording::torque_scale(f.residual_Nm), tr("fit"))};
   if (!f.converged)
     table.note = tr("The fit did not converge: these are its last values, not results.");
@@ -77,7 +77,7 @@ Row trial_row(const method::viscous::CurveModelTrial& t, bool is_chosen) {
        took_part ? wording::significant(t.held_out_rms_Nm, digits) : "–",
        is_chosen   ? tr("chosen")
        : took_part ? or_dash("")
-                   : tr("out: {reason}", {{"reason", t.excluded_because}})},
+                   : tr("excluded: {reason}", {{"reason", t.excluded_because}})},
       is_chosen};
 }
 
@@ -88,20 +88,20 @@ Table trials_table(const std::string& id, const std::string& caption) {
   table.columns = {{tr("Model"), "", false, true},
                    {tr("Parameters"), "", true},
                    {tr("Error on its own data"), "N·m", true},
-                   {tr("Error at speeds held out"), "N·m", true},
+                   {tr("Error at held-out speeds"), "N·m", true},
                    {tr("Outcome"), "", false, true}};
   return table;
 }
 
 Table ladder_table(const method::viscous::CurveModelChoice& c, const Section& section) {
   Table table =
-      trials_table(section.id + "-ladder", tr("Which model the curve carries, at the motor"));
+      trials_table(section.id + "-ladder", tr("Which model the curve supports, at the motor"));
   for (const method::viscous::CurveModelTrial& t : c.ladder) {
     table.rows.push_back(trial_row(t, t.model.law == c.chosen.law));
   }
   table.note = as_sentence(c.sentence) + " " + as_sentence(c.five_sentence) + " " +
-               tr("The simplest model is taken whose error at speeds held out lies within one "
-                  "standard error of the best.");
+               tr("The simplest model whose error at held-out speeds lies within one standard "
+                  "error of the best is chosen.");
   return table;
 }
 
@@ -110,11 +110,12 @@ Table options_table(const method::viscous::CurveModelChoice& c, const Section& s
   for (const method::viscous::CurveModelTrial& t : c.options) {
     table.rows.push_back(trial_row(t, false));
     const bool is_taken = t.model.asymmetry == c.chosen.asymmetry && t.model.load == c.chosen.load;
-    if (t.excluded_because.empty()) table.rows.back().cells.back() = is_taken ? tr("taken") : "–";
+    if (t.excluded_because.empty())
+      table.rows.back().cells.back() = is_taken ? tr("included") : "–";
   }
-  table.note = tr(
-      "A term is taken up only if it brings speeds held out closer by more than twice the standard "
-      "error of the gain.");
+  table.note =
+      tr("A term is included only if it reduces the error at held-out speeds by more than twice "
+         "the standard error of the gain.");
   return table;
 }
 
@@ -134,7 +135,7 @@ Table parameters_table(const method::viscous::CurveModelChoice& c, const Section
 Table directions_table(const calibration::Calibration& c, const Section& section) {
   const double n = c.manifest.drive.gear_ratio();
   Table table = estimates_table(section.id + "-directions",
-                                tr("Coulomb and viscous friction of each direction, at the joint"));
+                                tr("Coulomb and viscous friction in each direction, at the joint"));
   for (const method::viscous::CurveDirectionLines& lines : c.direction_lines.curves) {
     for (const bool rising : {true, false}) {
       const auto& l = rising ? lines.rising : lines.falling;
@@ -146,26 +147,26 @@ Table directions_table(const calibration::Calibration& c, const Section& section
           l->runs, "{runs} run, {left_out} left out", "{runs} runs, {left_out} left out",
           {{"runs", wording::count(l->runs)}, {"left_out", wording::count(l->runs_left_out)}}));
       table.rows.push_back(estimate_row(
-          rising ? tr("Coulomb torque, rising ({estimator})", {{"estimator", estimator}})
-                 : tr("Coulomb torque, falling ({estimator})", {{"estimator", estimator}}),
+          rising ? tr("Coulomb torque, forward ({estimator})", {{"estimator", estimator}})
+                 : tr("Coulomb torque, backward ({estimator})", {{"estimator", estimator}}),
           coulomb, wording::torque_scale(coulomb.value)));
       table.rows.push_back(estimate_row(
-          rising ? tr("Viscous coefficient, rising ({estimator})", {{"estimator", estimator}})
-                 : tr("Viscous coefficient, falling ({estimator})", {{"estimator", estimator}}),
+          rising ? tr("Viscous coefficient, forward ({estimator})", {{"estimator", estimator}})
+                 : tr("Viscous coefficient, backward ({estimator})", {{"estimator", estimator}}),
           viscous, wording::viscous_scale(viscous.value)));
     }
   }
-  table.note = tr(
-      "Left out: runs that travel less than a quarter of the widest way, over which torque ripple "
-      "does not average out, and those below the Stribeck dip.");
+  table.note =
+      tr("Left out: runs that travel less than a quarter of the widest range, over which torque "
+         "ripple does not average out, and those below the Stribeck dip.");
   return table;
 }
 
 Table load_table(const method::viscous::LoadDependenceResult& r, const Section& section) {
   Table table = estimates_table(section.id + "-load", tr("Friction against load, at the motor"));
   constexpr double percent = 100;
-  table.rows.push_back(estimate_row(tr("Friction added, of the gravity torque"), r.per_load,
-                                    wording::Scale{percent, "%"}));
+  table.rows.push_back(estimate_row(tr("Friction added, relative to the gravity torque"),
+                                    r.per_load, wording::Scale{percent, "%"}));
   table.rows.push_back(estimate_row(tr("Friction without load"), r.unloaded_Nm,
                                     wording::torque_scale(r.unloaded_Nm.value)));
   if (r.viscous_Nms_rad) {
@@ -174,12 +175,11 @@ Table load_table(const method::viscous::LoadDependenceResult& r, const Section& 
   }
   const auto error = [&](const std::string& words, double value) {
     table.rows.push_back(
-        number_row(words, value, wording::torque_scale(value), tr("angles held out")));
+        number_row(words, value, wording::torque_scale(value), tr("held-out angles")));
   };
   error(tr("Error with the load"), r.held_out_Nm);
   error(tr("Error without it"), r.held_out_without_load_Nm);
-  if (r.viscous_Nms_rad)
-    error(tr("Error of a cubic of the speed alone"), r.held_out_speed_alone_Nm);
+  if (r.viscous_Nms_rad) error(tr("Error of a cubic in speed alone"), r.held_out_speed_alone_Nm);
   table.note = as_sentence(r.sentence);
   return table;
 }

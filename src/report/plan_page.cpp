@@ -25,7 +25,7 @@ Table parts_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-parts";
   table.is_stacked = true;
-  table.caption = tr("Its parts, in their order");
+  table.caption = tr("Its parts, in order");
   table.columns = {{tr("Part"), "", false},
                    {tr("State"), "", false},
                    {tr("Recordings"), "", true},
@@ -62,10 +62,10 @@ Table positions_table(const plan::ExperimentPlan& plan) {
   constexpr double nothing = 5e-4;
   table.note = tr("Torque ripple is a constant over one oscillation.") + " " +
                (plan.ripple_left_share < nothing
-                    ? tr("In the mean over these positions nothing of the amplitude of any period "
-                         "known or assumed is left.")
+                    ? tr("In the mean over these positions nothing remains of the amplitude of any "
+                         "known or assumed period.")
                     : tr("In the mean over these positions {left_percent:.1f} % of the amplitude "
-                         "of any period known or assumed is left.",
+                         "of any known or assumed period remains.",
                          {{"left_percent", 100 * plan.ripple_left_share}}));
   return table;
 }
@@ -99,9 +99,9 @@ Table expected_table(const plan::ExpectedIntervals& expected) {
   table.caption = tr("Intervals to expect, by simulation");
   table.columns = {{tr("Quantity"), "", false, true},
                    {tr("95 % interval to expect"), "", true},
-                   {tr("Scatter that came back"), "", true},
+                   {tr("Scatter of the estimates"), "", true},
                    {tr("Identified"), "", true},
-                   {tr("Interval holds the truth"), "", true}};
+                   {tr("Interval contains the true value"), "", true}};
   for (const plan::ExpectedInterval& e : expected.quantities) {
     table.rows.push_back({{wording::capitalised(wording::words_for("expected", to_string(e.name))),
                            exports::experiment::interval_text(e.truth, e.half_width, e.quantity),
@@ -118,16 +118,16 @@ Table expected_table(const plan::ExpectedIntervals& expected) {
                "identified.",
                {{"runs", expected.runs}}) +
       " " +
-      tr("The value is the assumed one, the interval is the median half width of those stated, in "
-         "closed form; the scatter is the standard deviation of the estimates, about half the "
-         "interval where that is honest. A real joint adds what no model has in it.");
+      tr("The value is the assumed one; the interval is the median stated half width, in closed "
+         "form; the scatter is the standard deviation of the estimates, about half the interval if "
+         "its coverage is right. A real joint adds effects that no model contains.");
   return table;
 }
 
 Table assumptions_table(const plan::AssumedJoint& joint) {
   Table table;
   table.id = "table-assumptions";
-  table.caption = tr("What the plan rests on");
+  table.caption = tr("What the plan is based on");
   table.columns = {
       {tr("Quantity"), "", false, true}, {tr("Value"), "", true}, {tr("From"), "", false, true}};
   constexpr int digits = 6;

@@ -66,8 +66,8 @@ std::string effort_in_words(const joint::Drive& drive) {
                       : tr("torque at the joint, joint side");
     case joint::EffortKind::target_torque:
       return at_motor
-                 ? tr("target torque of a controller or its model, no measurement, motor side")
-                 : tr("target torque of a controller or its model, no measurement, joint side");
+                 ? tr("target torque of a controller or its model, not a measurement, motor side")
+                 : tr("target torque of a controller or its model, not a measurement, joint side");
     case joint::EffortKind::none:
       return tr("not recorded");
   }
@@ -76,9 +76,8 @@ std::string effort_in_words(const joint::Drive& drive) {
 
 std::string effort_in_words(const joint::Manifest& m) {
   const std::string effort = effort_in_words(m.drive);
-  return m.effort_is_confirmed
-             ? effort
-             : tr("{effort}: proposed, nobody confirmed it", {{"effort", effort}});
+  return m.effort_is_confirmed ? effort
+                               : tr("{effort}: proposed, not confirmed", {{"effort", effort}});
 }
 
 /// "1.825 N·m cos(q1_rad + q2_rad − 90°) at the joint, from 42 900 samples, up to 1.825 N·m"
@@ -136,7 +135,7 @@ Table manifest_table(const joint::Manifest& m) {
                                          "°")}}));
   }
   add(table, tr("Known friction curve"),
-      m.reference ? tr("yes, of the model {friction_model}: the data are simulated",
+      m.reference ? tr("yes, from the model {friction_model}: the data are simulated",
                        {{"friction_model", m.reference->name()}})
                   : tr("none"));
   return table;

@@ -104,9 +104,9 @@ std::string helpful_experiment(StageId stage) {
     case StageId::hysteresis:
       return tr(
           "Oscillate the joint about the gravity peak with a sine of about 1 Hz and so small a "
-          "stroke that it stays in pre-sliding (some 0.1 mrad at the joint), ten cycles or "
-          "more, sampled at 1 kHz. The encoder must resolve the stroke into at least fifty "
-          "steps. Repeat at several motor positions if the torque ripples with position.");
+          "stroke that it stays in pre-sliding (about 0.1 mrad at the joint), ten cycles or more, "
+          "sampled at 1 kHz. The encoder must resolve the stroke into at least fifty steps. Repeat "
+          "at several motor positions if the torque ripples with position.");
     case StageId::surrogate_masses:
       return "The gravity torque of a rough sweep gives one mass; the others need the hysteresis "
              "loop of stage 3.";
@@ -116,15 +116,15 @@ std::string helpful_experiment(StageId stage) {
           "the fastest allowed, in both directions over the same angles.");
     case StageId::quality_errors:
       return tr(
-          "Run every constant speed in both directions over the same angles: half of the "
-          "difference of the two torques is friction, whatever gravity is.");
+          "Run every constant speed in both directions over the same angles: half the difference "
+          "between the two torques is friction, whatever gravity is.");
     case StageId::selection:
       return "It follows from the stages above; see what they are missing.";
     case StageId::break_away:
       return tr(
           "From rest, let the torque rise slowly (a tenth of the expected break-away torque per "
           "second or less) until the joint slides, five times in each direction from the same "
-          "angle, and stop only behind the slip.");
+          "angle, and stop only after the slip.");
     case StageId::parameters:
       break;
   }

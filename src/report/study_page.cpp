@@ -115,15 +115,15 @@ Table level_table(const study::StudyResult& study, const study::StudyFactor& fac
 std::vector<Table> tables_of(const study::StudyResult& study, const study::StudyFactor& factor) {
   Table bias = level_table(study, factor, "bias", tr("Bias ± its standard error"), bias_text, true);
   bias.note =
-      tr("Gravity and friction in % of the truth, the angle in thousandths of a degree. “[k of "
-         "n]”: found in k of n runs only.");
+      tr("Gravity and friction in % of the true value, the angle in thousandths of a degree. “[k "
+         "of n]”: found in k of n runs only.");
   Table scatter =
       level_table(study, factor, "scatter", tr("Scatter from run to run (standard deviation)"),
                   scatter_text, true);
-  Table coverage = level_table(
-      study, factor, "coverage",
-      tr("Runs whose stated 95 % interval holds the truth, in % (with its own 95 % interval)"),
-      coverage_text, false);
+  Table coverage = level_table(study, factor, "coverage",
+                               tr("Runs whose stated 95 % interval contains the true value, in % "
+                                  "(with its own 95 % interval)"),
+                               coverage_text, false);
   return {std::move(bias), std::move(scatter), std::move(coverage)};
 }
 
@@ -164,12 +164,12 @@ void fill_trust(const study::StudyResult& study, TemplateValues& values) {
                               "angle, 1 % of a friction parameter"));
   Table coarse = trust_table(study, study::Criterion::coarse, "coarse",
                              tr("95 of 100 runs within 0.3 %, 0.1°, 5 %"));
-  Table coverage = trust_table(study, study::Criterion::coverage, "coverage",
-                               tr("The stated 95 % intervals hold the truth in 91 % of the runs "
-                                  "or more"));
+  Table coverage = trust_table(
+      study, study::Criterion::coverage, "coverage",
+      tr("The stated 95 % intervals contain the true value in 91 % of the runs or more"));
   coverage.note =
       tr("An interval counts as too narrow where even the upper end of the coverage's own interval "
-         "is below 91 %. Levels at which all runs are alike, for want of noise, are passed over.");
+         "is below 91 %. Levels at which all runs are identical, for lack of noise, are skipped.");
   for (const Table& table : {fine, coarse, coverage}) fill_table(table, "TRUST", values);
 }
 
@@ -215,7 +215,7 @@ std::vector<Fact> base_facts(const StudyReport& report) {
   constexpr int digits = 4;
   std::vector<Fact> facts{
       {tr("Scenario"), or_dash(study.base.name)},
-      {tr("Runs of each case"), std::to_string(study.options.runs)},
+      {tr("Runs per case"), std::to_string(study.options.runs)},
       {tr("Cases"), std::to_string(study.cases.size())},
       {tr("Seed"), std::to_string(study.options.seed)},
       {tr("True gravity torque at the motor"),

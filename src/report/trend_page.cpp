@@ -190,10 +190,10 @@ void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) 
   }
   if (names.empty()) return;
   const std::size_t learned = t.baseline.is_by_date() ? history::fewest_learned : t.baseline.count;
-  notes.push_back(as_sentence(
-      tr("too few calibrations can be used of {quantities}: the first {calibrations} or more only "
-         "tell what to expect, and a change shows in those that follow",
-         {{"quantities", wording::listed(names)}, {"calibrations", learned}})));
+  notes.push_back(
+      as_sentence(tr("too few usable calibrations of {quantities}: the first {calibrations} or "
+                     "more only set the baseline, and a change shows in those that follow",
+                     {{"quantities", wording::listed(names)}, {"calibrations", learned}})));
 }
 
 /// Quantities whose intervals hold an error that all calibrations share.
@@ -207,8 +207,8 @@ void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& n
   }
   if (names.empty()) return;
   notes.push_back(as_sentence(
-      tr("{quantities}: calibrations scatter by less than their intervals state, which then hold "
-         "an error that all of them share; a change is told from the scatter",
+      tr("{quantities}: calibrations scatter by less than their intervals state, so the intervals "
+         "include an error that all of them share; changes are judged by the scatter",
          {{"quantities", wording::listed(names)}})));
 }
 
@@ -220,13 +220,13 @@ std::string temperature_note(history::TemperatureUse use, const std::string& qua
                 {{"quantities", quantities}});
     case history::TemperatureUse::too_even:
       return tr(
-          "{quantities}: temperature varied by less than {span_K:.3g} K, too little to tell "
+          "{quantities}: temperature varied by less than {span_K:.3g} K, too little to determine "
           "its effect; nothing is corrected",
           {{"quantities", quantities}, {"span_K", history::least_temperature_span_K}});
     case history::TemperatureUse::not_recorded:
       return tr(
-          "{quantities}: temperature is stated by fewer than half of the calibrations: a "
-          "change may be its",
+          "{quantities}: temperature is stated for fewer than half of the calibrations: a change "
+          "may be due to temperature",
           {{"quantities", quantities}});
     case history::TemperatureUse::hardly_felt:
       break;
@@ -283,9 +283,8 @@ Table trend_table(const history::JointTrend& t, const std::string& id) {
          q.state == history::TrendState::warning});
   }
   table.note =
-      tr("At the motor. The reference is the mean of all calibrations outside of a change, with "
-         "its 95 % interval; the scatter is the standard deviation of a single calibration about "
-         "it.");
+      tr("At the motor. The reference is the mean of all calibrations outside a change, with its "
+         "95 % interval; the scatter is the standard deviation of a single calibration about it.");
   return table;
 }
 
@@ -314,27 +313,27 @@ std::string baseline_words(const history::Baseline& baseline) {
   const std::size_t fewest = history::fewest_learned;
   if (!baseline.is_by_date()) {
     return tr_count(static_cast<std::int64_t>(baseline.count),
-                    "The first {calibrations} calibration is only learned from; each later one is "
-                    "held against all before it that lie in no change.",
-                    "The first {calibrations} calibrations are only learned from; each later one "
-                    "is held against all before it that lie in no change.",
+                    "The first {calibrations} calibration only sets the baseline; each later one "
+                    "is compared with all earlier ones that are not part of a change.",
+                    "The first {calibrations} calibrations only set the baseline; each later one "
+                    "is compared with all earlier ones that are not part of a change.",
                     {{"calibrations", baseline.count}});
   }
   if (baseline.to.empty()) {
     return tr(
-        "The calibrations from {first_date} (at least {fewest}) are only learned from; each "
-        "later one is held against all before it that lie in no change.",
+        "The calibrations from {first_date} (at least {fewest}) only set the baseline; each later "
+        "one is compared with all earlier ones that are not part of a change.",
         {{"first_date", baseline.from}, {"fewest", fewest}});
   }
   if (baseline.from.empty()) {
     return tr(
-        "The calibrations up to {last_date} (at least {fewest}) are only learned from; each "
-        "later one is held against all before it that lie in no change.",
+        "The calibrations up to {last_date} (at least {fewest}) only set the baseline; each later "
+        "one is compared with all earlier ones that are not part of a change.",
         {{"last_date", baseline.to}, {"fewest", fewest}});
   }
   return tr(
-      "The calibrations from {first_date} up to {last_date} (at least {fewest}) are only "
-      "learned from; each later one is held against all before it that lie in no change.",
+      "The calibrations from {first_date} up to {last_date} (at least {fewest}) only set the "
+      "baseline; each later one is compared with all earlier ones that are not part of a change.",
       {{"first_date", baseline.from}, {"last_date", baseline.to}, {"fewest", fewest}});
 }
 
@@ -342,13 +341,13 @@ std::string alarm_words(const history::JointTrend& t) {
   return tr_count(
       static_cast<std::int64_t>(t.watched),
       "Its difference, in standard deviations of its interval and of the scatter between "
-      "calibrations (moving ranges) together, less {allowance:.3g}, is added up, and the alarm is "
-      "at {limit:.1f}: a false one comes about once in {calibrations} calibrations of the joint or "
-      "more rarely, for its {watched} watched quantity.",
+      "calibrations (moving ranges) together, less {allowance:.3g}, is summed, and the alarm is "
+      "raised at {limit:.1f}: a false alarm occurs about once in {calibrations} calibrations of "
+      "the joint or less often, for its {watched} watched quantity.",
       "Its difference, in standard deviations of its interval and of the scatter between "
-      "calibrations (moving ranges) together, less {allowance:.3g}, is added up, and the alarm is "
-      "at {limit:.1f}: a false one comes about once in {calibrations} calibrations of the joint or "
-      "more rarely, for all of its {watched} watched quantities together.",
+      "calibrations (moving ranges) together, less {allowance:.3g}, is summed, and the alarm is "
+      "raised at {limit:.1f}: a false alarm occurs about once in {calibrations} calibrations of "
+      "the joint or less often, for all of its {watched} watched quantities together.",
       {{"allowance", history::cusum_allowance},
        {"limit", history::cusum_limit(t.watched)},
        {"calibrations", history::calibrations_per_false_alarm},
@@ -362,11 +361,11 @@ std::string chart_words(const history::JointTrend& t) {
       tr("A self-starting two-sided CUSUM (Page 1954, Hawkins 1987) for each quantity."),
       baseline_words(t.baseline),
       alarm_words(t),
-      tr("The date from which a change is visible is that of the calibration, of those since the "
-         "sum last left zero, from which on a shift is most likely (Hinkley 1970)."),
-      tr("A straight line over time through all calibrations tells a steady drift, which a chart "
-         "that learns on the way follows: from a chance of {chance_percent:.2g} % on, at any one "
-         "time and for all quantities together, that there is none.",
+      tr("A change is visible from the date of that calibration, among those since the sum last "
+         "left zero, from which a shift is most likely to have begun (Hinkley 1970)."),
+      tr("A straight line over time through all calibrations shows a steady drift, which a "
+         "self-starting chart would follow: it is reported if the chance that there is none is at "
+         "most {chance_percent:.2g} %, at any one time and for all quantities together.",
          {{"chance_percent", 100 * history::drift_false_alarms}}),
       tr("A change that was there before the first calibration is not seen, and one odd "
          "calibration alone raises no alarm.")};
@@ -394,14 +393,14 @@ struct Headline {
 Headline headline_of(history::TrendState state) {
   switch (state) {
     case history::TrendState::warning:
-      return {tr("CHANGED"), tr("A change stands that is larger than what calibrations scatter."),
+      return {tr("CHANGED"), tr("There is a change larger than the scatter of the calibrations."),
               Outcome::bad};
     case history::TrendState::recovered:
-      return {tr("CHANGED, AND BACK"), tr("There was a change; the values are back."),
+      return {tr("CHANGED AND RETURNED"), tr("There was a change; the values have returned."),
               Outcome::partial};
     case history::TrendState::steady:
-      return {tr("NO CHANGE VISIBLE"), tr("No quantity has left what its calibrations let expect."),
-              Outcome::good};
+      return {tr("NO CHANGE VISIBLE"),
+              tr("No quantity has left the range expected from its calibrations."), Outcome::good};
     case history::TrendState::too_few:
       break;
   }

@@ -35,11 +35,11 @@ std::string rule_of(const calibration::LimitOutcome& limit) {
 LimitCell cell_of(const calibration::LimitOutcome& limit) {
   switch (limit.state) {
     case calibration::LimitState::inside:
-      return {rule_of(limit), tr("kept"), Outcome::good};
+      return {rule_of(limit), tr("met"), Outcome::good};
     case calibration::LimitState::outside:
-      return {rule_of(limit), tr("broken"), Outcome::bad};
+      return {rule_of(limit), tr("not met"), Outcome::bad};
     case calibration::LimitState::crosses:
-      return {rule_of(limit), tr("not shown to be kept"), Outcome::partial};
+      return {rule_of(limit), tr("not shown to be met"), Outcome::partial};
     case calibration::LimitState::unknown:
       break;
   }
@@ -236,19 +236,19 @@ Row row_of(const calibration::ReturnedQuantity& q) {
 Table table_of(const calibration::TruthCheckResult& check) {
   Table table;
   table.id = "known-truth-results";
-  table.caption = tr_count(
-      check.runs, "What was put in and what came back, means over {simulations} simulation",
-      "What was put in and what came back, means over {simulations} simulations",
-      {{"simulations", check.runs}});
-  table.columns = {{tr("Quantity"), "", false, true},     {tr("Put in"), "", true},
-                   {tr("Came back"), "", true},           {tr("Deviation"), "", true},
+  table.caption =
+      tr_count(check.runs, "Simulated and recovered values, means over {simulations} simulation",
+               "Simulated and recovered values, means over {simulations} simulations",
+               {{"simulations", check.runs}});
+  table.columns = {{tr("Quantity"), "", false, true},     {tr("Simulated value"), "", true},
+                   {tr("Recovered value"), "", true},     {tr("Deviation"), "", true},
                    {tr("Stated half width"), "", true},   {tr("Unit"), "", false},
-                   {tr("Inside the interval"), "", true}, {tr("Comes back"), "", false}};
+                   {tr("Within the interval"), "", true}, {tr("Recovered"), "", false}};
   for (const calibration::ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
-  table.note = tr(
-      "It comes back if it is found in most simulations and in most of them is held by the stated "
-      "interval, or is off by less than matters: 0.1 % of a torque, 0.006° of the angle, 1 % of a "
-      "parameter.");
+  table.note =
+      tr("A quantity is recovered if it is found in most simulations and in most of them lies "
+         "within the stated interval, or is off by too little to matter: 0.1 % of a torque, 0.006° "
+         "of the angle, 1 % of a parameter.");
   return table;
 }
 
@@ -277,8 +277,8 @@ Section truth_check_section(const calibration::TruthCheckResult& check, int numb
                     : check.findings.empty() ? Outcome::good
                                              : Outcome::bad;
   section.status = nothing                  ? tr("not possible")
-                   : check.findings.empty() ? tr("comes back")
-                                            : tr("does not come back");
+                   : check.findings.empty() ? tr("recovered")
+                                            : tr("not recovered");
   std::vector<Statement> findings;
   for (const calibration::TruthFinding& one : check.findings) findings.push_back(one.finding);
   section.reason = as_sentence(joined(findings));

@@ -8,93 +8,91 @@ const Messages& check_messages() {
   static const Messages all{
       // The checks, in the order of the report.
       {"check.effort_provenance", text("Provenance of the effort")},
-      {"check.effort_column", text("Effort against what its logger writes")},
-      {"check.link_side_torque", text("Gear friction in a torque of the joint")},
+      {"check.effort_column", text("Effort column as its logger defines it")},
+      {"check.link_side_torque", text("Gear friction in a joint-side torque")},
       {"check.joint_moves", text("The joint moves")},
       {"check.angle_unit", text("The angle's unit")},
-      {"check.clock_jitter", text("Even clock")},
+      {"check.clock_jitter", text("Regular sampling")},
       {"check.clock_gaps", text("No gaps in time")},
       {"check.speed_scale", text("Logged speed against the angle")},
       {"check.speed_noise", text("Noise of the logged speed")},
       {"check.sweep_directions", text("Both directions in the sweep")},
       {"check.run_directions", text("Both directions in the runs")},
-      {"check.sweep_common_angles", text("Common angles of the sweep's directions")},
-      {"check.run_common_angles", text("Common angles of the runs' directions")},
+      {"check.sweep_common_angles", text("Angles common to both sweep directions")},
+      {"check.run_common_angles", text("Angles common to both run directions")},
       {"check.run_speeds", text("Number of speeds")},
       {"check.stick_slip", text("No stick-slip")},
       {"check.torque_alive", text("The torque changes")},
-      {"check.torque_noise", text("Signal in the torque")},
+      {"check.torque_noise", text("Torque signal above the noise")},
       {"check.torque_saturation", text("Torque not clipped")},
       {"check.torque_step", text("Torque step against friction")},
-      {"check.friction_dissipates", text("Friction takes up power")},
-      {"check.power", text("Power of a joint")},
-      {"check.friction_drift", text("Friction steady in time")},
+      {"check.friction_dissipates", text("Friction dissipates power")},
+      {"check.power", text("Plausible joint power")},
+      {"check.friction_drift", text("Friction steady over time")},
       {"check.temperature", text("Temperature")},
       {"check.encoder_step", text("Encoder step against pre-sliding")},
       {"check.oscillation_cycles", text("Cycles of the oscillation")},
-      {"check.oscillation_slides", text("Friction turns over in the loop")},
+      {"check.oscillation_slides", text("The loop reaches sliding")},
       {"check.oscillation_at_peak", text("Oscillation at the gravity peak")},
       {"check.gravity_within_torque", text("Gravity within the measured torque")},
-      {"check.static_torque", text("Static torque against the weight")},
+      {"check.static_torque", text("Gravity torque against the stated load")},
       {"check.torque_ripple", text("Torque ripple in the oscillations")},
       {"check.ripple_period", text("Gear ratio against the ripple's period")},
 
       // What was measured.
-      {"measure.effort_as_stated", text("logs whose effort column is what the manifest states")},
+      {"measure.effort_as_stated", text("logs whose effort column matches the manifest")},
       {"measure.friction_of_largest_torque",
-       text("friction / largest torque, of the same recordings")},
+       text("friction / largest torque in the same recordings")},
       {"measure.moving_recordings", text("recordings in which the joint moves")},
       {"measure.largest_angle", text("largest joint angle")},
       {"measure.interval_scatter", text("scatter of the sampling interval")},
       {"measure.time_in_gaps", text("time lost in gaps")},
       {"measure.speed_of_derivative", text("logged speed / derivative of the angle")},
       {"measure.speed_scatter",
-       text("scatter of the logged speed about the angle's slope, of the speed")},
-      {"measure.rarer_direction", text("share of the rarer direction in the travel")},
+       text("scatter of the logged speed about the angle's slope, relative to the speed")},
+      {"measure.rarer_direction", text("share of the travel in the less frequent direction")},
       {"measure.common_travel_at_same_speed",
-       text("share of the travel that both directions passed at the same speed")},
-      {"measure.common_angles", text("share of the angles that both directions passed")},
-      {"measure.different_speeds", text("different speeds among the plateaus")},
+       text("share of the travel covered in both directions at the same speed")},
+      {"measure.common_angles", text("share of the angles covered in both directions")},
+      {"measure.different_speeds", text("distinct plateau speeds")},
       {"measure.stops", text("stops within one stroke, each followed by a burst")},
       {"measure.live_recordings", text("recordings in which the torque changes")},
       {"measure.white_noise", text("share of white noise in the variance of the torque")},
-      {"measure.clipped_samples", text("samples that lie flat on the extreme torque")},
+      {"measure.clipped_samples", text("samples stuck at the extreme torque")},
       {"measure.torque_step_of_friction",
-       text("step of the torque / half the difference of the directions")},
+       text("torque step / half the difference between the directions")},
       {"measure.half_difference",
-       text("half the difference of the directions' torque at equal angle, motor side")},
+       text("half the torque difference between the directions at equal angle, motor side")},
       {"measure.largest_power", text("largest torque times speed")},
       {"measure.friction_change", text("change of friction from the first strokes to the last")},
       {"measure.temperature_range", text("range of the temperature over all recordings")},
-      {"measure.steps_across_loop", text("steps of the angle across the loop")},
+      {"measure.steps_across_loop", text("angle steps across the loop")},
       {"measure.steps_after_reversal",
-       text("steps of the angle within which friction turns over after a reversal")},
+       text("angle steps in the pre-sliding travel after a reversal")},
       {"measure.cycles", text("cycles")},
       {"measure.stiffness_left",
-       text("stiffness left at the end of a stroke, of that behind a turn")},
+       text("stiffness at the end of a stroke / stiffness after a reversal")},
       {"measure.distance_from_peak",
        text("distance of the oscillation's centre from the gravity peak")},
-      {"measure.fitted_of_largest_torque",
-       text("gravity torque that was fitted / largest torque measured")},
+      {"measure.fitted_of_largest_torque", text("fitted gravity torque / largest measured torque")},
       {"measure.found_of_payload",
        text("gravity torque found / m g r of the payload alone, at the joint")},
       {"measure.found_of_stated", text("gravity torque found / stated, at the joint")},
       {"measure.ripple_left_in_mean",
-       text("ripple that the oscillations' positions do not average out, of the gravity torque")},
+       text("ripple not averaged out over the oscillation positions / gravity torque")},
       {"measure.ripple_periods_off",
-       text("distance of the ripple's periods a motor turn from a whole number")},
+       text("distance of the ripple periods per motor turn from a whole number")},
 
       // Why a check does not apply.
       {"not_applicable.no_torque", text("no torque was recorded")},
       {"not_applicable.no_recording", text("no recording")},
-      {"not_applicable.logger_unknown",
-       text("the names of the columns are those of no logger that is known")},
-      {"not_applicable.no_gear", text("no gear lies between motor and joint")},
+      {"not_applicable.logger_unknown", text("the column names match no known logger")},
+      {"not_applicable.no_gear", text("there is no gear between motor and joint")},
       {"not_applicable.no_joint_torque",
        text("the effort is not stated as a torque measured at the joint")},
-      {"not_applicable.none_has_to_move", text("no recording in which it has to move")},
+      {"not_applicable.none_has_to_move", text("no recording in which the joint has to move")},
       {"not_applicable.no_speed_beside_angle",
-       text("no speed is logged beside a moving angle; it is taken from the angle")},
+       text("no speed is logged with a moving angle; it is derived from the angle")},
       {"not_applicable.no_speed_logged", text("no speed is logged in a sweep or a run")},
       {"not_applicable.no_rough_sweep", text("no rough sweep was recorded")},
       {"not_applicable.no_run", text("no run at constant speed was recorded")},
@@ -109,7 +107,7 @@ const Messages& check_messages() {
        text("no recording repeats its strokes three times or more")},
       {"not_applicable.no_temperature", text("no temperature is logged")},
       {"not_applicable.no_stepped_reversal",
-       text("no oscillation, and no reversal of a sweep with a stepped angle")},
+       text("no oscillation, and no sweep reversal with visible angle steps")},
       {"not_applicable.no_oscillation", text("no oscillation was recorded")},
       {"not_applicable.no_whole_strokes", text("no oscillation with whole strokes")},
       {"not_applicable.peak_unknown", text("the angle of the gravity peak is not known")},
@@ -119,7 +117,7 @@ const Messages& check_messages() {
             "distance_m")},
       {"not_applicable.no_gravity_to_compare", text("no gravity was found to compare with")},
       {"not_applicable.no_sweep_residual",
-       text("no gravity was found in a rough sweep, whose residual would show ripple")},
+       text("no gravity was found in a rough sweep, the residual of which would show ripple")},
       {"not_applicable.sweep_too_short_for_ripple",
        text("the rough sweep does not turn the motor often enough to show a period")},
       {"not_applicable.no_ripple_for_gear_ratio",
@@ -128,106 +126,97 @@ const Messages& check_messages() {
       // Where the effort comes from.
       {"effort.stated_at_motor", text("{effort}, motor side, as the manifest states")},
       {"effort.stated_at_joint", text("{effort}, joint side, as the manifest states")},
-      {"effort.proposed_at_motor",
-       text("{effort} on the motor side is a proposal, and nobody confirmed it")},
-      {"effort.proposed_at_joint",
-       text("{effort} on the joint side is a proposal, and nobody confirmed it")},
+      {"effort.proposed_at_motor", text("{effort} on the motor side is proposed, not confirmed")},
+      {"effort.proposed_at_joint", text("{effort} on the joint side is proposed, not confirmed")},
       {"effort.is_target",
-       text("the effort is a target torque, of a controller or of its model, and no measurement")},
+       text("the effort is a target torque from a controller or its model, not a measurement")},
       {"effort.is_target_proposed",
-       text("the effort is a target torque, of a controller or of its model, and no measurement; "
-            "that it is one is a proposal, and nobody confirmed it")},
+       text("the effort is a target torque from a controller or its model, not a measurement; "
+            "that, too, is proposed, not confirmed")},
       {"effort.friction_of_model",
-       text("friction found in it is the model's own friction, not the joint's, and so is "
-            "gravity")},
-      {"effort.record_measurement",
-       text("record the motor current or a measured torque beside it")},
+       text("friction and gravity found in it are the model's own, not the joint's")},
+      {"effort.record_measurement", text("also record the motor current or a measured torque")},
       {"effort.wrong_by_one_factor",
-       text("if the column is anything else, every torque and mass is wrong by one factor")},
+       text("if the column is anything else, every torque and mass is wrong by the same factor")},
       {"effort.confirm",
        text("look up what the driver writes, then state effort.kind and effort.side and delete "
             "'confirmed = false'")},
 
       // The effort against what its logger writes.
       {"effort_column.as_stated", text("the column's name agrees with what the manifest states")},
-      {"effort_column.is_target",
-       text("{logger} writes into column '{column}' a target of its controller; the manifest "
-            "states a measured {stated}")},
-      {"effort_column.is_measurement",
-       text("{logger} writes into column '{column}' a measurement; the manifest states a "
-            "target_torque")},
+      {"effort_column.is_target", text("{logger} writes a controller target into column "
+                                       "'{column}'; the manifest states a measured {stated}")},
+      {"effort_column.is_measurement", text("{logger} writes a measurement into column '{column}'; "
+                                            "the manifest states a target_torque")},
       {"effort_column.is_other_kind",
-       text("{logger} writes into column '{column}' a {written}; the manifest states a {stated}")},
-      {"effort_column.is_on_motor_side",
-       text("{logger} writes into column '{column}' a torque on the motor side; the manifest "
-            "states the joint side")},
-      {"effort_column.is_on_joint_side",
-       text("{logger} writes into column '{column}' a torque on the joint side; the manifest "
-            "states the motor side")},
+       text("{logger} writes a {written} into column '{column}'; the manifest states a {stated}")},
+      {"effort_column.is_on_motor_side", text("{logger} writes a motor-side torque into column "
+                                              "'{column}'; the manifest states the joint side")},
+      {"effort_column.is_on_joint_side", text("{logger} writes a joint-side torque into column "
+                                              "'{column}'; the manifest states the motor side")},
       {"effort_column.is_behind_gear",
-       text("{logger} writes into column '{column}' a torque measured behind the gear; the "
-            "manifest states a motor_torque")},
+       text("{logger} writes a torque measured on the output side of the gear into column "
+            "'{column}'; the manifest states a motor_torque")},
       {"effort_column.other_than_identified",
-       text("if the logger is right, the torque is of another kind, unit or side than what was "
-            "identified, or no measurement at all")},
+       text("if the logger is right, the torque differs in kind, unit or side from what the "
+            "identification took it for, or is not a measurement at all")},
       {"effort_column.state_as_logged",
-       text("state effort.kind and effort.side of this column as its logger writes it")},
+       text("state effort.kind and effort.side as the logger writes this column")},
 
       // A torque measured behind the gear.
       {"link_side.friction_of_a_gear",
-       text("friction is {friction_percent:.3g} % of the largest torque, as much as a gear's: the "
-            "torque looks like one computed from the motor's current; were it a sensor's, friction "
-            "behind the sensor, seen from the joint, is not in it")},
+       text("friction is {friction_percent:.3g} % of the largest torque, as much as in a gear: the "
+            "torque looks as if computed from the motor current; if it does come from a sensor, "
+            "friction on the motor side of the sensor is not in it")},
       {"link_side.friction_unknown",
-       text("the torque is stated as that of the joint behind its gear; no recording has both "
-            "directions over the same angles to tell how much friction is in it")},
+       text("the torque is stated as measured at the joint, on the output side of the gear; no "
+            "recording has both directions over the same angles to show how much friction is in "
+            "it")},
       {"link_side.friction_in_sensor",
-       text("the sensor sits behind the gear, and the torque still shows friction of "
+       text("the sensor is on the output side of the gear, and the torque still shows friction of "
             "{friction_percent:.3g} % of its largest value: bearings, seals, cables")},
       {"link_side.little_friction",
        text("friction is only {friction_percent:.3g} % of the largest torque; a gear loses "
-            "{gear_loss_percent:.3g} % and more: the torque is measured behind it and contains "
-            "little gear friction")},
+            "{gear_loss_percent:.3g} % or more: the torque is measured on the output side and "
+            "contains little gear friction")},
       {"link_side.friction_as_sensor_feels",
-       text("mass and angle stand; friction, break-away torque and bristles are what the sensor "
-            "feels: friction behind the sensor, seen from the joint, is not in it")},
+       text("mass and angle remain valid; friction, break-away torque and bristle parameters are "
+            "as seen by the sensor: friction on its motor side is not in them")},
       {"link_side.record_current",
-       text("record the motor current beside it: their difference is the gear's friction")},
+       text("also record the motor current: the difference is the gear friction")},
 
       // Whether the joint moves, and whether its angle can be one.
       {"joint_moves.in_all", text("the joint moves in every recording")},
       {"joint_moves.angle_stands",
-       text("the angle stands still in {standing} of {recordings} recordings")},
+       text("the angle does not change in {standing} of {recordings} recordings")},
       {"joint_moves.shows_nothing",
-       text("a joint that stands shows neither gravity's angle nor friction")},
+       text("a joint at rest shows neither the angle of gravity nor friction")},
       {"joint_moves.see_drive_and_column",
-       text("see that the joint was driven and that the angle's column is alive")},
-      {"angle_unit.of_a_joint", text("the angles are those of a joint")},
+       text("check that the joint was driven and that the angle column is live")},
+      {"angle_unit.of_a_joint", text("the angles are plausible for a joint")},
       {"angle_unit.too_large",
        text("the joint's angle reaches {largest_rad:.4g} rad, {turns:.3g} turns: degrees taken for "
             "radians, or the motor's angle for the joint's?")},
       {"angle_unit.gravity_not_found",
-       text("gravity follows the cosine of the angle: in a wrong unit it is not found, or found "
-            "wrongly, and so is all that rests on it")},
-      {"angle_unit.state_unit_and_side",
-       text("state the unit and the side of the angle's column as they are")},
+       text("gravity follows the cosine of the angle: in a wrong unit it is not found, or is "
+            "wrong, and so is everything that depends on it")},
+      {"angle_unit.state_unit_and_side", text("state the true unit and side of the angle column")},
 
       // The clock.
       {"clock.interval_scatters",
-       text("the interval of {interval_ms:.4g} ms scatters by {scatter_percent:.1f} % of itself")},
-      {"clock.speeds_wrong",
-       text("speed and acceleration are differences of the angle over the clock, and are wrong "
-            "with it")},
+       text("the sampling interval of {interval_ms:.4g} ms scatters by {scatter_percent:.1f} %")},
+      {"clock.speeds_wrong", text("speed and acceleration are derived from angle and clock, and "
+                                  "are wrong if the clock is")},
       {"clock.log_time_of_sampling",
        text("log the time at which the drive sampled, not the time at which the row was written")},
       {"clock.no_gap", text("no interval is longer than {intervals} sampling intervals")},
       {"clock.gaps", by_count("gaps", "{gaps} gap, the longest {longest_s:.3g} s",
                               "{gaps} gaps, the longest {longest_s:.3g} s")},
       {"clock.gaps_hide_motion",
-       text("what happened in the gaps is unknown: a reversal or a settling may be missing, and "
-            "slopes across a gap are no speeds")},
+       text("what happened in the gaps is unknown: a reversal or settling may be missing, and "
+            "slopes across a gap are not speeds")},
       {"clock.log_locally",
-       text("log locally in the controller, or at a lower rate that the connection carries")},
+       text("log locally in the controller, or at a lower rate that the connection can sustain")},
 
       // The logged speed against the angle.
       {"speed_scale.factor", text("factor {factor:.4g} ± {half_width:.2g}")},
@@ -235,24 +224,23 @@ const Messages& check_messages() {
        text("factor {factor:.4g} ± {half_width:.2g} in {wrong} of {recordings} recordings")},
       {"speed_scale.does_not_follow_angle",
        text("the speed does not follow the angle at all (correlation {correlation:.2f}): columns "
-            "exchanged?")},
+            "swapped?")},
       {"speed_scale.every_speed_wrong",
-       text("the program takes its speeds from the angle; but one of angle, speed and clock is not "
-            "what the manifest says, and then every speed, and what is measured per speed, is "
-            "wrong by this factor")},
+       text("speeds are derived from the angle; but one of angle, speed and clock is not what the "
+            "manifest says, and then every speed, and everything measured per speed, is wrong by "
+            "this factor")},
       {"speed_scale.correct_manifest",
        text("correct the unit, the side or the scale of the speed in the manifest, or of the angle "
             "if that is the wrong one")},
 
       // What makes a signal wrong by a factor.
-      {"scale.likely", text("likely {causes:, or }")},
-      {"scale.no_usual_cause", text("no usual cause has this factor")},
-      {"scale.no_usual_cause_of_torque",
-       text("no usual cause has this factor; a current in A taken for a torque has one over its "
-            "torque constant")},
+      {"scale.likely", text("probably {causes:, or }")},
+      {"scale.no_usual_cause", text("no common cause has this factor")},
+      {"scale.no_usual_cause_of_torque", text("no common cause has this factor; a current in A "
+                                              "taken for a torque would give 1 / torque constant")},
       {"scale.speed_dead", text("the column is dead: it does not change with the speed")},
-      {"scale.speed_reversed", text("the sign is that of the other direction")},
-      {"scale.effort_reversed", text("the sign of the effort is that of the other direction")},
+      {"scale.speed_reversed", text("the sign is reversed")},
+      {"scale.effort_reversed", text("the sign of the effort is reversed")},
 
       // The usual causes of a factor of the speed.
       {"cause.two_samples_in_time_of_one",
@@ -267,16 +255,16 @@ const Messages& check_messages() {
       {"cause.rad_s_taken_for_deg_s", text("radians per second taken for degrees per second")},
       {"cause.rad_s_taken_for_rpm", text("radians per second taken for revolutions per minute")},
       {"cause.rpm_taken_for_rad_s", text("revolutions per minute taken for radians per second")},
-      {"cause.rad_s_beside_turns", text("radians per second where the angle is in turns")},
+      {"cause.rad_s_beside_turns", text("radians per second while the angle is in turns")},
       {"cause.turns_s_taken_for_rad_s", text("turns per second taken for radians per second")},
       {"cause.ms_taken_for_s",
        text("a clock in milliseconds taken for seconds, or milliradians for radians")},
       {"cause.s_taken_for_ms",
        text("a clock in seconds taken for milliseconds, or radians for milliradians")},
       {"cause.motor_speed_beside_joint_angle",
-       text("the motor's speed beside the joint's angle (the gear ratio)")},
+       text("the motor's speed with the joint's angle (the gear ratio)")},
       {"cause.joint_speed_beside_motor_angle",
-       text("the joint's speed beside the motor's angle (one over the gear ratio)")},
+       text("the joint's speed with the motor's angle (one over the gear ratio)")},
       {"cause.motor_rpm_taken_for_joint_rad_s",
        text("the motor's speed in revolutions per minute taken for the joint's in radians per "
             "second")},
@@ -302,40 +290,38 @@ const Messages& check_messages() {
       {"cause.torque_taken_for_current",
        text("a torque in N·m taken for a current (the torque constant)")},
       {"cause.amplitude_taken_for_effective",
-       text("amplitude and effective value of the current exchanged (√2)")},
+       text("amplitude and RMS value of the current mixed up (√2)")},
       {"cause.effective_taken_for_amplitude",
-       text("amplitude and effective value of the current exchanged (1/√2)")},
+       text("amplitude and RMS value of the current mixed up (1/√2)")},
 
       // Noise of the logged speed.
       {"speed_noise.scatters",
        text("the logged speed scatters by {scatter_percent:.3g} % of the speed")},
       {"speed_noise.hardly_more_than_steps",
-       text("the logged speed scatters by {scatter_percent:.3g} % of the speed; at this speed it "
-            "is hardly more than the steps of the angle")},
+       text("the logged speed scatters by {scatter_percent:.3g} % of the speed; at this speed that "
+            "is little more than the angle's quantisation")},
       {"speed_noise.none_for_results",
-       text("none for the results: speeds are taken from the angle")},
+       text("none for the results: speeds are derived from the angle")},
       {"speed_noise.differentiate_angle",
        text("do not use this column at low speed; differentiate the angle")},
 
       // Both directions, over the same angles.
       {"directions.both_recorded", text("both directions were recorded")},
-      {"directions.sweep_only_rises",
-       text("the joint only ever rises in the rough sweep: Coulomb friction and offset cannot be "
-            "told apart")},
-      {"directions.sweep_only_falls",
-       text("the joint only ever falls in the rough sweep: Coulomb friction and offset cannot be "
-            "told apart")},
+      {"directions.sweep_only_rises", text("the joint angle only ever rises in the rough sweep: "
+                                           "Coulomb friction and offset cannot be told apart")},
+      {"directions.sweep_only_falls", text("the joint angle only ever falls in the rough sweep: "
+                                           "Coulomb friction and offset cannot be told apart")},
       {"directions.runs_only_rise",
-       text("the joint only ever rises in the runs at constant speed: Coulomb friction and offset "
-            "cannot be told apart")},
+       text("the joint angle only ever rises in the runs at constant speed: Coulomb friction and "
+            "offset cannot be told apart")},
       {"directions.runs_only_fall",
-       text("the joint only ever falls in the runs at constant speed: Coulomb friction and offset "
-            "cannot be told apart")},
+       text("the joint angle only ever falls in the runs at constant speed: Coulomb friction and "
+            "offset cannot be told apart")},
       {"directions.constant_in_one_direction",
-       text("both are a constant torque while the direction is one; and friction that changes with "
-            "the angle would be taken for gravity")},
+       text("in a single direction both are a constant torque, and friction that varies with the "
+            "angle would be taken for gravity")},
       {"directions.record_the_way_back",
-       text("record the same motion back, over the same angles at the same speed")},
+       text("record the return motion too, over the same angles at the same speed")},
       {"directions.share_angles",
        text("the directions share {share_percent:.0f} % of their angles")},
       {"directions.share_few_angles",
@@ -344,75 +330,69 @@ const Messages& check_messages() {
       {"directions.share_no_angle_at_same_speed",
        text("the directions share no angle at the same speed")},
       {"directions.no_difference_at_equal_angle",
-       text("half the difference of the directions at equal angle, which gravity cannot enter, is "
-            "not to be had: friction rests on the model of gravity, and nothing in these data "
-            "checks it")},
+       text("half the difference between the directions at equal angle, which gravity does not "
+            "affect, is not available: friction relies on the gravity model, and nothing in these "
+            "data checks it")},
       {"directions.record_same_angles", text("record both directions over the same angles")},
 
       // The speeds of the runs.
       {"run_speeds.plateaus", by_count("speeds", "{plateaus} plateaus at {speeds} different speed",
                                        "{plateaus} plateaus at {speeds} different speeds")},
-      {"run_speeds.too_few",
-       text("how friction changes with speed cannot be told from so few: neither the viscous "
-            "coefficient nor the Stribeck velocity")},
+      {"run_speeds.too_few", text("so few do not show how friction changes with speed: neither the "
+                                  "viscous coefficient nor the Stribeck velocity can be found")},
       {"run_speeds.record_ten_to_twenty",
        text("run the joint at ten to twenty speeds, from the slowest smooth one to the fastest "
             "allowed, in both directions")},
 
       // Stick-slip.
-      {"stick_slip.moves_on", text("the joint moves on without stopping")},
-      {"stick_slip.stops",
-       by_count("recordings",
-                "the joint stops and springs on {stops:.0f} times in one stroke; {recordings} "
-                "recording affected",
-                "the joint stops and springs on {stops:.0f} times in one stroke; {recordings} "
-                "recordings affected")},
+      {"stick_slip.moves_on", text("the joint moves without stopping")},
+      {"stick_slip.stops", by_count("recordings",
+                                    "the joint stops and jumps ahead {stops:.0f} times in one "
+                                    "stroke; {recordings} recording affected",
+                                    "the joint stops and jumps ahead {stops:.0f} times in one "
+                                    "stroke; {recordings} recordings affected")},
       {"stick_slip.torque_of_no_one_speed",
-       text("the torque is that of sticking and of sliding in turn, at no one speed: friction at "
-            "this speed is not what the mean of it says")},
+       text("the torque alternates between sticking and sliding, at no single speed: its mean is "
+            "not the friction at this speed")},
       {"stick_slip.move_faster",
        text("move faster than the speed at which the joint sticks, or make the speed control "
             "stiffer")},
 
       // The signal in the torque.
       {"torque_alive.in_all", text("the torque changes in every recording")},
-      {"torque_alive.constant",
-       text("the torque is one constant number in {constant} of {recordings} recordings: a dead "
-            "sensor?")},
+      {"torque_alive.constant", text("the torque has one constant value in {constant} of "
+                                     "{recordings} recordings: a dead sensor?")},
       {"torque_alive.shows_nothing",
        text("a torque that does not change shows neither gravity nor friction")},
       {"torque_alive.see_column",
-       text("see that the torque's column is alive before the next measurement")},
+       text("check that the torque column is live before the next measurement")},
       {"torque_noise.white", text("{white_percent:.2g} % of the torque's variance is white noise")},
-      {"torque_noise.signal_drowns",
-       text("what is left of gravity and friction drowns in it; the intervals are as wide as "
-            "that")},
-      {"torque_noise.record_longer",
-       text("record for longer, or filter the current in the drive; see that the column is the "
-            "torque")},
+      {"torque_noise.signal_drowns", text("it drowns what is left of gravity and friction; the "
+                                          "intervals are correspondingly wide")},
+      {"torque_noise.record_longer", text("record for longer, or filter the current in the drive; "
+                                          "check that the column really is the torque")},
 
       // Clipping.
-      {"torque_saturation.none", text("the torque does not lie flat on its extremes")},
+      {"torque_saturation.none", text("the torque does not stick at its extremes")},
       {"torque_saturation.clipped",
        by_count("recordings",
-                "{flat_percent:.1f} % of the samples lie flat at {extreme_Nm:.4g} N·m at the "
+                "{flat_percent:.1f} % of the samples are stuck at {extreme_Nm:.4g} N·m at the "
                 "motor; {recordings} recording clipped",
-                "{flat_percent:.1f} % of the samples lie flat at {extreme_Nm:.4g} N·m at the "
+                "{flat_percent:.1f} % of the samples are stuck at {extreme_Nm:.4g} N·m at the "
                 "motor; {recordings} recordings clipped")},
       {"torque_saturation.peaks_cut_off",
        text("the largest torques are cut off: gravity and friction come out too small, and the "
-            "peak's angle is that of the cut")},
+            "angle of the peak is set by the clipping")},
       {"torque_saturation.widen_range",
-       text("widen the range of the measurement or of the drive's limit, or take load off the "
-            "joint")},
+       text("widen the measuring range, raise the drive's limit, or reduce the load on the joint")},
 
       // The step of the torque against friction.
       {"torque_step.continuous", text("the torque looks continuous")},
       {"torque_step.against_friction",
        text("steps of {step_Nm:.3g} N·m against {friction_Nm:.3g} N·m, at the motor")},
       {"torque_step.friction_in_few_steps",
-       text("friction is read in few steps, and where noise does not spread the samples over "
-            "several of them no mean makes up for it")},
+       text("friction spans only a few steps, and where noise does not spread the samples over "
+            "several of them averaging does not help")},
       {"torque_step.record_finer",
        text("record the current with more digits, or in a smaller measuring range")},
 
@@ -422,33 +402,31 @@ const Messages& check_messages() {
       {"dissipation.friction_negative",
        text("friction is negative, {friction_Nm:.3g} N·m: the joint would gain power from it; the "
             "sign of the torque or of the angle is wrong")},
-      {"dissipation.signs_wrong",
-       text("gravity's peak is taken for its trough, half a turn away, and every friction torque "
-            "has the wrong sign")},
+      {"dissipation.signs_wrong", text("the gravity peak is mistaken for the trough, half a turn "
+                                       "away, and every friction torque has the wrong sign")},
       {"dissipation.state_sign",
-       text("state effort.sign = -1, or the angle with the sign in which the torque drives it")},
+       text("state effort.sign = -1, or give the angle the sign in which the torque drives it")},
       {"power.at_most", text("at most {power_kW:.3g} kW")},
       {"power.beyond_any_joint",
-       text("torque times speed reaches {power_kW:.3g} kW, which no robot's joint has: a torque in "
-            "mN·m taken for N·m, a torque of the joint taken for the motor's, or a wrong gear "
-            "ratio or torque constant?")},
+       text("torque times speed reaches {power_kW:.3g} kW, which no robot joint has: a torque in "
+            "mN·m taken for N·m, a joint torque taken for the motor's, or a wrong gear ratio or "
+            "torque constant?")},
       {"power.torques_wrong", text("every torque and mass is wrong by the same factor")},
-      {"power.state_unit_and_side", text("state the unit and the side of the effort as they are")},
+      {"power.state_unit_and_side", text("state the true unit and side of the effort")},
 
       // What changes while it is measured.
       {"friction_drift.over_strokes",
        text("{first_Nm:.3g} to {last_Nm:.3g} N·m at the motor in {duration_s:.3g} s ({pairs} pairs "
             "of strokes)")},
       {"friction_drift.no_one_temperature",
-       text("friction is that of no one temperature: what is measured first and what is measured "
-            "last do not belong to one curve")},
-      {"friction_drift.warm_up",
-       text("warm the joint up until friction stays, log the temperature, and take the speeds in "
-            "mixed order")},
+       text("friction does not belong to a single temperature: what is measured first and what is "
+            "measured last are not on one curve")},
+      {"friction_drift.warm_up", text("warm the joint up until friction is steady, log the "
+                                      "temperature, and run the speeds in mixed order")},
       {"temperature.range", text("{low_C:.3g} to {high_C:.3g} °C")},
       {"temperature.no_one_curve",
-       text("friction changes by some per cent for each kelvin, so recordings of different "
-            "temperature do not belong to one curve")},
+       text("friction changes by several per cent per kelvin, so recordings at different "
+            "temperatures are not on one curve")},
       {"temperature.record_at_one",
        text("warm the joint up first, and record all roles at one temperature")},
 
@@ -459,10 +437,10 @@ const Messages& check_messages() {
                 "{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad")},
       {"encoder_step.steps_of_print",
        by_count("steps",
-                "{steps:.3g} step of {step_rad:.3g} rad in {travel_rad:.2g} rad, the step of the "
-                "decimals in the log; its encoder's may be larger",
-                "{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad, the step of the "
-                "decimals in the log; its encoder's may be larger")},
+                "{steps:.3g} step of {step_rad:.3g} rad in {travel_rad:.2g} rad, which is the last "
+                "decimal of the log; the encoder's step may be larger",
+                "{steps:.3g} steps of {step_rad:.3g} rad in {travel_rad:.2g} rad, which is the "
+                "last decimal of the log; the encoder's step may be larger")},
       {"encoder_step.presliding_not_resolved",
        text("pre-sliding is not resolved: bristle stiffness, bristle damping and break-away torque "
             "cannot be identified from these logs")},
@@ -473,22 +451,22 @@ const Messages& check_messages() {
       // The oscillation: its cycles, and whether friction turns over in it.
       {"oscillation_cycles.recorded", text("{cycles:.1f} cycles")},
       {"oscillation_cycles.too_few",
-       text("the start-up stroke is no steady loop, and too few cycles follow it: the mid-line is "
-            "biased by it, and nothing shows how cycles scatter")},
+       text("the start-up stroke is not a steady loop, and too few cycles follow it: it biases the "
+            "mid-line, and nothing shows how the cycles scatter")},
       {"oscillation_cycles.record_ten", text("record ten cycles or more")},
       {"oscillation_slides.stiffness_left",
-       text("{stiffness_percent:.2g} % of the stiffness is left at the end of a stroke")},
+       text("{stiffness_percent:.2g} % of the stiffness remains at the end of a stroke")},
       {"oscillation_slides.stroke_too_small",
-       text("the stroke is too small: friction does not reach its level, so that the break-away "
-            "torque is not seen, only that it is larger")},
+       text("the stroke is too small: friction does not level off, so the break-away torque is not "
+            "reached, only known to be larger")},
 
       // The oscillation against the gravity peak.
       {"oscillation_at_peak.centre",
        text("centre at {centre_deg:.3f}°, peak at {peak_deg:.3f}°: gravity is "
             "{smaller_percent:.3g} % smaller there")},
       {"oscillation_at_peak.error_of_peak_costs",
-       text("the cosine corrects for it, but an error of 0.1° of the peak's angle then costs "
-            "{cost_percent:.2g} % of gravity torque and mass, at the peak nothing")},
+       text("the cosine corrects for it, but an error of 0.1° in the angle of the peak then costs "
+            "{cost_percent:.2g} % of gravity torque and mass; at the peak it costs nothing")},
       {"oscillation_at_peak.repeat_about", text("repeat the oscillation about {peak_deg:.2f}°")},
 
       // Gravity against the measured torque.
@@ -498,9 +476,9 @@ const Messages& check_messages() {
        text("a large offset would have to balance it")},
       {"gravity_within_torque.does_not_follow_cosine",
        text("the torque does not follow the cosine of this angle: an angle in radians taken for "
-            "degrees, a range too short, or a spring that carries the arm")},
+            "degrees, too short a range, or a spring that supports the arm")},
       {"gravity_within_torque.sweep_farther",
-       text("state the angle's unit as it is, and sweep over at least 60°")},
+       text("state the true unit of the angle, and sweep over at least 60°")},
 
       // The static torque against the weight.
       {"static_torque.found_by_payload",
@@ -510,19 +488,20 @@ const Messages& check_messages() {
             "{stated_deg:.4g}°")},
       {"static_torque.angles_apart", text("the angles of the peak are {apart_deg:.3g}° apart")},
       {"static_torque.peak_taken_for_trough",
-       text("gravity's peak is taken for its trough, half a turn away")},
+       text("the gravity peak is mistaken for the trough, half a turn away")},
       {"static_torque.torques_wrong",
        text("if what is stated is right, every torque and mass is wrong by the same factor")},
-      {"static_torque.angle_counts_otherwise", text("one of the two angles counts otherwise")},
+      {"static_torque.angle_counts_otherwise",
+       text("one of the two angles has another zero or sign")},
       {"static_torque.hold_known_mass",
        text("hold the joint still with a known mass at a known distance, and compare the effort "
             "with m g r")},
       {"static_torque.see_zero_of_angle",
-       text("see from where the log and the stated gravity count the angle")},
+       text("check which zero and sign the log and the stated gravity use for the angle")},
 
       // Torque ripple.
-      {"ripple_lines.none", text("no ripple stands out of the noise of the sweep")},
-      {"ripple_lines.found", text("ripple of {lines:, } a motor turn")},
+      {"ripple_lines.none", text("no ripple stands out from the noise of the sweep")},
+      {"ripple_lines.found", text("ripple of {lines:, } per motor turn")},
       {"ripple_lines.line", text("{amplitude_Nm:.3g} N·m at {periods:.2f} periods")},
       {"torque_ripple.not_averaged_out",
        by_count("oscillations", "{oscillations} oscillation at one position cannot average it out",
@@ -533,11 +512,11 @@ const Messages& check_messages() {
       {"torque_ripple.oscillate_at_eight_positions",
        text("repeat the oscillation at eight positions spread evenly over one turn of the motor")},
       {"ripple_period.is_gear_ratio_right",
-       text("the motor's own ripple repeats a whole number of times: is the gear ratio really "
-            "{gear_ratio:.6g}?")},
+       text("the motor's own ripple repeats a whole number of times per turn: is the gear ratio "
+            "really {gear_ratio:.6g}?")},
       {"ripple_period.other_side_wrong",
        text("a wrong gear ratio leaves angles and motor torques as they are, and scales every "
-            "torque, mass and speed of the other side")},
+            "torque, mass and speed on the other side")},
       {"ripple_period.count_turns",
        text("turn the joint by a known angle and count the motor's turns")}};
   return all;

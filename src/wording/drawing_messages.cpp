@@ -27,7 +27,7 @@ const Messages& drawing_messages() {
             "side must be {smallest} to {largest}")},
       {"drawing.panels_and_scene", text("a figure has panels or a scene, not both")},
       {"drawing.panels_and_diagram",
-       text("a figure is panels or a diagram; its panels are not drawn")},
+       text("a figure has panels or a diagram, not both; its panels are not drawn")},
       {"drawing.text_not_valid",
        text("text that is not valid UTF-8 or holds control characters is shown as '?'")},
       {"drawing.no_glyph", text("the font has no glyph for '{characters}'; shown as '?'")},
@@ -79,8 +79,9 @@ const Messages& drawing_messages() {
        text("the margin of a scene is {margin:.6f}; it must be 0 to below 0.45")},
       {"drawing.camera_without_direction",
        text("the scene's camera has no direction, or its 'up' lies along it")},
-      {"drawing.camera_opening", text("the scene's camera opens by {opening_deg:.6f} degrees; it "
-                                      "must be 0 (parallel) to below 90")},
+      {"drawing.camera_opening",
+       text("the scene's camera has an opening angle of {opening_deg:.6f} degrees; it must be 0 "
+            "(parallel) to below 90")},
       {"drawing.part_without_axis",
        text("the part '{label}' of the scene has no direction: its axis is zero or not finite")},
       {"drawing.part_without_length",
@@ -89,7 +90,7 @@ const Messages& drawing_messages() {
        text("the part '{label}' of the scene has no direction: its normal is zero or not finite")},
       {"drawing.part_without_zero_line", text("the part '{label}' of the scene has no direction: "
                                               "its zero line is zero or not finite")},
-      {"drawing.named_outside", text("what '{text}' names lies outside the picture")},
+      {"drawing.named_outside", text("what '{text}' labels lies outside the picture")},
       {"drawing.text_cut", text("{text} was too long and was cut")},
       {"drawing.no_room_between",
        text("there is no room to keep the texts '{first}' and '{second}' apart")},
@@ -100,7 +101,7 @@ const Messages& drawing_messages() {
       {"drawing.not_visible",
        text("{what} is not visible in the picture: {found} of {expected} pixels show it")},
       {"drawing.hidden", text("{what} is hidden under what is drawn after it")},
-      {"drawing.part_hidden", text("{part} is hidden by others, or outside of the picture")},
+      {"drawing.part_hidden", text("{part} is hidden by others, or outside the picture")},
       {"drawing.outside_axes", text("{what} lies outside its axes")},
       {"drawing.text_missing", text("{text} is missing in the picture")},
       {"drawing.other_driver",
@@ -118,7 +119,7 @@ const Messages& drawing_messages() {
       {"drawing.not_waited_for", text("waiting for the drawing processes failed")},
       {"drawing.stopped_by_signal", text("it was stopped by signal {signal} ({name})")},
       {"drawing.ended_with_status", text("it ended with status {status}")},
-      {"drawing.last_words", text("{end}; its last words: {words}")},
+      {"drawing.last_words", text("{end}; its last output: {words}")},
       {"drawing.message_ends_early", text("message ends early")},
       {"drawing.message_damaged", text("message is damaged")},
 
@@ -138,7 +139,7 @@ const Messages& drawing_messages() {
       {"drawing.install_egl", text("{what}; install the packages libegl1 and libgl1-mesa-dri")},
       {"drawing.egl_without_surfaceless_platform", text("EGL has no surfaceless platform")},
       {"drawing.egl_without_opengl", text("EGL has no OpenGL")},
-      {"drawing.egl_without_configuration", text("EGL has no fitting configuration")},
+      {"drawing.egl_without_configuration", text("EGL has no suitable configuration")},
       {"drawing.egl_without_context", text("EGL gives no OpenGL 3.2 context")},
 
       // Fonts and files.
@@ -152,7 +153,7 @@ const Messages& drawing_messages() {
       {"drawing.font_file_damaged", text("the font file {file} is damaged")},
       {"drawing.font_file_cut_off", text("the font file {file} is cut off")},
       {"drawing.font_not_embeddable",
-       text("the font file {file} forbids to be embedded in documents")},
+       text("the font file {file} does not allow embedding in documents")},
       {"drawing.font_without_outlines", text("the font file {file} has no TrueType outlines")},
       {"drawing.font_without_table", text("the font file {file} has no table '{table}'")},
       {"drawing.font_without_glyph", text("the font file {file} has no glyph {glyph}")},
@@ -161,7 +162,7 @@ const Messages& drawing_messages() {
        text("a font file is damaged: a number lies beyond its table")},
       {"drawing.glyph_cut_off", text("a font file is damaged: a glyph is cut off")},
       {"drawing.composed_glyph_cut_off",
-       text("a font file is damaged: a composed glyph is cut off")},
+       text("a font file is damaged: a composite glyph is cut off")},
       {"drawing.too_many_characters", text("a figure has too many different characters")},
       {"drawing.text_without_font", text("a text has no font")},
       {"drawing.solid_parts_not_drawn", text("the solid parts of a scene have to be drawn before "

@@ -15,8 +15,8 @@ const Messages& friction_messages() {
        text("{lower} {value} {unit} exceeds {upper} {bound} {unit}; it must not be larger")},
 
       // Parameters whose names take more than two words.
-      {"parameter.slow_way", text("way of the slow part")},
-      {"parameter.way_ratio", text("ratio of the ways")},
+      {"parameter.slow_way", text("distance constant of the slow part")},
+      {"parameter.way_ratio", text("ratio of the distance constants")},
       {"parameter.rested_stribeck", text("Stribeck torque after rest")},
       {"parameter.rise_time", text("rise time of static friction")},
       {"parameter.snap_deflection", text("deflection at which a bond snaps")},
@@ -39,13 +39,13 @@ const Messages& friction_messages() {
       // Friction models, and their parameters together.
       {"friction.no_such_model", text("there is no friction model '{model}'; known are {known}")},
       {"friction.no_such_parameter", text("the model has no parameter '{parameter}'")},
-      {"friction.parameter_of_another_kind", text("parameter '{parameter}' is of another kind")},
+      {"friction.parameter_of_another_kind", text("parameter '{parameter}' has the wrong type")},
       {"haessig_bristles.number_not_allowed",
        text("number of bristles {bristles} is not allowed; it must be from 1 to {most}")},
       {"bliman_sorine.slow_torque_not_below_fast",
        text("torque f2 {slow_Nm} N·m is not allowed; it must be < f1, {fast_Nm} N·m")},
       {"bliman_sorine.way_ratio_not_below_one",
-       text("ratio of the ways {ratio} is not allowed; it must be < 1")},
+       text("ratio of the distance constants {ratio} is not allowed; it must be < 1")},
       {"leuven.transition_power_below_one",
        text("transition power {power} is not allowed; it must be >= 1")},
       {"elasto_plastic.break_away_not_below_coulomb",
@@ -90,13 +90,13 @@ const Messages& friction_messages() {
        text("joint '{joint}': a size of {size_m} m is not allowed; it must be > 0")},
       {"arm.thickness_negative",
        text("joint '{joint}': a thickness of {thickness_m} m is not allowed; it must be >= 0")},
-      {"arm.flange_not_finite", text("the place of the flange is not finite")},
+      {"arm.flange_not_finite", text("the position of the flange is not finite")},
       {"arm.without_length",
-       text("all joints and the flange lie in one point; the arm needs a length")},
+       text("all joints and the flange lie at one point; the arm needs a length")},
       {"arm.no_such_joint", text("there is no joint '{joint}'; the arm has {joints}")},
-      {"arm.joint_not_there", text("joint {joint} is not there; the arm has {joints}")},
+      {"arm.joint_not_there", text("there is no joint {joint}; the arm has {joints}")},
       {"arm.wrong_number_of_angles",
-       text("{angles} angles for {joints} joints; it must be one for each")},
+       text("{angles} angles for {joints} joints; there must be one for each")},
       {"arm.angle_out_of_range",
        text("joint '{joint}': the angle {angle_deg:.6g}° lies outside the range of motion, "
             "{lowest_deg:.6g}° to {highest_deg:.6g}°")},
@@ -109,15 +109,15 @@ const Messages& friction_messages() {
        text("further oscillations are stated without a first one")},
       {"scenario.too_few_cycles", text("cycles {cycles} is not allowed; it must be >= 1")},
       {"travel.way_too_short",
-       text("a way of {way_rad} rad is too short to reach {speed_rad_s} rad/s at "
+       text("a travel of {way_rad} rad is too short to reach {speed_rad_s} rad/s at "
             "{acceleration_rad_s2} rad/s²: the ramps alone take {ramps_rad} rad")},
       {"bristle.initial_deflection_not_finite", text("initial deflection is not finite")},
-      {"solver.too_stiff", text("its equations of friction and motion are too stiff for a solver, "
-                                "which gave up at t = {time_s} s (CVODE's flag {flag})")},
+      {"solver.too_stiff", text("its equations of friction and motion are too stiff for the "
+                                "solver, which gave up at t = {time_s} s (CVODE's flag {flag})")},
 
       // A curve that no spline goes through.
       {"spline.wrong_sizes", text("{times} times, {values} values and {errors} errors; a smoothing "
-                                  "spline needs at least {needed}, as many of each")},
+                                  "spline needs at least {needed} of each, in equal numbers")},
       {"spline.times_do_not_increase",
        text("time {time} follows time {before}; times of a spline must increase")},
       {"spline.error_not_positive", text("error {error} at time {time}; it must be larger than 0")},
@@ -135,7 +135,7 @@ const Messages& friction_messages() {
       {"parameter.haessig_bristles.snap_deflection_rad", text("ds > 0; Coulomb torque is s0 ds/3")},
       {"parameter.haessig_bristles.bristles", text("N, 1 to 100000")},
       {"parameter.haessig_bristles.viscous_Nms_rad", text(">= 0")},
-      {"parameter.haessig_bristles.seed", text("of the places where bonds form")},
+      {"parameter.haessig_bristles.seed", text("for the places where bonds form")},
       {"friction_model.reset_integrator", text("Reset integrator")},
       {"friction_source.reset_integrator", text("Haessig and Friedland 1990")},
       {"parameter.reset_integrator.stiffness_Nm_rad", text("s0 > 0")},
@@ -181,7 +181,7 @@ const Messages& friction_messages() {
       {"friction_source.leuven",
        text("Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002")},
       {"parameter.leuven.elements",
-       text("of each stiffness_Nm_rad > 0 and share > 0; shares add up to 1")},
+       text("each with stiffness_Nm_rad > 0 and share > 0; shares add up to 1")},
       {"parameter.leuven.coulomb_Nm", text("Tc > 0")},
       {"parameter.leuven.static_Nm", text("Ts >= Tc, break-away torque")},
       {"parameter.leuven.stribeck_speed_rad_s", text("ws > 0")},
@@ -202,7 +202,7 @@ const Messages& friction_messages() {
       {"friction_model.gms", text("Generalised Maxwell slip")},
       {"friction_source.gms", text("Al-Bender, Lampaert, Swevers 2005")},
       {"parameter.gms.elements",
-       text("of each stiffness_Nm_rad > 0 and share > 0; shares add up to 1")},
+       text("each with stiffness_Nm_rad > 0 and share > 0; shares add up to 1")},
       {"parameter.gms.coulomb_Nm", text("Tc > 0")},
       {"parameter.gms.static_Nm", text("Ts >= Tc, break-away torque")},
       {"parameter.gms.stribeck_speed_rad_s", text("ws > 0")},

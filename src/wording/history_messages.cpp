@@ -16,17 +16,15 @@ const Messages& history_messages() {
        text("the temperatures differ by {difference_K:.3g} K ({first_temperature_C:.4g} °C and "
             "{second_temperature_C:.4g} °C), more than the {allowed_difference_K:.3g} K allowed, "
             "and friction changes with temperature")},
-      {"comparison.no_first_temperature",
-       text("the temperature of the first calibration is not stated; it alone can change "
-            "friction")},
-      {"comparison.no_second_temperature",
-       text("the temperature of the second calibration is not stated; it alone can change "
-            "friction")},
-      {"comparison.no_temperature",
-       text("the temperature of both calibrations is not stated; it alone can change friction")},
+      {"comparison.no_first_temperature", text("the temperature of the first calibration is not "
+                                               "stated; temperature alone can change friction")},
+      {"comparison.no_second_temperature", text("the temperature of the second calibration is not "
+                                                "stated; temperature alone can change friction")},
+      {"comparison.no_temperature", text("the temperature of both calibrations is not stated; "
+                                         "temperature alone can change friction")},
       {"comparison.sampling_rates_differ",
        text("the sampling rates differ more than {allowed_factor:.3g}-fold ({first_rate_Hz:.4g} Hz "
-            "and {second_rate_Hz:.4g} Hz), and it is read from fast changes")},
+            "and {second_rate_Hz:.4g} Hz), and this quantity is read from fast changes")},
       {"comparison.gear_ratios_differ",
        text("the gear ratios differ ({first_ratio:.6g} and {second_ratio:.6g})")},
       {"comparison.payloads_differ",
@@ -53,31 +51,31 @@ const Messages& history_messages() {
       // On the pair as a whole.
       {"comparison.different_joints",
        text("these are different joints ({first_robot} {first_serial}, joint {first_joint} and "
-            "{second_robot} {second_serial}, joint {second_joint}): a difference is no change")},
+            "{second_robot} {second_serial}, joint {second_joint}): a difference is not a change")},
       {"comparison.backwards_in_time",
        text("the first one was measured after the second: changes run backwards in time")},
       {"comparison.time_not_stated",
-       text("not both say when they were measured; the time of identification stands in")},
+       text("not both state when they were measured; the time of identification is used instead")},
       {"comparison.different_settings",
-       text("they were identified with different settings, which the intervals feel")},
+       text("they were identified with different settings, which affects the intervals")},
       {"comparison.different_versions",
-       text("they were identified by different versions of the program; the same inputs "
-            "identified again by one version would exclude that")},
+       text("they were identified by different versions of the program; identifying the same "
+            "inputs again with one version would rule that out")},
 
       // A joint over time.
       {"trend.too_few", text("too few calibrations yet")},
       {"trend.steady", text("no change visible")},
-      {"trend.recovered", text("changed, and back")},
+      {"trend.recovered", text("changed and returned")},
       {"trend.changed", text("changed")},
       {"trend.time_not_stated",
        by_count("undated",
-                "{undated} of {calibrations} calibrations does not say when it was measured; it "
-                "stands at the time of its identification",
-                "{undated} of {calibrations} calibrations do not say when they were measured; they "
-                "stand at the time of their identification")},
+                "{undated} of {calibrations} calibrations does not state when it was measured; it "
+                "is placed at the time of its identification",
+                "{undated} of {calibrations} calibrations do not state when they were measured; "
+                "they are placed at the time of their identification")},
       {"trend.warming",
-       text("temperature and time went together (correlation {correlation:.2f}): what is taken for "
-            "temperature may be drift, and a calibration at an earlier temperature would tell")},
+       text("temperature and time changed together (correlation {correlation:.2f}): what looks "
+            "like temperature may be drift; a calibration at an earlier temperature would tell")},
 
       // What an archive says of a result and of a calibration.
       {"archived_verdict.usable", text("usable")},

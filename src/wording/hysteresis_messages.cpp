@@ -15,20 +15,19 @@ const Messages& hysteresis_messages() {
             "mass")},
       {"loop.presliding_not_resolved",
        text("hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
-            "{step_rad:.3g} rad leaves {steps:.1f} steps in the {travel_rad:.2g} rad within which "
-            "friction turns over after a reversal of the sweep; at least {needed:.0f} are needed")},
+            "{step_rad:.3g} rad leaves {steps:.1f} steps in the {travel_rad:.2g} rad of "
+            "pre-sliding travel after a reversal of the sweep; at least {needed:.0f} are needed")},
       {"loop.angle_not_periodic",
-       text("{recording}: the angle is no periodic motion: a harmonic series leaves "
-            "{residual_rad:.2g} rad of an amplitude of {amplitude_rad:.2g} rad; and {why}")},
+       text("{recording}: the angle is not periodic: a harmonic series leaves {residual_rad:.2g} "
+            "rad of an amplitude of {amplitude_rad:.2g} rad; and {why}")},
       {"loop.no_whole_cycle",
-       text("{recording}: the angle does not swing through one whole cycle; and {why}")},
+       text("{recording}: the angle does not complete one whole cycle; and {why}")},
       {"loop.width_not_resolved",
        text("{recording}: the angle's step of {step_rad:.3g} rad leaves {steps:.1f} steps in the "
             "loop's width of {width_rad:.3g} rad; at least {needed:.0f} are needed")},
-      {"loop.start_up_in_midline",
-       text("{recording}: only one cycle was recorded; its mid-line still holds the start-up "
-            "stroke")},
-      {"loop.no_bristle_deflection", text("no bristle deflection is to be had: {why}")},
+      {"loop.start_up_in_midline", text("{recording}: only one cycle was recorded; its mid-line "
+                                        "still contains the start-up stroke")},
+      {"loop.no_bristle_deflection", text("no bristle deflection is available: {why}")},
 
       // The surrogate masses.
       {"masses.no_gravity_torque",
@@ -36,68 +35,67 @@ const Messages& hysteresis_messages() {
             "surrogate mass")},
       {"masses.loop_far_from_peak",
        text("the oscillation lies {distance_deg:.0f}° from the gravity peak, where "
-            "{share_percent:.0f} % of the gravity torque show: the paper's six masses and the "
-            "mid-line are not to be had there; oscillate at the peak")},
+            "{share_percent:.0f} % of the gravity torque acts: the paper's six masses and the "
+            "mid-line are not available there; oscillate at the peak")},
       {"masses.of_sweep_only",
-       text("without a hysteresis loop the paper's six masses and the mid-line are not to be had; "
-            "the mass is that of the sweep's gravity amplitude")},
+       text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
+            "the mass comes from the sweep's gravity amplitude")},
       {"masses.of_runs_only",
-       text("without a hysteresis loop the paper's six masses and the mid-line are not to be had; "
-            "the mass is that of the gravity amplitude of the runs at constant speed")},
+       text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
+            "the mass comes from the gravity amplitude of the runs at constant speed")},
       {"masses.of_stated_gravity_only",
-       text("without a hysteresis loop the paper's six masses and the mid-line are not to be had; "
-            "the mass is that of the gravity that the manifest states")},
+       text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
+            "the mass comes from the gravity stated in the manifest")},
       {"masses.no_loop_points",
-       text("the points A to F were not found: no whole turn of the loop with its bristle "
-            "deflection")},
+       text("the points A to F were not found: no complete loop with its bristle deflection")},
 
       // Positions that average torque ripple out.
       {"positions.ripple_with_periods",
        text("the oscillation was recorded at one position only, where torque ripple is a constant "
-            "that no repetition averages out: the sweep shows {lines: and } periods a motor turn, "
-            "so the gravity torque read from the loop is known to ±{half_width_now_Nm:.3g} N·m at "
-            "the motor; oscillating at the {further} further angles listed with the cross-checks "
-            "would bring ±{expected_half_width_Nm:.2g} N·m")},
+            "that no repetition averages out: the sweep shows {lines: and } periods per motor "
+            "turn, so the gravity torque read from the loop is known to ±{half_width_now_Nm:.3g} "
+            "N·m at the motor; oscillating at the {further} further angles listed with the "
+            "cross-checks would reduce that to ±{expected_half_width_Nm:.2g} N·m")},
       {"positions.ripple_line", text("{amplitude_Nm:.3g} N·m at {periods_per_turn:.4g}")},
       {"positions.ripple_without_period",
        text("the oscillation was recorded at one position only, where torque ripple is a constant "
             "that no repetition averages out: the sweep shows a standard deviation of "
             "{standard_deviation_Nm:.3g} N·m without a clear period, so the gravity torque read "
             "from the loop is known to ±{half_width_now_Nm:.3g} N·m at the motor; oscillating at "
-            "the {further} further angles listed with the cross-checks would bring "
+            "the {further} further angles listed with the cross-checks would reduce that to "
             "±{expected_half_width_Nm:.2g} N·m")},
 
       // LuGre fitted to the loops.
       {"lugre.no_friction_to_fit",
-       text("the torque is the same all over the loop: there is no friction in it to fit")},
+       text("the torque is the same throughout the loop: there is no friction in it to fit")},
       {"lugre.not_converged",
-       text("the LuGre model could not be fitted to the loops from any of the first guesses")},
+       text("the LuGre model could not be fitted to the loops from any of the starting points")},
       {"lugre.loops_do_not_bend",
        text("the loops do not bend: friction stays elastic up to {elastic_up_to_Nm:.2g} N·m about "
-            "the middle, so that neither static torque nor gravity torque nor the bristle "
-            "deflection shows; a larger amplitude would show them")},
+            "the middle, so neither break-away torque, gravity torque nor the bristle deflection "
+            "shows; a larger amplitude would show them")},
       {"lugre.loops_too_slow",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops: Coulomb torque and "
             "Stribeck velocity do not show in them and are taken from the constant-speed runs")},
       {"lugre.stribeck_not_apart",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops, where friction has "
-            "only begun to fall with speed: Coulomb torque and Stribeck velocity do not show "
+            "only begun to fall with speed: Coulomb torque and Stribeck velocity cannot be told "
             "apart")},
       {"lugre.static_torque_extrapolated",
        text("the loops reach only {way_to_sliding_percent:.0f} % of the way to sliding, so the "
-            "static torque is extrapolated: a larger amplitude would show it")},
+            "break-away torque is extrapolated: a larger amplitude would show it")},
       {"lugre.neighbours_averaged",
-       text("{recording}: the mean of each {samples} neighbouring samples is fitted")},
+       text("{recording}: means of {samples} neighbouring samples are fitted")},
       {"lugre.misfit",
        text("{recording}: the model leaves {residual_Nm:.2g} N·m (standard deviation) where the "
-            "noise of angle and torque explains {explained_Nm:.2g} N·m: friction of this joint is "
-            "not LuGre's, and its numbers are those of the LuGre model that comes closest")},
+            "noise of angle and torque explains {explained_Nm:.2g} N·m: this joint's friction does "
+            "not follow LuGre, and the numbers are those of the closest LuGre model")},
       {"lugre.misfit_behind_reversals",
-       text("behind a reversal the model is {model_Nm_rad:.3g} N·m/rad stiff at the joint angle, "
-            "the joint was measured to be {measured_Nm_rad:.3g} N·m/rad stiff")},
+       text("after a reversal the model has a stiffness of {model_Nm_rad:.3g} N·m/rad at the joint "
+            "angle; {measured_Nm_rad:.3g} N·m/rad was measured")},
       {"lugre.contradicted_by_ramps",
-       text("the loops flatten at {level_Nm:.3g} N·m, but ramps of the torque show that the joint "
-            "holds {held_Nm:.3g} N·m without sliding: the loops creep, and their level is no "
+       text("the loops flatten at {level_Nm:.3g} N·m, but torque ramps show that the joint holds "
+            "{held_Nm:.3g} N·m without sliding: the loops creep, and their level is not the "
             "break-away torque")},
 
       // Why one of its parameters is not shown.
@@ -111,36 +109,35 @@ const Messages& hysteresis_messages() {
        text("fitted freely it comes out at {value:.3g} {unit}, which no joint has: the loops "
             "depart from the model where it would act")},
       {"lugre.viscous_looks_like_damping",
-       text("bristle damping has the same effect on these loops: the two show as a sum")},
+       text("bristle damping has the same effect on these loops: only their sum shows")},
       {"lugre.loop_does_not_bend",
        text("the loop does not bend: friction stays elastic over the whole stroke")},
       {"lugre.friction_begins_to_fall",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops, where friction has "
-            "only begun to fall: of Ts, Tc and the Stribeck velocity no more than (Ts - Tc)/ws² "
-            "shows")},
+            "only begun to fall: of Ts, Tc and the Stribeck velocity only (Ts - Tc)/ws² shows")},
       {"lugre.friction_not_yet_falling",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops, where friction does "
             "not yet fall with speed")},
       {"lugre.same_friction_at_all_speeds",
        text("friction is the same at all speeds of the loops")},
       {"lugre.inertia_looks_elastic",
-       text("at one frequency its torque has the shape of the bristles' elastic one")},
+       text("at a single frequency its torque has the same shape as the bristles' elastic torque")},
       {"lugre.rests_on_contradicted_level",
-       text("it was read from the way friction falls from a level that ramps contradict")},
+       text("it was inferred from how friction falls from a level that the ramps contradict")},
 
       // What would show it.
       {"lugre_experiment.past_stribeck_speed",
-       text("an oscillation beside this one whose peak motor speed passes the Stribeck velocity of "
-            "the runs at constant speed, {stribeck_speed_rad_s:.2g} rad/s, twofold (these loops "
-            "reach {peak_speed_rad_s:.2g} rad/s at the motor): {frequency_Hz:.2g} Hz with "
+       text("a further oscillation whose peak motor speed reaches twice the Stribeck velocity of "
+            "the runs at constant speed, {stribeck_speed_rad_s:.2g} rad/s (these loops reach "
+            "{peak_speed_rad_s:.2g} rad/s at the motor): {frequency_Hz:.2g} Hz with "
             "{amplitude_rad:.2g} rad at the joint, or {fast_frequency_Hz:.2g} Hz with "
             "{fast_amplitude_rad:.2g} rad")},
       {"lugre_experiment.past_unknown_stribeck_speed",
-       text("an oscillation whose peak motor speed 2π f n a passes the Stribeck velocity, beside "
-            "this one (these loops reach {peak_speed_rad_s:.2g} rad/s at the motor); runs at "
-            "constant speed would tell that velocity")},
+       text("a further oscillation whose peak motor speed 2π f n a exceeds the Stribeck velocity "
+            "(these loops reach {peak_speed_rad_s:.2g} rad/s at the motor); runs at constant speed "
+            "would show that velocity")},
       {"lugre_experiment.larger_amplitude",
-       text("an oscillation of larger amplitude, {larger_rad:.2g} rad at the joint and more, until "
+       text("an oscillation of larger amplitude, {larger_rad:.2g} rad at the joint or more, until "
             "the ends of the loop flatten (it was {amplitude_rad:.2g} rad)")},
       {"lugre_experiment.other_frequency",
        text("another oscillation of the same amplitude at {frequency_Hz:.2g} Hz")},
@@ -153,7 +150,7 @@ const Messages& hysteresis_messages() {
 
       // The columns of the fit's Jacobian, and the direction in which they show least.
       {"lugre_column.bristle_stiffness", text("bristle stiffness")},
-      {"lugre_column.static_torque", text("static torque")},
+      {"lugre_column.static_torque", text("break-away torque")},
       {"lugre_column.coulomb_torque", text("Coulomb torque")},
       {"lugre_column.stribeck_speed", text("Stribeck velocity")},
       {"lugre_column.bristle_damping", text("bristle damping")},
@@ -182,7 +179,7 @@ const Messages& hysteresis_messages() {
        text("fewer than two ramps broke away in either direction; more ramps there, up to a larger "
             "torque, would give the break-away torque with its scatter")},
       {"break_away.gravity_not_taken_off",
-       text("gravity at these angles is not known and was not taken off: only the mean of both "
+       text("gravity at these angles is not known and was not subtracted: only the mean of both "
             "directions is friction alone")}};
   return all;
 }

@@ -36,8 +36,8 @@ std::string speed_quantity(const joint::Manifest& manifest) {
 
 std::string speed_size(const joint::Manifest& manifest) {
   const std::string symbol = speed_symbol(manifest);
-  return has_motor_side(manifest) ? tr("size of motor speed {symbol}", {{"symbol", symbol}})
-                                  : tr("size of joint speed {symbol}", {{"symbol", symbol}});
+  return has_motor_side(manifest) ? tr("magnitude of motor speed {symbol}", {{"symbol", symbol}})
+                                  : tr("magnitude of joint speed {symbol}", {{"symbol", symbol}});
 }
 
 }  // namespace tribolog::wording

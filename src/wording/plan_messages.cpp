@@ -33,36 +33,35 @@ const Messages& plan_messages() {
                 "({motor_amplitude:.3g} mrad at the motor), at {positions} positions from {first} "
                 "to {last}")},
       {"plan_motion.cycles", by_count("cycles", "{cycles} cycle", "{cycles} cycles")},
-      {"plan_motion.other_amplitude",
-       text("as the bristle stiffness is assumed, at the middle one also with {amplitude:.3g} "
-            "µrad")},
+      {"plan_motion.other_amplitude", text("because the bristle stiffness is assumed, at the "
+                                           "middle position also with {amplitude:.3g} µrad")},
       {"plan_motion.other_amplitudes",
-       text("as the bristle stiffness is assumed, at the middle one also with {smaller:.3g} µrad "
-            "and {larger:.3g} µrad")},
+       text("because the bristle stiffness is assumed, at the middle position also with "
+            "{smaller:.3g} µrad and {larger:.3g} µrad")},
       {"plan_runs_to.speed_limit",
        by_count("speeds",
                 "{speeds} speed in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "speed limit",
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the speed limit",
                 "{speeds} speeds in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "speed limit")},
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the speed limit")},
       {"plan_runs_to.angle_range",
        by_count("speeds",
                 "{speeds} speed in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "angle range",
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the angle range",
                 "{speeds} speeds in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "angle range")},
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the angle range")},
       {"plan_runs_to.torque_limit",
        by_count("speeds",
                 "{speeds} speed in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "torque limit",
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the torque limit",
                 "{speeds} speeds in both directions from {slowest:.3g} to {fastest:.3g} rad/s at "
-                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest by the "
-                "torque limit")},
+                "the motor ({slowest_joint:.3g}°/s to {fastest_joint:.3g}°/s), the fastest set by "
+                "the torque limit")},
       {"plan_motion.ramps",
        by_count("ramps",
                 "at {angle}, {ramps} ramp up and {ramps} down at {rate:.3g} N·m/s, by up to "
@@ -74,9 +73,8 @@ const Messages& plan_messages() {
 
       // What it gives.
       {"plan_gives.rough_sweep",
-       text("gravity torque, angle of the gravity peak, friction of the slow "
-            "joint, torque ripple")},
-      {"plan_gives.precise_sweep", text("angle of the gravity peak, closer")},
+       text("gravity torque, angle of the gravity peak, friction at low speed, torque ripple")},
+      {"plan_gives.precise_sweep", text("more precise angle of the gravity peak")},
       {"plan_gives.oscillations", text("gravity torque free of friction, surrogate mass, bristle "
                                        "stiffness, break-away torque")},
       {"plan_gives.runs", text("friction against speed: Coulomb, Stribeck and viscous parameters")},
@@ -84,33 +82,28 @@ const Messages& plan_messages() {
 
       // Why a part is limited or not possible.
       {"plan_limit.peak_unknown",
-       text("it lies about the gravity peak, whose angle the rough sweep gives")},
+       text("it is centred on the gravity peak, whose angle the rough sweep gives")},
       {"plan_limit.peak_outside",
-       text("the gravity peak at {peak} lies outside the range that can be "
-            "used, {lowest} to {highest}")},
-      {"plan_limit.range_too_small",
-       text("over the {range} that can be used a cosine cannot be told "
-            "from a constant; {needed} are needed")},
-      {"plan_limit.short_range",
-       text("{range} is a short range: gravity is told from friction the less "
-            "surely; {good} and more are good")},
+       text("the gravity peak at {peak} lies outside the usable range, {lowest} to {highest}")},
+      {"plan_limit.range_too_small", text("over the usable range of {range} a cosine cannot be "
+                                          "told from a constant; {needed} is needed")},
+      {"plan_limit.short_range", text("{range} is a short range: gravity is separated from "
+                                      "friction less reliably; {good} or more is good")},
       {"plan_limit.peak_not_crossed", text("the sweep does not cross the gravity peak at {peak}")},
-      {"plan_limit.peak_at_end",
-       text("the gravity peak at {peak} is {distance} from the end of the "
-            "range; {needed} are needed")},
+      {"plan_limit.peak_at_end", text("the gravity peak at {peak} is {distance} from the end of "
+                                      "the range; {needed} is needed")},
       {"plan_limit.encoder_in_presliding",
-       text("the encoder is too coarse for pre-sliding: {counts:.0f} counts a motor turn give "
-            "{steps:.2g} steps across a loop of {loop_width:.2g} rad at the motor, "
+       text("the encoder is too coarse for pre-sliding: {counts:.0f} counts per motor turn give "
+            "{steps:.2g} steps across a loop of {loop_width:.2g} rad at the motor; "
             "{steps_needed:.0f} are needed")},
       {"plan_limit.oscillation_too_wide",
        text("its width of {width:.3g} rad exceeds the range of {range:.3g} rad")},
       {"plan_limit.all_ripple_stays",
-       text(
-           "all of the ripple's amplitude of {ripple_amplitude:.2g} N·m stays in the mean over the "
-           "positions: a motor turn is {motor_turn} at the joint")},
+       text("all of the ripple's amplitude of {ripple_amplitude:.2g} N·m remains in the mean over "
+            "the positions: a motor turn is {motor_turn} at the joint")},
       {"plan_limit.ripple_stays",
-       text("{left_percent:.0f} % of the ripple's amplitude of {ripple_amplitude:.2g} N·m stays in "
-            "the mean over the positions: a motor turn is {motor_turn} at the joint")},
+       text("{left_percent:.0f} % of the ripple's amplitude of {ripple_amplitude:.2g} N·m remains "
+            "in the mean over the positions: a motor turn is {motor_turn} at the joint")},
       {"plan_no_runs_within.speed_limit",
        text("the speed limit allows {fastest:.3g} rad/s at the motor, below {slowest:.3g} rad/s "
             "where runs would begin (a fifth of the Stribeck velocity)")},
@@ -123,40 +116,40 @@ const Messages& plan_messages() {
       {"plan_slow_runs_within.speed_limit",
        text("the speed limit allows {fastest:.3g} rad/s at the motor, {times:.2g} times the "
             "Stribeck velocity of {stribeck_speed:.3g} rad/s: viscous friction cannot be told from "
-            "the Stribeck fall")},
+            "the Stribeck effect")},
       {"plan_slow_runs_within.angle_range",
        text("the angle range allows {fastest:.3g} rad/s at the motor, {times:.2g} times the "
             "Stribeck velocity of {stribeck_speed:.3g} rad/s: viscous friction cannot be told from "
-            "the Stribeck fall")},
+            "the Stribeck effect")},
       {"plan_slow_runs_within.torque_limit",
        text("the torque limit allows {fastest:.3g} rad/s at the motor, {times:.2g} times the "
             "Stribeck velocity of {stribeck_speed:.3g} rad/s: viscous friction cannot be told from "
-            "the Stribeck fall")},
+            "the Stribeck effect")},
       {"plan_limit.torque_left_for_ramp",
        text("holding gravity of {gravity_torque:.4g} N·m, the torque limit of {torque_limit:.4g} "
             "N·m leaves {torque_left:.3g} N·m; {torque_needed:.3g} N·m are needed to pass the "
             "break-away torque of {break_away_torque:.3g} N·m")},
       {"plan_limit.encoder_before_break_away",
-       text("the {deflection:.2g} rad of the motor up to break-away are {steps:.2g} steps of the "
-            "encoder, {steps_needed:.0f} are needed")},
+       text("the {deflection:.2g} rad of motor travel to break-away are {steps:.2g} encoder steps; "
+            "{steps_needed:.0f} are needed")},
 
       // What would help.
       {"plan_help.plan_again",
        text("record this plan, identify it, and plan again with --calibration and the result")},
       {"plan_help.bring_peak_inside",
-       text("wider angle limits, a lighter load where the torque is what limits, or another pose "
-            "of the arm that brings the peak inside")},
+       text("wider angle limits, a lighter load where torque is the limit, or another pose of the "
+            "arm that brings the peak inside")},
       {"plan_help.wider_angle_limits", text("wider angle limits")},
-      {"plan_help.range_with_peak", text("an angle range that holds the peak")},
+      {"plan_help.range_with_peak", text("an angle range that includes the peak")},
       {"plan_help.finer_encoder_for_loop",
        text("an encoder of {counts:.0f} counts or more, interpolated lines counted; the sweep and "
             "the runs give gravity and sliding friction without it")},
       {"plan_help.finer_encoder", text("a finer encoder")},
       {"plan_help.wider_range_about_peak", text("a wider range about the gravity peak")},
       {"plan_higher.speed_limit", text("a higher speed limit")},
-      {"plan_higher.angle_range", text("a higher angle range")},
+      {"plan_higher.angle_range", text("a wider angle range")},
       {"plan_higher.torque_limit", text("a higher torque limit")},
-      {"plan_help.motor_speed", text("{motor_speed:.3g} rad/s at the motor and more")},
+      {"plan_help.motor_speed", text("{motor_speed:.3g} rad/s or more at the motor")},
       {"plan_help.lighter_load", text("a lighter load")},
 
       // Of the whole plan.
@@ -167,16 +160,16 @@ const Messages& plan_messages() {
             "open the whole range")},
       {"plan.torque_holds_nowhere",
        text("the torque limit of {torque_limit:.4g} N·m at the motor holds gravity of "
-            "{gravity_torque:.4g} N·m and friction of {break_away_torque:.3g} N·m only nowhere "
-            "within the angle limits: a lighter load, or a drive of {torque_needed:.3g} N·m, would "
-            "open the whole range")},
+            "{gravity_torque:.4g} N·m and friction of {break_away_torque:.3g} N·m nowhere within "
+            "the angle limits: a lighter load, or a drive of {torque_needed:.3g} N·m, would open "
+            "the whole range")},
       {"plan.sweep_may_stall",
        text("gravity of {gravity_torque:.4g} N·m and friction of {break_away_torque:.3g} N·m "
-            "exceed 95 % of the torque limit of {torque_limit:.4g} N·m at the motor: while the "
-            "angle of the peak is not known, the sweep may stall")},
+            "exceed 95 % of the torque limit of {torque_limit:.4g} N·m at the motor: as long as "
+            "the angle of the peak is not known, the sweep may stall")},
       {"plan.longer_than_budget",
        text("the shortest plan takes {duration:.0f} s, more than the time budget of {budget:.0f} "
-            "s: leave parts out, from the last one on, or allow more time")},
+            "s: leave parts out, starting with the last, or allow more time")},
 
       // What is known or assumed of the joint, and from where.
       {"assumed.q_peak", text("Angle of the gravity peak")},
@@ -189,11 +182,11 @@ const Messages& plan_messages() {
       {"assumed.bristle_stiffness", text("Bristle stiffness")},
       {"assumed.sample_rate", text("Sampling rate of the log")},
       {"assumed.set_point_rate", text("Rate of the set points")},
-      {"assumed.encoder_counts", text("Encoder counts of a motor turn")},
+      {"assumed.encoder_counts", text("Encoder counts per motor turn")},
       {"assumed.torque_noise", text("White torque noise, standard deviation")},
       {"assumed.torque_step", text("Torque step")},
       {"assumed.ripple_amplitude", text("Torque ripple, amplitude of each period")},
-      {"assumed.ripple_periods", text("Ripple periods of a motor turn")},
+      {"assumed.ripple_periods", text("Ripple periods per motor turn")},
       {"assumed_from.identified", text("identified")},
       {"assumed_from.stated", text("stated")},
       {"assumed_from.middle_of_range",
@@ -206,18 +199,18 @@ const Messages& plan_messages() {
       {"assumed_from.torque_limit_1600th", text("1/1600 of the torque limit")},
       {"assumed_from.coulomb_torque", text("Coulomb torque / 0.68")},
       {"assumed_from.break_away_torque_68_percent",
-       text("68 % of the break-away torque, as at the paper's joint")},
+       text("68 % of the break-away torque, as for the paper's joint")},
       {"assumed_from.break_away_torque",
-       text("share of the break-away torque as at the paper's joint")},
-      {"assumed_from.papers_joint", text("as at the paper's joint")},
+       text("share of the break-away torque as for the paper's joint")},
+      {"assumed_from.papers_joint", text("as for the paper's joint")},
       {"assumed_from.papers_deflection",
-       text("break-away after 1.9 mrad at the motor, as at the paper's joint")},
-      {"assumed_from.usual", text("usual")},
-      {"assumed_from.usual_interpolated", text("usual; the drive interpolates between them")},
-      {"assumed_from.usual_encoder", text("usual: 2^17")},
-      {"assumed_from.eccentric_shaft", text("usual: an eccentric shaft")},
-      {"assumed_from.wave_generator", text("usual: wave generator of a strain wave gear")},
-      {"assumed_from.pole_pairs", text("usual: a motor with three pole pairs")},
+       text("break-away after 1.9 mrad at the motor, as for the paper's joint")},
+      {"assumed_from.usual", text("typical")},
+      {"assumed_from.usual_interpolated", text("typical; the drive interpolates between them")},
+      {"assumed_from.usual_encoder", text("typical: 2^17")},
+      {"assumed_from.eccentric_shaft", text("typical: an eccentric shaft")},
+      {"assumed_from.wave_generator", text("typical: wave generator of a strain wave gear")},
+      {"assumed_from.pole_pairs", text("typical: a motor with three pole pairs")},
 
       // Whose interval is to be expected, by the name of the reading.
       {"expected.midline", text("gravity torque, mid-line of the loops")},

@@ -10,7 +10,7 @@ const Messages& reading_messages() {
 
       // Text.
       {"reading.columns_by_position", text("no column names; columns are taken by their position")},
-      {"reading.repeated_names", text("column names that stand more than once: {columns}")},
+      {"reading.repeated_names", text("column names that occur more than once: {columns}")},
       {"reading.units_in_second_row", text("units are taken from the row under the header")},
       {"reading.columns_without_numbers",
        text("columns that hold no numbers are not read: {columns}")},
@@ -30,9 +30,10 @@ const Messages& reading_messages() {
       {"reading.ends_inside_row",
        text("file ends inside a row at byte {byte} (log truncated?); the row is left out")},
       {"reading.no_last_line_end",
-       text("the last row has no line end; where the log was cut off, its last number may be too")},
+       text("the last row has no line end; if the log was cut off, its last number may be too")},
       {"reading.still_written",
-       text("the log is still being written; what came after the start of reading is not in")},
+       text(
+           "the log is still being written; what was written after reading began is not included")},
 
       // Arrays and bags.
       {"reading.value", values_alone("{name} = {value}")},
@@ -45,23 +46,22 @@ const Messages& reading_messages() {
       {"reading.square_matrix",
        text("{array} is {rows} x {columns}: its first dimension is taken for the samples")},
       {"reading.column_renamed",
-       text("column name {column} stands twice; that of array {array} is now {name}")},
+       text("column name {column} occurs twice; that of array {array} is now {name}")},
       {"reading.integers_rounded",
        text("{array} holds integers of 2^53 and more: they are rounded")},
       {"reading.long_array", text("{topic}: {path} has more than 64 elements and was not read")},
       {"reading.too_many_columns",
-       text("{topic}: there are more numbers in a message than columns are kept")},
+       text("{topic}: a message has more numbers than columns can be kept")},
       {"reading.long_messages",
        by_count("messages", "{topic}: {longer} of {messages} message is longer than its type says",
                 "{topic}: {longer} of {messages} messages are longer than their type says")},
       {"reading.log_time_goes_back",
-       text("{topic}: rows stand in the file's order; log_time goes back at {back} of {rows}")},
-      {"reading.chunk_damaged",
-       text("chunk (0x06) at byte {byte} is damaged: no record stands at its byte {at}; the rest "
-            "of the chunk is left out")},
+       text("{topic}: rows are in the file's order; log_time goes back at {back} of {rows}")},
+      {"reading.chunk_damaged", text("chunk (0x06) at byte {byte} is damaged: there is no record "
+                                     "at its byte {at}; the rest of the chunk is left out")},
       {"reading.chunk_left_out", text("chunk (0x06) at byte {byte} is left out: {why}")},
       {"reading.messages_without_channel",
-       text("messages left out because no channel record stands before them: {messages}")},
+       text("messages left out because no channel record precedes them: {messages}")},
       {"reading.messages_without_topic",
        text("messages left out because they belong to no topic: {messages}")},
       {"reading.no_footer",
@@ -74,9 +74,8 @@ const Messages& reading_messages() {
        text("{bytes} bytes after the log's end at byte {end} are not read")},
       {"reading.truncated",
        text("truncated in {record} at byte {byte}: expected {expected} bytes, ended after {got}")},
-      {"reading.not_closed",
-       text("the recording was not closed: what stands in {file} ({bytes} bytes) is not read; "
-            "sqlite3 can join it to the log")},
+      {"reading.not_closed", text("the recording was not closed: what is in {file} ({bytes} bytes) "
+                                  "is not read; sqlite3 can merge it into the log")},
 
       // Recordings.
       {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
@@ -85,13 +84,13 @@ const Messages& reading_messages() {
        text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
             "reading, in whole units")},
       {"reading.time_runs_back",
-       by_count("rows", "time runs back in {rows} row (first in line {line}); put in order of time",
-                "time runs back in {rows} rows (first in line {line}); put in order of time")},
+       by_count("rows", "time runs backwards in {rows} row (first in line {line}); sorted by time",
+                "time runs backwards in {rows} rows (first in line {line}); sorted by time")},
       {"reading.angle_wraps",
        by_count("jumps",
-                "the angle jumps by a turn {jumps} time, first at {first_s:.6g} s: an encoder that "
-                "wraps round? unwrap the angle in the log",
-                "the angle jumps by a turn {jumps} times, first at {first_s:.6g} s: an encoder "
+                "the angle jumps by one turn {jumps} time, first at {first_s:.6g} s: an encoder "
+                "that wraps round? unwrap the angle in the log",
+                "the angle jumps by one turn {jumps} times, first at {first_s:.6g} s: an encoder "
                 "that wraps round? unwrap the angle in the log")},
       {"reading.large_angle",
        text("the joint's angle reaches {angle_rad:.4g} rad, read as {unit}: degrees?")},
@@ -99,12 +98,11 @@ const Messages& reading_messages() {
        text("the joint's torque reaches {torque_Nm:.3g} N·m, read as {unit}: another unit, or the "
             "other side of the gear?")},
       {"reading.unlikely_rate",
-       text("{rate_Hz:.3g} samples a second, read in {unit}: another unit of time?")},
+       text("{rate_Hz:.3g} samples per second, read in {unit}: another unit of time?")},
       {"reading.slow_for_loops",
-       text("{rate_Hz:.3g} samples a second are few for what happens at a reversal; log at 100 or "
-            "more")},
+       text("{rate_Hz:.3g} samples per second are few to resolve a reversal; log at 100 or more")},
       {"reading.robot_of_other_joint",
-       text("{file} describes the test of joint {described}, the manifest is of joint {stated}: "
+       text("{file} describes the test of joint {described}, the manifest is for joint {stated}: "
             "the drawings of the robot show the former")},
       {"reading.outside_range_of_motion",
        text("the logs reach {angle_deg:.4g}°, outside the range of motion of joint {joint} in "

@@ -9,18 +9,18 @@ const Messages& selection_messages() {
       // The quality errors.
       {"quality_errors.no_curve", text("there is no viscous curve to judge")},
       {"quality_errors.no_pairs",
-       text("no reference: none of {runs} runs have a partner of opposite direction at the same "
-            "speed over common angles ({angles}), and no true curve is known; half the difference "
-            "of the directions cannot serve; recording every speed in both directions over the "
-            "same angles would give it")},
-      {"quality_errors.too_few_pairs",
-       text("no reference: {paired} of {runs} runs have a partner of opposite direction at the "
+       text("no reference: none of {runs} runs has a counterpart in the opposite direction at the "
             "same speed over common angles ({angles}), and no true curve is known; half the "
-            "difference of the directions cannot serve; recording every speed in both directions "
-            "over the same angles would give it")},
+            "difference between the directions cannot be used; recording every speed in both "
+            "directions over the same angles would give it")},
+      {"quality_errors.too_few_pairs",
+       text("no reference: {paired} of {runs} runs have a counterpart in the opposite direction at "
+            "the same speed over common angles ({angles}), and no true curve is known; half the "
+            "difference between the directions cannot be used; recording every speed in both "
+            "directions over the same angles would give it")},
       {"quality_errors.runs_left_out",
-       text("{left_out} of {runs} runs take no part: without a partner of opposite direction, or "
-            "with a driving torque below {least_percent:.0f} % of the largest")},
+       text("{left_out} of {runs} runs are left out: no counterpart in the opposite direction, or "
+            "a driving torque below {least_percent:.0f} % of the largest")},
 
       // What the reference can tell.
       {"quality_errors.reference_exact", text("the reference is known exactly")},
@@ -28,15 +28,16 @@ const Messages& selection_messages() {
        text("the reference itself is known to {reference_percent:.2g} % of the driving torque "
             "(rms, 95 %): all errors are larger and count as evidence")},
       {"quality_errors.some_within_reference",
-       text("the reference itself is known to {reference_percent:.2g} % of the driving torque "
-            "(rms, 95 %): an error below that is no evidence, as those of {estimators:, } are")},
+       text(
+           "the reference itself is known to {reference_percent:.2g} % of the driving torque (rms, "
+           "95 %): a smaller error is no evidence, and those of {estimators:, } are smaller")},
       {"quality_errors.estimator", values_alone("{estimator}")},
 
       // Why an estimator is recommended.
       {"selection.why", values_alone("{sentences: }")},
       {"selection.midline",
        text("The mid-line averages the whole steady loop, in which friction cancels whatever its "
-            "model; a single point keeps the friction of its instant.")},
+            "model; a single point still contains the friction at its instant.")},
       {"selection.sweep_alone",
        text("No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the "
             "rough sweep is the only estimate of the mass.")},
@@ -44,14 +45,13 @@ const Messages& selection_messages() {
        text("Neither a hysteresis loop at the gravity peak nor a sweep was recorded; the gravity "
             "amplitude of the runs at constant speed is the only estimate of the mass.")},
       {"selection.stated_alone",
-       text("No recording shows the gravity torque; the mass is the one that the manifest "
-            "states.")},
+       text("No recording shows the gravity torque; the mass is the one stated in the manifest.")},
       {"selection.quality_errors",
        text("Against the reference its curve is off by {rms_percent:.2g} % of the driving torque "
             "(rms), that of point {point} by {point_rms_percent:.2g} %.")},
       {"selection.left_to_noise",
-       text("Within the intervals of single readings the paper's rule could have chosen "
-            "{rivals: or } instead of {point}: its choice is left to noise here.")},
+       text("Within the intervals of single readings the paper's rule could have chosen {rivals: "
+            "or } instead of {point}: here its choice is left to noise.")},
 
       // Why none is, or the paper's rule cannot be applied.
       {"selection.no_candidate", text("there is no candidate to choose from")},
@@ -70,7 +70,7 @@ const Messages& selection_messages() {
                 "needed")},
       {"friction_parameters.waiboer_not_fitted", text("eq. (6) was not fitted: {why}")},
       {"friction_parameters.speed_changes_with_angle",
-       text("speed and angle change together in a sweep; runs of constant speed would show the "
+       text("speed and angle change together in a sweep; runs at constant speed would show the "
             "Stribeck effect")},
 
       // The estimators of the gravity torque.
@@ -90,29 +90,28 @@ const Messages& selection_messages() {
       {"estimator.stated", text("stated")},
       {"estimator.sweep_directions", text("mean of the sweep's directions at equal angle")},
       {"estimator.run_directions", text("mean of both directions of the runs")},
-      {"estimator.classical", text("linear least squares over everything that moves")},
+      {"estimator.classical", text("linear least squares over all moving samples")},
 
       // Estimators that disagree, and what would do that.
       {"cross_check.disagree",
        text("{recommended} and {other} disagree: {recommended_kg:.3f} kg against {other_kg:.3f} "
-            "kg, a difference of {difference_percent:+.2f} % where {interval_percent:.2g} % would "
-            "be within its interval; {cause}")},
+            "kg, a difference of {difference_percent:+.2f} % where up to {interval_percent:.2g} % "
+            "would be within its interval; {cause}")},
       {"cross_check.ripple_at_position",
-       text("ripple at the position of the oscillation would do that")},
-      {"cross_check.loop_not_steady", text("a loop that is not yet steady would do that")},
+       text("ripple at the position of the oscillation would explain it")},
+      {"cross_check.loop_not_steady", text("a loop that is not yet steady would explain it")},
       {"cross_check.friction_beyond_lugre",
-       text("friction that LuGre does not describe would do that")},
+       text("friction that LuGre does not describe would explain it")},
       {"cross_check.ripple_load_or_zero",
        text("torque ripple, friction that depends on the load, or a torque that is not zero "
-            "without load would do that")},
+            "without load would explain it")},
       {"cross_check.friction_by_load_or_direction",
-       text("friction that depends on load or direction would do that")},
-      {"cross_check.offset_or_direction",
-       text("a constant offset of the torque, or friction that differs with the direction would "
-            "do that")},
+       text("friction that depends on load or direction would explain it")},
+      {"cross_check.offset_or_direction", text("a constant offset of the torque, or friction that "
+                                               "differs with the direction would explain it")},
       {"cross_check.linear_model",
-       text("the linear model has no Stribeck effect and no bend of the viscous friction, which "
-            "it takes for gravity where angles and speeds are not balanced")}};
+       text("the linear model has neither Stribeck effect nor curved viscous friction, and takes "
+            "them for gravity where angles and speeds are not balanced")}};
   return all;
 }
 

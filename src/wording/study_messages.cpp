@@ -25,21 +25,21 @@ const Messages& study_messages() {
        text("Standard deviation of the white noise of the torque samples.")},
       {"factor_note.torque_step", text("Step in which the torque is logged.")},
       {"factor_note.encoder",
-       text("Counts of the motor encoder; the logged speed is made from its difference.")},
+       text("Counts of the motor encoder; the logged speed is derived from their difference.")},
       {"factor_note.ripple_one_position",
-       text("Ripple of 1 and of 6 periods a motor turn, with phases drawn anew in each run; the "
+       text("Ripple of 1 and of 6 periods per motor turn, with new random phases in each run; the "
             "oscillation is recorded at one motor position. The precise sweep and the runs at "
-            "constant speed, which it does not touch, are left out.")},
+            "constant speed, which it does not affect, are left out.")},
       {"factor_note.ripple_eight_positions",
-       text("Ripple of 1 and of 6 periods a motor turn, with phases drawn anew in each run; the "
+       text("Ripple of 1 and of 6 periods per motor turn, with new random phases in each run; the "
             "oscillation is recorded at eight motor positions spread over a turn. The precise "
-            "sweep and the runs at constant speed, which it does not touch, are left out.")},
+            "sweep and the runs at constant speed, which it does not affect, are left out.")},
       {"factor_note.amplitude",
        text("Amplitude of the oscillation at the joint, at the same frequency. The precise sweep "
-            "and the runs at constant speed, which it does not touch, are left out.")},
+            "and the runs at constant speed, which it does not affect, are left out.")},
       {"factor_note.cycles",
        text("Cycles of the oscillation; the first is the start-up stroke. The precise sweep and "
-            "the runs at constant speed, which it does not touch, are left out.")},
+            "the runs at constant speed, which it does not affect, are left out.")},
 
       // Levels of a factor.
       {"study_level.torque", values_alone("{torque:.4g} mN·m")},
@@ -69,49 +69,49 @@ const Messages& study_messages() {
       {"study.no_gravity", text("No gravity torque was found in the base case.")},
       {"study_sentence.midline",
        text("In the base case the mid-line is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals hold "
-            "the truth.")},
+            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
+            "contain the true value.")},
       {"study_sentence.sweep",
        text("In the base case the sweep fit is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals hold "
-            "the truth.")},
+            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
+            "contain the true value.")},
       {"study_sentence.midline_beside_B",
        text("In the base case the mid-line is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals hold "
-            "the truth; point B is off by {point_b_bias_percent:+.2f} %, the mid-line by "
-            "{bias_percent:+.3f} %.")},
+            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
+            "contain the true value; point B is off by {point_b_bias_percent:+.2f} %, the mid-line "
+            "by {bias_percent:+.3f} %.")},
       {"study_sentence.sweep_beside_B",
        text("In the base case the sweep fit is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals hold "
-            "the truth; point B is off by {point_b_bias_percent:+.2f} %, the sweep fit by "
-            "{bias_percent:+.3f} %.")},
+            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
+            "contain the true value; point B is off by {point_b_bias_percent:+.2f} %, the sweep "
+            "fit by {bias_percent:+.3f} %.")},
 
       // What was found.
       {"study.gravity_in_base_case", text("Gravity torque in the base case: {estimators:; }.")},
       {"study.biased", text("{estimator} biased by {bias_percent:+.3f} ± "
                             "{standard_error_percent:.3f} %")},
-      {"study.free_of_bias", text("{estimator} free of bias that matters ({bias_percent:+.3f} ± "
+      {"study.free_of_bias", text("{estimator} free of relevant bias ({bias_percent:+.3f} ± "
                                   "{standard_error_percent:.3f} %)")},
-      {"study.steady_loop", text("In the steady loop A and B lie to both sides of the truth, "
-                                 "{point_a_bias_percent:+.2f} % "
-                                 "and {point_b_bias_percent:+.2f} %: which of them is nearer in "
-                                 "the paper's reading rests "
-                                 "on the start-up stroke alone.")},
+      {"study.steady_loop",
+       text("In the steady loop A and B lie on either side of the true value, "
+            "{point_a_bias_percent:+.2f} % and {point_b_bias_percent:+.2f} %: which of them is "
+            "nearer in the paper's reading depends on the start-up stroke alone.")},
       {"studied.midline", text("Mid-line")},
       {"studied.fit", text("LuGre fit")},
       {"studied.sweep", text("Sweep fit")},
-      {"study_fine.not_in_base_case", text("{estimator} leaves 0.1 % in the base case already.")},
-      {"study_coarse.not_in_base_case", text("{estimator} leaves 0.3 % in the base case already.")},
+      {"study_fine.not_in_base_case", text("{estimator} exceeds 0.1 % already in the base case.")},
+      {"study_coarse.not_in_base_case",
+       text("{estimator} exceeds 0.3 % already in the base case.")},
       {"study_coverage.not_in_base_case",
-       text("{estimator} has intervals narrower than they claim in the base case already.")},
-      {"study_fine.at_all_levels", text("{estimator} leaves 0.1 % at no level tried.")},
-      {"study_coarse.at_all_levels", text("{estimator} leaves 0.3 % at no level tried.")},
+       text("{estimator} has intervals that are too narrow already in the base case.")},
+      {"study_fine.at_all_levels", text("{estimator} exceeds 0.1 % at no level tried.")},
+      {"study_coarse.at_all_levels", text("{estimator} exceeds 0.3 % at no level tried.")},
       {"study_coverage.at_all_levels",
-       text("{estimator} has intervals narrower than they claim at no level tried.")},
-      {"study_fine.left_at", text("{estimator} leaves 0.1 % first at {levels:; }.")},
-      {"study_coarse.left_at", text("{estimator} leaves 0.3 % first at {levels:; }.")},
+       text("{estimator} has intervals that are too narrow at no level tried.")},
+      {"study_fine.left_at", text("{estimator} first exceeds 0.1 % at {levels:; }.")},
+      {"study_coarse.left_at", text("{estimator} first exceeds 0.3 % at {levels:; }.")},
       {"study_coverage.left_at",
-       text("{estimator} has intervals narrower than they claim first at {levels:; }.")}};
+       text("{estimator} first has intervals that are too narrow at {levels:; }.")}};
   return all;
 }
 

@@ -59,7 +59,7 @@ const Messages& verdict_messages() {
       // The sentence at the top of the report.
       {"verdict.no_torque",
        text("No torque was recorded: the motion alone shows neither gravity nor friction.")},
-      {"verdict.data_cannot_carry", text("The data cannot carry an identification: {found}.")},
+      {"verdict.data_cannot_carry", text("The data do not support an identification: {found}.")},
       {"verdict.neither_angle_nor_mass",
        text("Neither the centre of gravity nor the surrogate mass can be found in these "
             "recordings.")},
@@ -72,10 +72,10 @@ const Messages& verdict_messages() {
       {"verdict.estimates_disagree",
        text("Angle and mass are known, but independent estimates disagree.")},
       {"verdict.limit_not_kept",
-       text("Angle and mass are known, but a limit of the manifest is not kept.")},
+       text("Angle and mass are known, but a limit in the manifest is not met.")},
       {"verdict.own_answer_not_found",
-       text("Angle and mass are known, but simulated with what was identified, the method does not "
-            "find its own answer.")},
+       text("Angle and mass are known, but in a simulation of what was identified the method does "
+            "not recover its own result.")},
       {"verdict.stage_without_data",
        text("Angle and mass are known, but not every stage had the data it needs.")},
 
@@ -86,8 +86,8 @@ const Messages& verdict_messages() {
        text("the data do not show it: its 95 % interval reaches below zero")},
       {"verdict.interval_reaches_zero",
        text("the data do not show it: its 95 % interval reaches zero")},
-      {"verdict.known_to_share", text("known to ± {percent:.0f} % only")},
-      {"verdict.known_to_angle", text("known to ± {degrees:.0f}° only")},
+      {"verdict.known_to_share", text("known only to ± {percent:.0f} %")},
+      {"verdict.known_to_angle", text("known only to ± {degrees:.0f}°")},
       {"verdict.nothing_independent", text("nothing independent checks it: {why}")},
       {"verdict.no_loop_model", text("no friction model was fitted to the loop")},
       {"verdict.ramps_do_not_show", text("the ramps do not show it: {why}")},
@@ -95,10 +95,9 @@ const Messages& verdict_messages() {
        text("the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
             "the break-away torque is only known to be larger")},
       {"verdict.lugre_misfit",
-       text(
-           "{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the loop's "
-           "height, that noise does not explain (limit {limit_percent:.1f} %): its number is the "
-           "model's nearest, not the joint's")},
+       text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
+            "loop's height, that noise does not explain (limit {limit_percent:.1f} %): the number "
+            "is that of the closest LuGre model, not the joint's")},
       {"verdict.nothing_checks_curve", text("nothing checks the curve: {why}")},
       {"verdict.no_stribeck_model",
        text("no model with a Stribeck velocity was fitted to the curve")},
@@ -107,7 +106,8 @@ const Messages& verdict_messages() {
             "every speed in both directions over the same angles")},
       {"verdict.runs_always_lift",
        text("in the runs at constant speed the drive lifts the load all the way: friction that "
-            "grows with the load would be taken for gravity; runs that also lower it would tell")},
+            "grows with the load would be taken for gravity; runs that also lower it would show "
+            "which")},
       {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
 
       // Limits of the manifest.
@@ -116,11 +116,11 @@ const Messages& verdict_messages() {
       {"limit.half_width", text("the limit of an interval of at most ± {limit:.6g} {unit}")},
       {"limit.half_width_percent",
        text("the limit of an interval of at most ± {limit:.6g} {unit}")},
-      {"limit.no_estimate", text("{quantity}: there is no estimate to hold against {limit}")},
+      {"limit.no_estimate", text("{quantity}: there is no estimate to compare with {limit}")},
       {"limit.kept",
-       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) keeps {limit}")},
+       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) meets {limit}")},
       {"limit.broken",
-       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) breaks {limit}")},
+       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) does not meet {limit}")},
       {"limit.not_shown",
        text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}): the interval crosses "
             "{limit}: not shown")},
@@ -137,20 +137,18 @@ const Messages& verdict_messages() {
       {"record.sweep_and_oscillation",
        text("slow sweep over the joint's range in both directions, and a micro-oscillation about "
             "the gravity peak")},
-      {"record.better_motion",
-       text("a motion that shows it better, or less noise: the known-truth check says how far off "
-            "it comes back")},
+      {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
+                                    "check shows how far off the recovered value is")},
       {"record.eight_positions",
        text("the micro-oscillation at eight positions spread over one turn of the motor")},
       {"record.ramps",
-       text("ramps of the torque that go on until the joint slides, several in each direction")},
+       text("torque ramps that continue until the joint slides, several in each direction")},
       {"record.larger_amplitude",
        text("oscillate with a larger amplitude, until the loop's branches run flat")},
-      {"record.compare_reversals",
-       text("compare with the stiffness behind reversals, which needs no model (table of the "
-            "loops)")},
+      {"record.compare_reversals", text("compare with the stiffness after reversals, which needs "
+                                        "no model (table of the loops)")},
       {"record.speeds_about_the_dip",
-       text("more speeds below and about the dip of the friction curve")},
+       text("more speeds below and around the dip of the friction curve")},
       {"record.second_measurement",
        text("nothing to record: the joint, or the limit, is not as it should be; a second "
             "measurement would confirm it")},
@@ -158,35 +156,34 @@ const Messages& verdict_messages() {
 
       // The known-truth check.
       {"truth.not_found",
-       text("the method cannot find its own answer on these motions at this noise: the {reading} "
-            "was not found in any of {runs} simulations of what was identified")},
+       text("the method cannot recover its own result on these motions at this noise: the "
+            "{reading} was not found in any of {runs} simulations of what was identified")},
       {"truth.does_not_come_back",
        text(
-           "the method cannot find its own answer on these motions at this noise: of the {reading} "
-           "{put_in:.5g} {unit} was put in, {came_back:.5g} {unit} came back, and the stated "
-           "interval holds it in {inside} of {runs} simulations")},
-      {"truth.ramp_is_its_answer",
-       text("the motion of a break-away ramp is its answer, which no recorded one can stand for")},
+           "the method cannot recover its own result on these motions at this noise: the {reading} "
+           "was simulated as {put_in:.5g} {unit} and recovered as {came_back:.5g} {unit}, and the "
+           "stated interval contains the true value in {inside} of {runs} simulations")},
+      {"truth.ramp_is_its_answer", text("the motion of a break-away ramp is itself the result; no "
+                                        "recorded motion can stand in for it")},
       {"truth.sweep_without_gravity", text("the sweep gave no gravity")},
       {"truth.no_curve", text("no friction curve was identified")},
       {"truth.no_loop_model", text("no LuGre model was fitted to the loop")},
-      {"truth.no_whole_cycle", text("the angle does not swing through one whole cycle; and {why}")},
+      {"truth.no_whole_cycle", text("the angle does not complete one whole cycle; and {why}")},
       {"truth.loop_parameters_not_shown",
-       text("the loops do not show stiffness and static torque")},
+       text("the loops do not show stiffness and break-away torque")},
       {"truth.nothing_to_simulate",
        text("nothing can be simulated: no gravity torque was identified")},
       {"truth.too_few_samples", text("too few samples")},
       {"truth.not_simulated", text("{recording}: {why}")},
       {"truth.first_samples_simulated",
-       text("{recording}: {samples} of its {all} samples are simulated, from the first on")},
+       text("{recording}: {samples} of its {all} samples are simulated, starting with the first")},
       {"truth.spread_samples_simulated",
        text("{recording}: {samples} of its {all} samples are simulated, evenly spread")},
 
       // A log without torque.
       {"no_torque.log_a_column",
-       text(
-           "no torque was recorded; log the motor's torque, or its present current with the torque "
-           "constant, in a column beside the angle")},
+       text("no torque was recorded; log the motor's torque, or its actual current together with "
+            "the torque constant, in a column beside the angle")},
       {"no_torque.no_loop", text("no torque was recorded; the loop is torque against angle")},
       {"no_torque.no_mass", text("no torque was recorded; a mass is read off a torque")},
       {"no_torque.no_curve", text("no torque was recorded; the curve is torque against speed")},

@@ -18,17 +18,17 @@ const Messages& viscous_messages() {
        text("no constant_speed run was recorded; friction comes from the sweep's two directions at "
             "equal angle, so that speed and angle change together along the curve")},
       {"viscous.runs_without_plateau",
-       text("{without_plateau} of {runs} runs hold no plateau of constant speed")},
+       text("{without_plateau} of {runs} runs contain no plateau of constant speed")},
 
       // Which angles the runs cover.
       {"run_angles.unknown", text("the angles of the runs are not known")},
       {"run_angles.rising_only", text("the joint angle rises in all of them")},
       {"run_angles.falling_only", text("the joint angle falls in all of them")},
       {"run_angles.covered",
-       text("rising runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, falling ones "
+       text("forward runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, backward ones "
             "{falling_low_deg:.0f}° to {falling_high_deg:.0f}°")},
       {"run_angles.none_shared",
-       text("rising runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, falling ones "
+       text("forward runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, backward ones "
             "{falling_low_deg:.0f}° to {falling_high_deg:.0f}°: the directions share no angle")},
 
       // The models of the curve.
@@ -38,13 +38,13 @@ const Messages& viscous_messages() {
       {"curve_law.stribeck", text("Stribeck and viscous")},
       {"curve_law.waiboer", text("Waiboer, eq. (6)")},
       {"curve_model.with_load", text("{law}, growing with the load")},
-      {"curve_model.with_coulomb_of_directions", text("{law}, Coulomb friction of each direction")},
+      {"curve_model.with_coulomb_of_directions", text("{law}, Coulomb friction per direction")},
       {"curve_model.with_coulomb_of_directions_and_load",
-       text("{law}, Coulomb friction of each direction, growing with the load")},
+       text("{law}, Coulomb friction per direction, growing with the load")},
       {"curve_model.with_lines_of_directions",
-       text("{law}, Coulomb and viscous friction of each direction")},
+       text("{law}, Coulomb and viscous friction per direction")},
       {"curve_model.with_lines_of_directions_and_load",
-       text("{law}, Coulomb and viscous friction of each direction, growing with the load")},
+       text("{law}, Coulomb and viscous friction per direction, growing with the load")},
 
       // Why a model takes no part.
       {"curve_fit.sweep_hides_stribeck",
@@ -77,20 +77,21 @@ const Messages& viscous_messages() {
       {"curve_model.none_possible",
        text("no friction model describes this curve with parameters that a joint can have")},
       {"curve_model.chosen",
-       text("{model}: {parameters} parameters, error {error_Nm:.3g} N·m at speeds held out")},
+       text("{model}: {parameters} parameters, error {error_Nm:.3g} N·m at held-out speeds")},
       {"curve_model.best_gains_too_little",
        text("{law} with {parameters} parameters has {error_Nm:.3g} N·m, a gain within its standard "
             "error")},
       {"curve_model.next_simpler", text("the next simpler one, {law}, has {error_Nm:.3g} N·m")},
-      {"waiboer_five.carried", text("the curve carries Waiboer's five parameters")},
-      {"waiboer_five.not_carried", text("the curve cannot carry Waiboer's five parameters: {why}")},
+      {"waiboer_five.carried", text("the curve supports Waiboer's five parameters")},
+      {"waiboer_five.not_carried",
+       text("the curve does not support Waiboer's five parameters: {why}")},
       {"waiboer_five.no_gain",
-       text("the curve cannot carry Waiboer's five parameters: at speeds held out their error is "
-            "{error_Nm:.3g} N·m, no less than the {error_of_chosen_Nm:.3g} N·m of the model with "
-            "{parameters_of_chosen}")},
+       text("the curve does not support Waiboer's five parameters: at held-out speeds their error "
+            "is {error_Nm:.3g} N·m, no less than the {error_of_chosen_Nm:.3g} N·m of the model "
+            "with {parameters_of_chosen}")},
       {"waiboer_five.gain_too_little",
-       text("the curve cannot carry Waiboer's five parameters: at speeds held out their error is "
-            "{error_Nm:.3g} N·m, against {error_of_chosen_Nm:.3g} N·m of the model with "
+       text("the curve does not support Waiboer's five parameters: at held-out speeds their error "
+            "is {error_Nm:.3g} N·m, against {error_of_chosen_Nm:.3g} N·m of the model with "
             "{parameters_of_chosen}, a gain within its standard error")},
 
       // The parameters of the chosen model.
@@ -103,10 +104,10 @@ const Messages& viscous_messages() {
       {"curve_parameter.power_law_coefficient", text("Viscous coefficient c_v")},
       {"curve_parameter.viscous_exponent", text("Viscous exponent p")},
       {"curve_parameter.waiboer_exponent", text("Viscous exponent 1 − δ_v")},
-      {"curve_parameter.coulomb_asymmetry", text("Rising less falling, half, Coulomb")},
-      {"curve_parameter.viscous_asymmetry", text("Rising less falling, half, viscous")},
+      {"curve_parameter.coulomb_asymmetry", text("Coulomb asymmetry, (forward − backward)/2")},
+      {"curve_parameter.viscous_asymmetry", text("Viscous asymmetry, (forward − backward)/2")},
       {"curve_parameter.power_law_asymmetry",
-       text("Rising less falling, half, viscous coefficient")},
+       text("Asymmetry of the viscous coefficient, (forward − backward)/2")},
       {"curve_parameter.load_torque", text("Added by the full gravity torque")},
       {"unit.as_viscous_coefficient", text("as the viscous coefficient")},
 
@@ -114,7 +115,7 @@ const Messages& viscous_messages() {
       {"waiboer_fit.too_few_runs",
        by_count("runs", "{runs} run for five parameters; at least {needed} are needed",
                 "{runs} runs for five parameters; at least {needed} are needed")},
-      {"waiboer_fit.did_not_converge", text("no fit converged from any of twelve first guesses")},
+      {"waiboer_fit.did_not_converge", text("no fit converged from any of twelve starting points")},
       {"waiboer_fit.parameters_not_shown",
        text("the speeds recorded do not show all five parameters")},
       {"waiboer_fit.grows_faster_than_speed",
@@ -122,44 +123,43 @@ const Messages& viscous_messages() {
 
       // Is friction the same in both directions?
       {"direction_asymmetry.offset_of_sweep",
-       text("the sweep's offset of {offset_Nm:.3g} N·m was taken out of both directions: half the "
-            "difference of their friction, or an offset of the torque signal")},
+       text("the sweep's offset of {offset_Nm:.3g} N·m was removed from both directions: half the "
+            "difference in their friction, or an offset of the torque signal")},
       {"direction_asymmetry.too_few_pairs",
-       text("whether friction is the same in both directions cannot be seen without gravity: too "
-            "few speeds were run in both directions over the same angles")},
+       text("whether friction is the same in both directions cannot be seen independently of "
+            "gravity: too few speeds were run in both directions over the same angles")},
       {"direction_asymmetry.found",
        text("friction is not the same in both directions, or the torque signal has an offset, or "
-            "gravity is off: half the difference of rising and falling is {half_difference_Nm:.3g} "
-            "± {half_width_Nm:.2g} N·m, of which an error of the gravity torque within its "
-            "interval could be {gravity_error_Nm:.2g} N·m")},
-      {"direction_asymmetry.does_not_show",
-       text("no asymmetry of the directions shows: half the difference of rising and falling is "
+            "gravity is off: half the difference between forward and backward is "
             "{half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of the gravity "
-            "torque within its interval could be {gravity_error_Nm:.2g} N·m")},
+            "torque within its interval could account for {gravity_error_Nm:.2g} N·m")},
+      {"direction_asymmetry.does_not_show",
+       text("no asymmetry between the directions shows: half the difference between forward and "
+            "backward is {half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of "
+            "the gravity torque within its interval could account for {gravity_error_Nm:.2g} N·m")},
 
       // Does friction depend on the load?
       {"load_dependence.no_sweep_in_both_directions",
-       text(
-           "whether friction depends on the load cannot be seen: that takes a sweep in both "
-           "directions over the same angles, through angles of much and of little gravity torque")},
+       text("whether friction depends on the load cannot be seen: that takes a sweep in both "
+            "directions over the same angles, through angles of high and of low gravity torque")},
       {"load_dependence.too_few_shared_cells",
        text("whether friction depends on the load cannot be seen: the two directions of the sweep "
-            "share {shared} of {cells} cells of its angles only")},
+            "share only {shared} of {cells} cells of its angles")},
       {"load_dependence.load_changes_too_little",
-       text("whether friction depends on the load cannot be seen: gravity torque changes from "
-            "{lowest_Nm:.3g} to {highest_Nm:.3g} N·m only over the sweep, by less than "
+       text("whether friction depends on the load cannot be seen: gravity torque changes only from "
+            "{lowest_Nm:.3g} to {highest_Nm:.3g} N·m over the sweep, by less than "
             "{needed_percent:.0f} % of its amplitude")},
       {"load_dependence.does_not_show",
        text(
            "friction does not visibly depend on the load: {share_percent:.2g} % of the gravity "
-           "torque (95 %: {low_percent:.2g} to {high_percent:.2g} %); at angles held out the error "
+           "torque (95 %: {low_percent:.2g} to {high_percent:.2g} %); at held-out angles the error "
            "is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m without")},
       {"load_dependence.found",
-       text(
-           "friction depends on the load: it grows by {share_percent:.3g} % of the gravity torque "
-           "(95 %: {low_percent:.3g} to {high_percent:.3g} %), from {unloaded_Nm:.3g} N·m unloaded "
-           "by {added_Nm:.3g} N·m at the largest load of the sweep; at angles held out the error "
-           "is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m without")},
+       text("friction depends on the load: it grows by {share_percent:.3g} % of the gravity torque "
+            "(95 %: {low_percent:.3g} to {high_percent:.3g} %), from {unloaded_Nm:.3g} N·m "
+            "unloaded, by {added_Nm:.3g} N·m at the largest load of the sweep; at held-out angles "
+            "the error is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m "
+            "without")},
       {"load_dependence.curved_viscous_law_rivals",
        text("a curved viscous law would explain it as well, because speed and load change together "
             "in this sweep: sweeps at several constant speeds tell them apart")}};

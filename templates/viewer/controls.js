@@ -89,7 +89,7 @@ const loopControls = () => {
     line.querySelectorAll("input")[state.loop].checked = true;
     setSample(state.sample);
     redraw((plot) => plot.isLoop);
-    say(t("Loop {0} is read.", state.loop + 1));
+    say(t("Readings are from loop {0}.", state.loop + 1));
   });
   line.append(make("label", { class: "key", for: "review-loop" },  t("Read and scrub")), select);
   return line;

@@ -103,7 +103,7 @@ const showRun = () => {
   const candidate = chosen();
   const i = state.run;
   if (!hasRun(i)) {
-    runLine.textContent = t("Click into a curve, or press Page Down in it, to read a run.");
+    runLine.textContent = t("Click on a curve, or press Page Down in it, to read a run.");
     return "";
   }
   const parts = [`${quantities.w.words} ${withUnit(significant(runs.w[i], 4), "w")}`,

@@ -49,12 +49,12 @@ const buildCandidates = () => {
 
 const hasCurves = runs && candidates.some((one) => one.f);
 root.append(make("p", { id: "review-help", class: "help" },
-  t("Drag to move, Shift and drag for a box, click to read.") + " " +
-  t("The wheel and two fingers zoom the plot that was clicked last.") + " " +
+  t("Drag to move, Shift-drag for a box, click to read.") + " " +
+  t("The wheel and two fingers zoom the plot clicked last.") + " " +
   t("Keys in a plot: arrows move, + and − zoom, 0 shows all, Page Up and Page Down step.") + " " +
   t("A to F and M choose a reading.") + " " +
   t("Plots that share a quantity move together.") + " " +
-  t("A part of the time leaves the rest of the loops pale.")));
+  t("Selecting a part of the time dims the rest of the loops.")));
 root.append(make("div", { class: "top" }, zoomControls(), readingControls()));
 if (loops.length) buildLoops();
 if (hasCurves) buildCandidates();

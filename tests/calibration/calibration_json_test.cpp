@@ -85,7 +85,7 @@ TEST(CalibrationJson, HasTheCodeBesideTheWords) {
                           {"verdict.nothing_independent", {{"why", Statement{"truth.no_curve"}}}}};
   const json verdict = parsed(c)["verdict"];
   EXPECT_EQ(verdict["sentence_code"], "verdict.usable");
-  EXPECT_EQ(verdict["findings"][0], "known to ± 42 % only");
+  EXPECT_EQ(verdict["findings"][0], "known only to ± 42 %");
   EXPECT_EQ(verdict["findings_code"][0],
             json::parse(R"({"code": "verdict.known_to_share", "values": {"percent": 41.5}})"));
   EXPECT_EQ(verdict["findings_code"][1]["values"]["why"], json::parse(R"(["truth.no_curve"])"));

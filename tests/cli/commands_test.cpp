@@ -192,7 +192,7 @@ TEST(Commands, WithoutTorqueTheMotionIsCheckedAndTheVerdictSaysWhatToRecord) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("No torque was recorded"), std::string::npos) << run.out;
   const std::string page = read_text(dataset.file("r.html"));
-  EXPECT_NE(page.find("present current with the torque constant"), std::string::npos);
+  EXPECT_NE(page.find("actual current together with the torque constant"), std::string::npos);
   EXPECT_NE(page.find("id=\"check-sweep-directions\""), std::string::npos);
 }
 
@@ -209,7 +209,7 @@ TEST(Commands, FailingChecksAndBrokenLimitsAreTold) {
       replaced(small_manifest(), "side = \"motor\"", "side = \"motor\"\nsign = -1"));
   const ProgramRun run = wrong_sign.run("identify --fail-on not-identifiable", "c.json");
   EXPECT_EQ(run.status, 1) << run.out;
-  EXPECT_NE(run.out.find("check fails: Friction takes up power"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("check fails: Friction dissipates power"), std::string::npos) << run.out;
   const SmallDataset limited(small_manifest() +
                              "[[limit]]\nquantity = \"gravity_motor_Nm\"\nmax = 2.5\n");
   const ProgramRun broken = limited.run("identify --fail-on doubtful", "c.json");
@@ -253,7 +253,7 @@ TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
   EXPECT_TRUE(holds(stated, "\"name\": \"Resamples\""));
   EXPECT_TRUE(holds(numbers("--resamples 200"), "\"resamples\": 200,\n    \"seed\": 5,"));
   EXPECT_TRUE(holds(numbers("--seed 6"), "\"resamples\": 300,\n    \"seed\": 6,"));
-  EXPECT_TRUE(holds(numbers("--resamples 0"), "closed forms alone"));
+  EXPECT_TRUE(holds(numbers("--resamples 0"), "closed-form intervals only"));
   EXPECT_EQ(dataset.run("identify --resamples 7", "c.json").status, 2);
   EXPECT_EQ(dataset.run("identify --resamples many", "c.json").status, 2);
 }

@@ -80,13 +80,12 @@ TEST_F(ReviewCommands, WhatIsNotTheArchivedReportIsRefused) {
   dataset_.scratch().write("other.html", original_ + " ");
   const ProgramRun changed = review("other.html --approve --reviewer B");
   EXPECT_EQ(changed.status, 3);
-  EXPECT_EQ(
-      changed.err,
-      "tribolog: error: other.html: this report is not in the archive, expected one that it holds, "
-      "unchanged; hint: the archive has another report of these inputs: tribolog archive "
-      "report " +
-          id_.substr(0, 10) + " -o FILE gives it, tribolog review " + id_.substr(0, 10) +
-          " decides on it\n");
+  EXPECT_EQ(changed.err,
+            "tribolog: error: other.html: this report is not in the archive, expected one that it "
+            "contains, unchanged; hint: the archive has another report of these inputs: tribolog "
+            "archive report " +
+                id_.substr(0, 10) + " -o FILE gives it, tribolog review " + id_.substr(0, 10) +
+                " decides on it\n");
   dataset_.scratch().write("page.html", "<html></html>");
   EXPECT_EQ(review("page.html --approve --reviewer B").status, 3);
   EXPECT_EQ(review("r.html --approve --reviewer ' '").status, 2);

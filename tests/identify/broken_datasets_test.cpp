@@ -140,7 +140,7 @@ const std::vector<Breach>& breaches() {
            std::fill(r.q_rad.begin(), r.q_rad.end(), r.q_rad.front());
          });
        },
-       "stands still"},
+       "does not change"},
       {"one_recording_without_motion", CheckName::joint_moves,
        [](joint::Dataset& d) {
          auto& q = d.recordings.back().q_rad;
@@ -151,13 +151,13 @@ const std::vector<Breach>& breaches() {
        [](joint::Dataset& d) {
          d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
        },
-       "no measurement"},
+       "not a measurement"},
       {"target_column_as_measurement", CheckName::effort_column,
        [](joint::Dataset& d) {
          written_by(d, {"UR RTDE", "target_moment_2", joint::EffortKind::target_torque,
                         joint::Side::joint, true, false});
        },
-       "a target of its controller"},
+       "a controller target"},
       {"current_column_as_torque", CheckName::effort_column,
        [](joint::Dataset& d) {
          written_by(d, {"UR RTDE", "actual_current_2", joint::EffortKind::motor_current,
@@ -241,7 +241,7 @@ const std::vector<Breach>& breaches() {
            for (double& t : r.torque_Nm) t = std::min(t, 4.0);
          });
        },
-       "flat at 4 "},
+       "stuck at 4 "},
       {"coarse_torque", CheckName::torque_step,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
@@ -317,7 +317,7 @@ const std::vector<Breach>& breaches() {
          s.noise.encoder_counts_per_turn *= 64;  // or the encoder would be the finding
          d = simulate::simulated_dataset(s);
        },
-       "stiffness is left"},
+       "stiffness remains"},
       {"too_few_cycles", CheckName::oscillation_cycles,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
@@ -424,7 +424,7 @@ TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
       << wording::words(c.judgement.sentence);
   const auto& findings = c.judgement.findings;
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Statement& finding) {
-    return wording::words(finding).find("nobody confirmed it") != std::string::npos;
+    return wording::words(finding).find("not confirmed") != std::string::npos;
   }));
 }
 

@@ -167,7 +167,7 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
     const std::string words = wording::words(finding);
     if (words.find("further angles") != std::string::npos) why = words;
   }
-  for (const char* piece : {" at 1 ", " at 6 ", "periods a motor turn", "7 further angles"}) {
+  for (const char* piece : {" at 1 ", " at 6 ", "periods per motor turn", "7 further angles"}) {
     EXPECT_NE(why.find(piece), std::string::npos) << piece << " in\n" << why;
   }
   // The positions planned are those that the scenario would take, and they bring what was promised.

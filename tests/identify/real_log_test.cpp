@@ -205,7 +205,7 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
     RecordProperty("model_" + std::to_string(k), std::to_string(shapes[0].stiffness_Nm_rad->value));
     // Where they differ by more than both intervals, the fit has to say that the model is wrong.
     if (!overlap(*shapes[0].stiffness_Nm_rad, *c.loop_shapes[k].stiffness_Nm_rad)) {
-      EXPECT_NE(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+      EXPECT_NE(wording::words(f.reason).find("does not follow LuGre"), std::string::npos)
           << wording::words(f.reason);
     }
     // The tangent behind a reversal is between one and two times the bristles' stiffness.
@@ -312,7 +312,7 @@ TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
   }
   const method::checks::DataCheck* check = c.data_checks.find(CheckName::encoder_step);
   EXPECT_EQ(check->state, method::checks::CheckState::passed);
-  EXPECT_NE(wording::words(check->found).find("decimals in the log"), std::string::npos)
+  EXPECT_NE(wording::words(check->found).find("last decimal of the log"), std::string::npos)
       << wording::words(check->found);
 }
 
@@ -326,9 +326,9 @@ TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
     EXPECT_NE(wording::words(c.judgement.sentence).find("No torque was recorded"),
               std::string::npos);
     const calibration::QuantityVerdict& gravity = quantity(c, joint::Quantity::cog_angle);
-    EXPECT_NE(
-        wording::words(gravity.reasons.front()).find("present current with the torque constant"),
-        std::string::npos)
+    EXPECT_NE(wording::words(gravity.reasons.front())
+                  .find("actual current together with the torque constant"),
+              std::string::npos)
         << wording::words(gravity.reasons.front());
     for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
       EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable)

@@ -158,9 +158,8 @@ TEST(ReadDataset, NotesADescriptionOfAnotherJoint) {
   const joint::Dataset d =
       ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
   EXPECT_EQ(wording::words(d.notes),
-            (std::vector<std::string>{
-                "arm.toml describes the test of joint '3', the manifest is of joint 'J': "
-                "the drawings of the robot show the former"}));
+            (std::vector<std::string>{"arm.toml describes the test of joint '3', the manifest is "
+                                      "for joint 'J': the drawings of the robot show the former"}));
 }
 
 TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {

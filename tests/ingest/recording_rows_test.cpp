@@ -157,7 +157,7 @@ TEST(RecordingRows, SmallStepsBackArePutInOrder) {
   EXPECT_EQ(r.size(), 60U);
   for (std::size_t i = 0; i < r.size(); ++i) EXPECT_EQ(r.torque_Nm[i], static_cast<double>(i));
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0], "run.csv: time runs back in 5 rows (first in line 43); put in order of time");
+  EXPECT_EQ(notes[0], "run.csv: time runs backwards in 5 rows (first in line 43); sorted by time");
 }
 
 TEST(RecordingRows, LargeStepsBackAreRefusedEvenOutsideTheWindow) {
@@ -195,7 +195,7 @@ TEST(RecordingRows, ImplausibleUnitsAreNotedNeverConverted) {
       notes[1],
       "run.csv: the joint's torque reaches 2.45e+05 N·m, read as Nm: another unit, or the other "
       "side of the gear?");
-  EXPECT_EQ(notes[2], "run.csv: 8 samples a second, read in s: another unit of time?");
+  EXPECT_EQ(notes[2], "run.csv: 8 samples per second, read in s: another unit of time?");
 }
 
 /// A log of so many samples a second, by the clock of the manifest.
@@ -207,11 +207,11 @@ std::string log_of_rate(double rate_Hz) {
 
 TEST(RecordingRows, OfARateThatNoLogHasAreRefusedWithLikelierUnits) {
   EXPECT_EQ(refusal(entry(), log_of_rate(0.1)),
-            "dir/run.csv: column 't': 0.1 samples a second, read in s, expected 5 to 100000; hint: "
-            "another unit of time? in ms they would be 100; if this is right, state any_rate = "
-            "true beside the unit");
+            "dir/run.csv: column 't': 0.1 samples per second, read in s, expected 5 to 100000; "
+            "hint: another unit of time? in ms they would be 100; if this is right, state any_rate "
+            "= true beside the unit");
   EXPECT_EQ(refusal(entry(), log_of_rate(2e5)),
-            "dir/run.csv: column 't': 2e+05 samples a second, read in s, expected 5 to 100000; "
+            "dir/run.csv: column 't': 2e+05 samples per second, read in s, expected 5 to 100000; "
             "hint: another unit of time? if this is right, state any_rate = true beside the unit");
   ingest::manifest::RecordingEntry ms = entry();
   ms.columns.time->unit = "ms";
@@ -225,9 +225,10 @@ TEST(RecordingRows, OfARateThatNoLogHasAreRefusedWithLikelierUnits) {
 TEST(RecordingRows, OfALoopShouldBeMany) {
   ingest::manifest::RecordingEntry e = entry();
   e.role = joint::Role::oscillation;
-  EXPECT_EQ(make(e, log_of_rate(20)).notes,
-            std::vector<std::string>{"run.csv: 20 samples a second are few for what happens at a "
-                                     "reversal; log at 100 or more"});
+  EXPECT_EQ(
+      make(e, log_of_rate(20)).notes,
+      std::vector<std::string>{
+          "run.csv: 20 samples per second are few to resolve a reversal; log at 100 or more"});
   EXPECT_TRUE(make(e, log_of_rate(66)).notes.empty());
 }
 
@@ -252,7 +253,7 @@ TEST(RecordingRows, OfAnEncoderThatWrapsRoundAreNoted) {
   }
   EXPECT_EQ(
       make(entry(), csv).notes,
-      std::vector<std::string>{"run.csv: the angle jumps by a turn 1 time, first at 0.15 s: an "
+      std::vector<std::string>{"run.csv: the angle jumps by one turn 1 time, first at 0.15 s: an "
                                "encoder that wraps round? unwrap the angle in the log"});
   // A motor that turns once a sample does not wrap.
   ingest::manifest::RecordingEntry e = entry();

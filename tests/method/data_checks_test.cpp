@@ -57,7 +57,7 @@ TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   EXPECT_TRUE(names(-1, "sign"));
   EXPECT_TRUE(names(-2, "sign") && names(-2, "two samples"));
   EXPECT_TRUE(names(0, "dead"));
-  EXPECT_TRUE(names(1.37, "no usual cause"));
+  EXPECT_TRUE(names(1.37, "no common cause"));
   // Two causes that the data cannot tell apart are both named.
   const std::string both = wording::words(method::checks::likely_cause_of_scale(9.55, 0.01, 9.55));
   EXPECT_NE(both.find("gear ratio"), std::string::npos) << both;

@@ -64,16 +64,18 @@ TEST(EffortProvenance, OfAProposalWarnsAndOfATargetFails) {
   const method::checks::DataCheck proposed =
       method::checks::check_effort_provenance(method::checks::look_at(d));
   EXPECT_EQ(proposed.state, method::checks::CheckState::warns);
-  EXPECT_NE(wording::words(proposed.found).find("motor_torque on the motor side is a proposal"),
+  EXPECT_NE(wording::words(proposed.found)
+                .find("motor_torque on the motor side is proposed, not confirmed"),
             std::string::npos);
   EXPECT_FALSE(proposed.experiment.empty());
   d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::joint);
   const method::checks::DataCheck target =
       method::checks::check_effort_provenance(method::checks::look_at(d));
   EXPECT_EQ(target.state, method::checks::CheckState::fails);
-  EXPECT_NE(wording::words(target.found).find("no measurement; that it is one"), std::string::npos)
+  EXPECT_NE(wording::words(target.found).find("not a measurement; that, too,"), std::string::npos)
       << wording::words(target.found);
-  EXPECT_NE(wording::words(target.consequence).find("the model's own friction"), std::string::npos);
+  EXPECT_NE(wording::words(target.consequence).find("the model's own, not the joint's"),
+            std::string::npos);
 }
 
 TEST(EffortColumn, ContradictsTheManifestByItsName) {
@@ -102,13 +104,14 @@ TEST(EffortColumn, ContradictsTheManifestByItsName) {
         // The side of a current is where its torque constant is stated.
         Case{joint::Drive(100, joint::EffortKind::motor_current, joint::Side::joint, 50),
              ur_current, ""},
-        Case{motor, ur_current, "a motor_current; the manifest states a motor_torque"},
-        Case{current, ur_target, "a target of its controller"},
-        Case{at_joint(100), ur_target, "a target of its controller"},
+        Case{motor, ur_current,
+             "a motor_current into column 'actual_current_0'; the manifest states a motor_torque"},
+        Case{current, ur_target, "a controller target"},
+        Case{at_joint(100), ur_target, "a controller target"},
         Case{target, ur_current, "a measurement"}, Case{current, franka, "a joint_torque"},
-        Case{motor, franka, "on the joint side"},
+        Case{motor, franka, "a joint-side torque"},
         Case{joint::Drive(100, joint::EffortKind::motor_torque, joint::Side::joint), franka,
-             "behind the gear"}}) {
+             "on the output side of the gear"}}) {
     joint::Dataset d = swept(one.drive, 0.1);
     d.inputs = {written_by_logger(one.logged)};
     const method::checks::DataCheck check =
@@ -133,7 +136,7 @@ TEST(LinkSideTorque, WithLittleFrictionIsTakenBehindTheGear) {
   EXPECT_NEAR(check.measured.value(), 100 * 0.01 / 1.01, 0.1);
   EXPECT_NE(wording::words(check.found).find("contains little gear friction"), std::string::npos)
       << wording::words(check.found);
-  EXPECT_NE(wording::words(check.consequence).find("friction behind the sensor"),
+  EXPECT_NE(wording::words(check.consequence).find("friction on its motor side is not in them"),
             std::string::npos);
 }
 
@@ -141,7 +144,7 @@ TEST(LinkSideTorque, WithAGearsFrictionIsTakenForOneOfTheMotor) {
   const method::checks::DataCheck check =
       method::checks::check_link_side_torque(method::checks::look_at(swept(at_joint(100), 0.15)));
   EXPECT_EQ(check.state, method::checks::CheckState::passed);
-  EXPECT_NE(wording::words(check.found).find("motor's current"), std::string::npos)
+  EXPECT_NE(wording::words(check.found).find("motor current"), std::string::npos)
       << wording::words(check.found);
   // More stages lose more.
   EXPECT_LT(
@@ -213,7 +216,7 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
        {Case{torque, 1.0, method::checks::CheckState::passed, ""},
         Case{torque, 1.15, method::checks::CheckState::passed, ""},
         Case{torque, 0.85, method::checks::CheckState::passed, ""},
-        Case{torque, 1.5, method::checks::CheckState::warns, "no usual cause"},
+        Case{torque, 1.5, method::checks::CheckState::warns, "no common cause"},
         Case{torque, 100, method::checks::CheckState::fails,
              "joint's torque stated as the motor's"},
         Case{torque, 0.01, method::checks::CheckState::fails, "one over the gear ratio"},
@@ -225,7 +228,7 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
              "torque constant of the joint's side"},
         Case{current, 0.11, method::checks::CheckState::fails,
              "a torque in N·m taken for a current"},
-        Case{current, 1.42, method::checks::CheckState::warns, "effective value"},
+        Case{current, 1.42, method::checks::CheckState::warns, "RMS value"},
         Case{torque, 3, method::checks::CheckState::fails, "a current in A taken for a torque"}}) {
     const method::checks::DataCheck check = method::checks::check_static_torque(
         with_known_gravity(one.drive), found_with_factor(one.drive, one.factor));

@@ -192,9 +192,9 @@ TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
   const method::hysteresis::Hysteresis h = hysteresis_of(drifting(1e-5));
   ASSERT_TRUE(h.lugre);
   EXPECT_FALSE(h.lugre->fit.converged);
-  EXPECT_NE(wording::words(h.lugre->fit.reason).find("no periodic motion"), std::string::npos)
+  EXPECT_NE(wording::words(h.lugre->fit.reason).find("not periodic"), std::string::npos)
       << wording::words(h.lugre->fit.reason);
-  EXPECT_NE(wording::words(h.lugre->fit.reason).find("too rough to give a speed"),
+  EXPECT_NE(wording::words(h.lugre->fit.reason).find("too noisy to give a speed"),
             std::string::npos);
   EXPECT_TRUE(h.result.bristle_source.empty());
 }

@@ -64,7 +64,7 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
   s.oscillation->sample_rate_Hz = 50'000;  // 500,000 samples
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
   ASSERT_TRUE(f.converged) << wording::words(f.reason);
-  EXPECT_NE(wording::words(f.reason).find("the mean of each 5 neighbouring samples is fitted"),
+  EXPECT_NE(wording::words(f.reason).find("means of 5 neighbouring samples are fitted"),
             std::string::npos)
       << wording::words(f.reason);
   EXPECT_LT(relative_error(f, s, LuGreParameterName::bristle_stiffness), 2e-3);
@@ -154,7 +154,7 @@ TEST(LuGreFit, LoopsTogetherShowMoreThanEachAlone) {
 TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
   // At a tenth of the way to sliding stiffness, static torque and inertia bend the loop alike.
   const method::hysteresis::LuGreFit f = test::fit_loops(with_loop(2e-6, 1.0));
-  EXPECT_NE(wording::words(f.identifiability.weakest_statement).find("static torque"),
+  EXPECT_NE(wording::words(f.identifiability.weakest_statement).find("break-away torque"),
             std::string::npos)
       << wording::words(f.identifiability.weakest_statement);
   const auto& s = f.identifiability.singular_values_Nm;
@@ -247,7 +247,7 @@ TEST(LuGreFit, ConstantTorqueIsRefused) {
   std::fill(loops[0].torque_Nm.begin(), loops[0].torque_Nm.end(), 3.9);
   const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   EXPECT_FALSE(f.converged);
-  EXPECT_NE(wording::words(f.reason).find("same all over the loop"), std::string::npos)
+  EXPECT_NE(wording::words(f.reason).find("same throughout the loop"), std::string::npos)
       << wording::words(f.reason);
 }
 

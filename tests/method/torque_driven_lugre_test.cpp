@@ -52,7 +52,7 @@ TEST(TorqueDrivenLuGre, CleanLoopsGiveStiffnessLevelAndGravity) {
     ASSERT_TRUE(f.gravity_Nm);
     EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-5);
     EXPECT_EQ(f.loops.front().motion, LoopMotion::spline);
-    EXPECT_EQ(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+    EXPECT_EQ(wording::words(f.reason).find("does not follow LuGre"), std::string::npos)
         << wording::words(f.reason);
     ASSERT_TRUE(f.loops.front().traced->turn_stiffness_Nm_rad);
     EXPECT_NEAR(f.loops.front().traced->turn_stiffness_Nm_rad->value /
@@ -104,7 +104,7 @@ TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {
   const double centre = test::true_q_peak_rad();
   for (double& q : loop.q_rad) q += 3e5 * std::pow(q - centre, 2);
   const method::hysteresis::LuGreFit f = test::fit_traced({loop});
-  EXPECT_NE(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+  EXPECT_NE(wording::words(f.reason).find("does not follow LuGre"), std::string::npos)
       << wording::words(f.reason);
 }
 
@@ -137,7 +137,7 @@ TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
     }
     const auto& g = f.gravity_Nm;
     gravity += g && g->low <= test::true_gravity_Nm && test::true_gravity_Nm <= g->high ? 1 : 0;
-    misfits += wording::words(f.reason).find("not LuGre's") == std::string::npos ? 0 : 1;
+    misfits += wording::words(f.reason).find("does not follow LuGre") == std::string::npos ? 0 : 1;
   });
   RecordProperty("stiffness", covered[0]);
   RecordProperty("static", covered[1]);

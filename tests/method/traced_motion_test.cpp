@@ -48,8 +48,7 @@ TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
   ASSERT_TRUE(trace.motion) << wording::words(trace.refusal);
   EXPECT_NEAR(trace.motion->noise_rad, step / std::sqrt(12.0), 1e-3 * step);
   EXPECT_NEAR(trace.motion->residual_rad / trace.motion->noise_rad, 1, 0.05);
-  EXPECT_NE(wording::words(trace.motion->noise_source()).find("step of the encoder"),
-            std::string::npos);
+  EXPECT_NE(wording::words(trace.motion->noise_source()).find("encoder step"), std::string::npos);
   const auto joint = trace.motion->motor_motion(1);
   double squares = 0;
   double n = 0;
@@ -73,7 +72,7 @@ TEST(TracedMotion, RoughAngleIsRefusedWithItsNoise) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500, 0, 2e-5));
   EXPECT_FALSE(trace.motion);
-  EXPECT_NE(wording::words(trace.refusal).find("too rough to give a speed"), std::string::npos)
+  EXPECT_NE(wording::words(trace.refusal).find("too noisy to give a speed"), std::string::npos)
       << wording::words(trace.refusal);
   EXPECT_NE(wording::words(trace.refusal).find("2e-05 rad"), std::string::npos)
       << wording::words(trace.refusal);
@@ -84,7 +83,7 @@ TEST(TracedMotion, ShakingWithinAStrokeIsRefused) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(+shaking, 10, 6000, 0, 5e-7));
   EXPECT_FALSE(trace.motion);
-  EXPECT_NE(wording::words(trace.refusal).find("to and fro by"), std::string::npos)
+  EXPECT_NE(wording::words(trace.refusal).find("back and forth by"), std::string::npos)
       << wording::words(trace.refusal);
 }
 
@@ -98,7 +97,7 @@ TEST(TracedMotion, RefusesWhatIsNoLoop) {
   EXPECT_NE(
       refusal(recorded([](double t) { return t; }, 10, 100)).find("1 stroke, with 0 reversals"),
       std::string::npos);
-  EXPECT_NE(refusal(recorded(growing, 30, 10)).find("samples to a stroke"), std::string::npos);
+  EXPECT_NE(refusal(recorded(growing, 30, 10)).find("samples per stroke"), std::string::npos);
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ TEST(ImpossibleParts, EncoderTooCoarseForPresliding) {
   const plan::ExperimentPlan plan = plan::plan_experiment(f);
   // 0.02 rad of the motor in steps of 2 pi/4096: 13.
   expect_words(plan.part(joint::Role::oscillation), plan::PartState::impossible,
-               "4096 counts a motor turn give 13 steps", "counts or more");
-  expect_words(plan.part(joint::Role::break_away), plan::PartState::impossible,
-               "steps of the encoder", "finer encoder");
+               "4096 counts per motor turn give 13 steps", "counts or more");
+  expect_words(plan.part(joint::Role::break_away), plan::PartState::impossible, "encoder steps",
+               "finer encoder");
   EXPECT_EQ(plan.part(joint::Role::rough_sweep).state, plan::PartState::planned);
   // What is said to help does.
   f.encoder_counts_per_turn = 4096 * 50 / 13.0 * 1.01;
@@ -83,9 +83,9 @@ TEST(ImpossibleParts, PeakOutsideTheRange) {
   f.q_peak_rad = 80 * joint::rad_per_degree;
   const plan::ExperimentPlan plan = plan::plan_experiment(f);
   expect_words(plan.part(joint::Role::rough_sweep), plan::PartState::limited, "80.00°",
-               "holds the peak");
+               "includes the peak");
   expect_words(plan.part(joint::Role::precise_sweep), plan::PartState::impossible,
-               "outside the range", "wider angle limits");
+               "outside the usable range", "wider angle limits");
 }
 
 TEST(ImpossibleParts, DirectDriveCannotSpreadOverAMotorTurn) {
@@ -93,7 +93,7 @@ TEST(ImpossibleParts, DirectDriveCannotSpreadOverAMotorTurn) {
   f.gear_ratio = 1;
   f.speed_limit_rad_s = 20;
   const plan::ExperimentPlan plan = plan::plan_experiment(f);
-  expect_words(plan.part(joint::Role::oscillation), plan::PartState::limited, "stays in the mean",
+  expect_words(plan.part(joint::Role::oscillation), plan::PartState::limited, "remains in the mean",
                "wider range");
 }
 

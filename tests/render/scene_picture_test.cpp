@@ -138,9 +138,9 @@ TEST(ScenePicture, IsWarnedAboutWhereALabelledPartIsHidden) {
   figure.scene->balls[0].inside = false;
   const workers::DrawnFigure hidden = drawn(figure);
   EXPECT_EQ(wording::words(hidden.error), "");
-  EXPECT_EQ(wording::words(hidden.warnings),
-            (std::vector<std::string>{
-                "the part 'm_{3}' is hidden by others, or outside of the picture"}));
+  EXPECT_EQ(
+      wording::words(hidden.warnings),
+      (std::vector<std::string>{"the part 'm_{3}' is hidden by others, or outside the picture"}));
 }
 
 TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {

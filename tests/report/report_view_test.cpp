@@ -227,7 +227,7 @@ TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
   calibration::Calibration c = complete_calibration();
   ASSERT_EQ(key_number(c, "Break-away torque").back(), "stage 8, LuGre fit of the loops");
   c.break_away.mean_Nm = statistics::symmetric_estimate(0.9, 0.02, Statement::verbatim("ramps"));
-  EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, ramps of the torque");
+  EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, torque ramps");
   calibration::QuantityVerdict refused;
   refused.quantity = joint::Quantity::break_away_torque;
   refused.verdict = calibration::Verdict::not_identifiable;
@@ -286,7 +286,7 @@ TEST(ReportView, OfAPrintedAngleTheStepIsABound) {
   EXPECT_EQ(oscillations().note.find("decimals"), std::string::npos);
   c.hysteresis.oscillations.front().step_is_of_print = true;
   EXPECT_EQ(oscillations().rows.front().cells.back(), "≥ 0.000480");
-  EXPECT_NE(oscillations().note.find("decimals in the log"), std::string::npos);
+  EXPECT_NE(oscillations().note.find("the log's decimals"), std::string::npos);
   c.hysteresis.oscillations.front().encoder_step_rad = 0;
   EXPECT_EQ(oscillations().rows.front().cells.back(), "continuous");
 }

@@ -106,9 +106,8 @@ method::hysteresis::LuGreFit loop_fit() {
   only.motion_residual_rad = 1.5e-6;
   const statistics::Estimate behind_turns{7e4, 6.9e4, 7.1e4, {"interval.scatter_of_strokes"}};
   only.traced = method::hysteresis::TracedLoop{
-      1.6e-6,       Statement::verbatim("a step of the encoder of 5e-06 rad"),
-      11,           0.02,
-      behind_turns, behind_turns};
+      1.6e-6,      Statement::verbatim("an encoder step of 5e-06 rad"), 11, 0.02, behind_turns,
+      behind_turns};
   fit.loops = {only};
   fit.residual_Nm = 0.02;
   fit.iterations = 7;

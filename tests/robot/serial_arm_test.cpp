@@ -136,7 +136,7 @@ TEST(SerialArm, RefusesWhatNoArmIs) {
   EXPECT_EQ(refusal({good}), "");
   EXPECT_EQ(refusal({}), "the arm has no joint");
   EXPECT_EQ(refusal({good}, {0, 0, 0}),
-            "all joints and the flange lie in one point; the arm needs a length");
+            "all joints and the flange lie at one point; the arm needs a length");
   EXPECT_EQ(refusal({good, good}), "joint '3': the name is given twice");
   robot::ArmJoint bad = good;
   bad.axis = {0, 0, 0};

@@ -100,10 +100,10 @@ TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
   ASSERT_FALSE(findings.empty());
   EXPECT_NE(findings[0].find("point B biased by -0.500"), std::string::npos) << findings[0];
   EXPECT_EQ(findings[0].find("mid-line"), std::string::npos) << findings[0];
-  EXPECT_NE(findings[1].find("mid-line free of bias"), std::string::npos) << findings[1];
+  EXPECT_NE(findings[1].find("mid-line free of relevant bias"), std::string::npos) << findings[1];
   bool told = false;
   for (const std::string& finding : findings) {
-    told |= finding == "Mid-line leaves 0.1 % first at white torque noise 3 mN·m.";
+    told |= finding == "Mid-line first exceeds 0.1 % at white torque noise 3 mN·m.";
   }
   EXPECT_TRUE(told);
 }
@@ -112,7 +112,7 @@ TEST(Trust, TheSentenceNamesPointBWhereItWasRead) {
   study::StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
   EXPECT_EQ(wording::words(study::study_sentence(study)),
             "In the base case the mid-line is within 0.025 % of the true gravity torque in 95 of "
-            "100 runs, and 100 % of its stated intervals hold the truth; point B is off by "
+            "100 runs, and 100 % of its stated intervals contain the true value; point B is off by "
             "-0.50 %, the mid-line by +0.025 %.");
   study.cases[0].readings = {reading(ReadingName::sweep, 0.004, 1)};
   EXPECT_TRUE(study::study_sentence(study).is("study_sentence.sweep"));

@@ -12,7 +12,7 @@ namespace {
 
 TEST(Words, ValuesStandInTheirFormats) {
   EXPECT_EQ(wording::words(Statement{"verdict.known_to_share", {{"percent", 41.6}}}),
-            "known to ± 42 % only");
+            "known only to ± 42 %");
   EXPECT_EQ(wording::words(Statement{}), "");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A dataset: a manifest's facts about one joint, and the recordings that it names.
+// A dataset: the facts about one joint in a manifest, and the recordings that it names.
 
 #include <memory>
 #include <string>
@@ -14,20 +14,20 @@ struct Inside;
 
 namespace tribolog {
 
-/// What was read, whatever the logs' format: it never changes. Copies share it and cost nothing;
-/// any number of threads may use it at once.
+/// What was read, independent of the logs' format. Immutable. Copies share the contents and cost
+/// nothing; any number of threads may use it at once.
 class TRIBOLOG_EXPORT Dataset {
  public:
   /// Reads a manifest (TOML) and every log that it names, relative to its folder. Calls from
-  /// several threads take turns. A format that is read by a library prone to crash (MATLAB, HDF5)
-  /// is read in a process forked for it.
+  /// several threads are serialised. Formats whose libraries may crash (MATLAB, HDF5) are read in a
+  /// forked process.
   /// @throw Failure input_refused: the manifest or a log cannot be used, at file, line and column.
   static Dataset read(const std::string& manifest);
 
   [[nodiscard]] Joint joint() const;
-  /// What the reader noticed, and the user should know. @throw Failure usage: no such language.
+  /// What the reader noticed and the user should know. @throw Failure usage: no such language.
   [[nodiscard]] std::vector<Message> notes(const std::string& language = "en") const;
-  /// Paths of all files that were read, the manifest first: what no output may replace.
+  /// Paths of all files that were read, the manifest first: no output may replace them.
   [[nodiscard]] std::vector<std::string> files() const;
 
  private:

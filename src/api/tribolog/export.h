@@ -1,5 +1,5 @@
 #pragma once
-// What the shared library shows; everything else in it is hidden.
+// What the shared library exports; everything else in it is hidden.
 
 #if defined(__GNUC__)
 #define TRIBOLOG_EXPORT __attribute__((visibility("default")))

@@ -1,5 +1,5 @@
 #pragma once
-// Results as files that are either whole or what they were before.
+// Writes results atomically: files are either complete or unchanged.
 
 #include <string>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace tribolog {
 
-/// Of a result; bytes of any kind.
+/// One file of a result; its contents may be any bytes.
 struct File {
   std::string name;
   std::string bytes;
 };
 
-/// Writes all of them or, where one cannot be written, none: each takes its place once every one is
-/// on the disk. An old file leaves its permissions, a new one has those that the umask leaves.
-/// @param directory is made if it is not there; empty: names are paths.
+/// Writes all of them or, if one cannot be written, none: they are put in place once all are on
+/// disk. A replaced file keeps its permissions, a new one gets those that the umask allows.
+/// @param directory created if it does not exist; empty: names are paths.
 /// @throw Failure output_failed: with the system's reason. usage: two have the same name.
 TRIBOLOG_EXPORT void write_files(const std::vector<File>& files, const std::string& directory = "");
 

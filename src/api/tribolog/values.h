@@ -1,8 +1,8 @@
 #pragma once
-// Values that a dataset and a calibration consist of: plain data, owned by whoever holds it.
+// The values that make up a dataset and a calibration: plain data, owned by their holder.
 //
-// Numbers are SI. Torques, and speeds of the friction, are at the motor unless a name says joint;
-// angles are at the joint.
+// Numbers are SI. Torques and friction speeds are at the motor unless a name says joint; angles are
+// at the joint.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace tribolog {
 
-/// What is stated: for a machine and for a person.
+/// A statement, as a code for programs and in words for people.
 struct Message {
-  std::string code;   ///< Stable: "gravity.one_direction"; empty where an older file has none.
-  std::string words;  ///< In the language that was asked for; empty: there is nothing to say.
+  std::string code;   ///< Stable: "gravity.one_direction"; empty if an older file has none.
+  std::string words;  ///< In the requested language; empty: there is nothing to say.
 };
 
 /// An estimate with its interval: low <= value <= high.
@@ -26,8 +26,7 @@ struct Estimate {
   double value{};
   double low{};
   double high{};
-  double coverage{
-      0.95};  ///< In so many of a hundred experiments, as a share, the interval holds it.
+  double coverage{0.95};  ///< Share of experiments in which the interval contains the true value.
 };
 
 /// How far a result can be relied on, from best to worst.
@@ -39,17 +38,17 @@ TRIBOLOG_EXPORT std::string code_of(Verdict verdict);
 /// A result, with its own verdict.
 struct Quantity {
   std::string name;   ///< Stable: "coulomb_torque".
-  std::string words;  ///< "Coulomb torque", in the language that was asked for.
+  std::string words;  ///< "Coulomb torque", in the requested language.
   std::string unit;   ///< "N·m"; empty for a curve. The same on both sides of the gear.
-  /// At the motor; of the joint alone (angle of the centre of gravity, surrogate mass): of it.
-  /// Absent for a curve, and where it was not found.
+  /// At the motor; at the joint for what exists only there (angle of the centre of gravity,
+  /// surrogate mass). Absent for a curve, and if it was not found.
   std::optional<Estimate> estimate;
   /// The same at the joint: torque times the gear ratio, speed divided by it, coefficients of
   /// torque per speed, angle or acceleration times its square.
   std::optional<Estimate> at_joint;
   Verdict verdict{Verdict::not_identifiable};
-  bool decides{};                ///< Takes part in the verdict over all.
-  std::vector<Message> reasons;  ///< The weightiest first; empty only if it is usable.
+  bool decides{};                ///< Counts towards the overall verdict.
+  std::vector<Message> reasons;  ///< Most important first; empty only if it is usable.
   Message experiment;            ///< What to record next; empty only if it is usable.
 };
 
@@ -59,8 +58,8 @@ struct Check {
   std::string name;  ///< Stable: "speed_scale".
   std::string words;
   State state{State::not_applicable};
-  std::string recording;           ///< Of which the number is; empty: of none, or of all.
-  std::optional<double> measured;  ///< In `unit`, as the limits of what passes.
+  std::string recording;           ///< The one the number comes from; empty: none, or all.
+  std::optional<double> measured;  ///< In `unit`, like the limits for passing.
   std::optional<double> at_least;
   std::optional<double> at_most;
   std::string unit;  ///< "1" for a pure number.
@@ -85,18 +84,18 @@ struct SkippedRows {
 
 /// A file that went into the numbers.
 struct InputFile {
-  std::string name;  ///< As the manifest has it, without the directory of this machine.
+  std::string name;  ///< As in the manifest, without machine-specific directories.
   std::string role;  ///< "manifest", "robot", or the recording's: "rough_sweep".
   std::uint64_t bytes{};
   std::string sha256;  ///< 64 hexadecimal digits.
   std::size_t rows_read{};
   std::size_t rows_used{};
   std::vector<SkippedRows> skipped;
-  /// A recording's own log. Not the manifest, nor what stands beside such a log row by row.
+  /// A recording's own log; not the manifest, nor a file with further columns of such a log.
   bool is_recording{};
 };
 
-/// What was measured, as the manifest states it; empty or absent where it does not.
+/// The joint measured, as stated in the manifest; empty or absent if not stated.
 struct Joint {
   std::string robot;
   std::string serial;
@@ -106,19 +105,19 @@ struct Joint {
   std::string note;
   std::string payload;
   std::optional<double> payload_kg;
-  std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint's axis.
+  std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint axis.
   std::optional<double> temperature_C;
   double gear_ratio{1};  ///< Motor angle / joint angle; may be negative.
 };
 
-/// Called in the caller's thread with what is done next, in English, and (done, all). Must not
-/// throw.
+/// Called in the caller's thread with the next step, in English, and the steps (done, all). Must
+/// not throw.
 using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t all)>;
 
-/// Codes of the languages that words can be in, English first: "en", "pl".
+/// Codes of the available languages, English first: "en", "pl".
 TRIBOLOG_EXPORT std::vector<std::string> languages();
 
-/// "0.1.0", of the library that runs.
+/// "0.1.0": the version of the running library.
 TRIBOLOG_EXPORT std::string version();
 
 }  // namespace tribolog

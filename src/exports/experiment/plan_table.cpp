@@ -59,8 +59,8 @@ std::string duration_text(double seconds) {
 
 std::string next_plan_words() {
   return tr(
-      "parts about the gravity peak wait for its angle: record this plan, identify it, and plan "
-      "again with --calibration and the calibration");
+      "parts around the gravity peak have to wait for its angle: record this plan, identify it, "
+      "and plan again with --calibration and the calibration");
 }
 
 std::string plan_sentence(const plan::ExperimentPlan& plan) {
@@ -147,28 +147,28 @@ std::vector<std::string> plan_instructions(const plan::ExperimentPlan& plan) {
   std::vector<std::string> all;
   all.push_back(
       tr("Before the first set point move the joint to {angle} and let it rest; the other joints "
-         "stand, in a pose in which this joint's axis is horizontal.",
+         "are held still, in a pose in which this joint's axis is horizontal.",
          {{"angle", quantity_text(plan.angle_rad(0), truth::ReadingKind::peak_angle, 5)}}));
   all.push_back(
-      tr("The drive follows setpoints.csv, {set_points:.4g} set points a second, and interpolates "
-         "between them. No set point leaves the stated limits of angle, speed and acceleration; "
-         "that the way is free has to be seen to at the machine.",
+      tr("The drive follows setpoints.csv, {set_points:.4g} set points per second, and "
+         "interpolates between them. No set point leaves the stated limits of angle, speed and "
+         "acceleration; whether the path is clear must be checked at the machine.",
          {{"set_points", plan.joint.set_point_rate_Hz}}));
   all.push_back(
       tr("Log time, joint angle, speed and torque or current at {sample_rate:.4g} Hz as log.csv, "
-         "the clock starting with the first set point; then run tribolog report dataset.toml -o "
+         "with the clock starting at the first set point; then run tribolog report dataset.toml -o "
          "report.html.",
          {{"sample_rate", plan.joint.sample_rate_Hz}}));
-  all.push_back(tr("Warm the joint up first: friction of a cold gear drifts."));
+  all.push_back(tr("Warm the joint up first: the friction of a cold gear drifts."));
   const auto ramp = std::find_if(plan.segments.begin(), plan.segments.end(),
                                  [](const plan::PlannedSegment& s) { return s.ramp.has_value(); });
   if (ramp != plan.segments.end()) {
     all.push_back(
-        tr("Where torque_mode is 1 the torque leads: the motor torque that holds the arm at that "
-           "moment, plus ramp_torque_Nm (at the motor). When the joint has slid {travel:.2g}° the "
-           "drive takes the angle over, holds it there until torque_mode is 0, and returns to the "
-           "set point within the rest that follows. A drive that cannot be led by torque leaves "
-           "the ramps out, with their entries in dataset.toml.",
+        tr("Where torque_mode is 1 the torque is commanded: the motor torque that holds the arm at "
+           "that moment, plus ramp_torque_Nm (at the motor). When the joint has slid {travel:.2g}° "
+           "the drive switches to angle control, holds the angle until torque_mode is 0, and "
+           "returns to the set point within the rest that follows. For a drive without torque "
+           "control leave out the ramps, and their entries in dataset.toml.",
            {{"travel", present(ramp->ramp).largest_travel_rad * joint::degrees_per_rad}}));
   }
   return all;

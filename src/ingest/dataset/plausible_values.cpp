@@ -58,7 +58,7 @@ std::string likelier_units(const manifest::ColumnEntry& time, double rate_Hz) {
   const std::string likelier = is_iso ? "" : likelier_units(time, rate_Hz);
   throw InputError(
       {table.file, 0, 0},
-      {fmt::format("column {}: {:.3g} samples a second, read in {}",
+      {fmt::format("column {}: {:.3g} samples per second, read in {}",
                    in_quotes(table.columns.front().header.full), rate_Hz, printable(time.unit)),
        "", fmt::format("{} to {}", slowest_possible_Hz, fastest_possible_Hz),
        fmt::format("{}{}if this is right, state any_rate = true beside the unit",

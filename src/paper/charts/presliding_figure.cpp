@@ -100,8 +100,8 @@ std::string caption(const std::vector<simulate::PreslidingLoop>& loops) {
               {{"force_amplitude_N", wording::significant(loop.largest_presliding_N, 3)},
                {"frequency_Hz", loop.frequency_Hz}});
   });
-  return tr("LuGre friction of a unit mass, Table 1 as meant; one period of the motion that "
-            "repeats. Widths are {loop_widths}.",
+  return tr("LuGre friction of a unit mass, Table 1 as meant; one period of the periodic motion. "
+            "Widths are {loop_widths}.",
             {{"loop_widths", widths}}) +
          " " + regime_sentence(loops) + " " +
          tr("Amplitudes up to {force_amplitudes} stay below that velocity.",
@@ -122,17 +122,14 @@ std::string how_to_read(const std::vector<simulate::PreslidingLoop>& loops) {
     shift = std::max(shift, loop.tolerance_shift);
   }
   return tr(
-      "Mind the axes of displacement: each panel has its own. After a reversal friction climbs "
-      "while the bristles bend, which is pre-sliding; where it is level the mass slides, driven "
-      "by what the applied force (dashed) has more than friction. Friction peaks at "
-      "{friction_peaks}; where the "
-      "mass breaks away that is short of the static force, the more so the faster the force rises. "
-      "Forces of the same amplitudes but so slow that neither rate nor inertia counts would give "
-      "widths of {slow_widths}. The loops close to {gap_millionths} millionths of their size, and "
-      "halving the solver's "
-      "tolerance moves them by at most {shift_millionths} millionths; a loop that gapes has not "
-      "reached the motion "
-      "that repeats.",
+      "Note the displacement axes: each panel has its own. After a reversal friction climbs while "
+      "the bristles bend, which is pre-sliding; where it is level the mass slides, driven by the "
+      "excess of the applied force (dashed) over friction. Friction peaks at {friction_peaks}; "
+      "where the mass breaks away that is below the static force, the more so the faster the force "
+      "rises. Forces of the same amplitudes but so slow that neither rate nor inertia matters "
+      "would give widths of {slow_widths}. The loops close to {gap_millionths} millionths of their "
+      "size, and halving the solver's tolerance moves them by at most {shift_millionths} "
+      "millionths; a loop with a gap has not reached the periodic motion.",
       {{"friction_peaks", peaks},
        {"slow_widths", slow},
        {"gap_millionths", wording::significant(gap * 1e6, 1)},

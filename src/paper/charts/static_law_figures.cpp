@@ -159,17 +159,17 @@ figures::ReportFigure static_friction_figure(const friction::StribeckFriction& f
   out.caption =
       tr("Equation (1): break-away torque {break_away_torque}, Coulomb torque {coulomb_torque}, "
          "viscous slope {viscous_slope}, Stribeck velocity {stribeck_velocity}. The paper prints "
-         "no values; these parameters are ours, at the size of its joint.",
+         "no values; these parameters are ours, for a joint of its size.",
          {{"break_away_torque", static_torque},
           {"coulomb_torque", coulomb_torque},
           {"viscous_slope", parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")},
           {"stribeck_velocity", speed}});
-  out.how_to_read = tr(
-      "At rest the law is no function of speed: friction equals the applied torque, whatever it "
-      "is, up to ±T_brk (dotted). In motion it starts at T_brk and falls towards the Coulomb "
-      "torque: at the Stribeck velocity 37 % of the excess is left. Then the viscous part leads it "
-      "upwards along the dashed line. Between −T_brk and +T_brk a solver cannot tell from the "
-      "speed what friction is, which is why figure 2 and the models with memory exist.");
+  out.how_to_read =
+      tr("At rest the law is not a function of speed: friction equals the applied torque, whatever "
+         "it is, up to ±T_brk (dotted). In motion it starts at T_brk and falls towards the Coulomb "
+         "torque: at the Stribeck velocity 37 % of the excess is left. Then the viscous part takes "
+         "it upwards along the dashed line. Between −T_brk and +T_brk a solver cannot determine "
+         "friction from the speed, which is why figure 2 and the models with memory exist.");
   out.alt =
       tr("Friction torque against motor speed. It jumps at rest from −{break_away_torque} to "
          "+{break_away_torque}, falls on both sides within some {stribeck_velocity} towards a "
@@ -262,7 +262,7 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
          "viscous slope {viscous_slope}, decay c_ω {decay_s_rad:.4g} s/rad; between "
          "±{threshold_speed} (threshold speed) friction is proportional to speed, {slope}. The "
          "paper prints no values except the threshold's range of 10⁻⁵ to 10⁻³ rad/s; these "
-         "parameters are ours, at the size of its joint.",
+         "parameters are ours, for a joint of its size.",
          {{"break_away_torque", static_torque},
           {"coulomb_torque", coulomb_torque},
           {"viscous_slope", parameter_text(levels.viscous_Nms_rad, "N·m·s/rad")},
@@ -271,18 +271,18 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
           {"slope", slope_text(slope)}});
   const double enlargement =
       shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s);
-  out.how_to_read = tr(
-      "Above, no jump is left: the line through zero is only too steep to see that it leans. Away "
-      "from rest friction falls exponentially with speed, so sooner but longer than in figure 1. "
-      "Below, the same enlarged {enlargement} times along the speed. The law never holds: a "
-      "torque of half the break-away torque, at which a real joint stands still, turns the shaft "
-      "at half of ω_th, {crept_angle} in a minute.",
-      {{"enlargement", wording::significant(enlargement, 2)},
-       {"crept_angle", wording::with_unit(crept, wording::prefixed("rad", crept), 2)}});
+  out.how_to_read =
+      tr("Above, no jump is left: the line through zero is only too steep for its slope to be "
+         "seen. Away from rest friction falls exponentially with speed, so sooner but for longer "
+         "than in figure 1. Below, the same enlarged {enlargement} times along the speed axis. The "
+         "law never holds the shaft: a torque of half the break-away torque, at which a real joint "
+         "does not move, turns the shaft at half of ω_th, {crept_angle} in a minute.",
+         {{"enlargement", wording::significant(enlargement, 2)},
+          {"crept_angle", wording::with_unit(crept, wording::prefixed("rad", crept), 2)}});
   out.alt =
-      tr("Two charts of friction torque against motor speed. Above it changes sides at rest, "
-         "falls from {break_away_torque} to {coulomb_torque} and rises with speed. Below, near "
-         "rest, it is a straight line through zero between ±{threshold_speed}, level outside.",
+      tr("Two charts of friction torque against motor speed. Above, it changes sign at rest, falls "
+         "from {break_away_torque} to {coulomb_torque} and rises with speed. Below, near rest, it "
+         "is a straight line through zero between ±{threshold_speed}, level outside.",
          {{"break_away_torque", static_torque},
           {"coulomb_torque", coulomb_torque},
           {"threshold_speed", threshold_speed}});

@@ -109,9 +109,9 @@ Checks check_equation_3(const PapersJoint& joint) {
   const friction::LuGreFriction table_1 = *dynamic_cast<const friction::LuGreFriction*>(
       friction::dynamic_friction_model("lugre").matched({}).get());
   const double steady = 0.01;
-  return {vanishing(tr("Equation against program, at 1000 states: largest difference"),
+  return {vanishing(tr("Equation against the program, at 1000 states: largest difference"),
                     from_equation, law_rounding_Nm, "N·m", tr(law_rounding)),
-          vanishing(tr("Block diagram of figure 4 against program, at the same states"),
+          vanishing(tr("Block diagram of figure 4 against the program, at the same states"),
                     from_diagram, 1e-10, "N·m", tr("rounding, where σ₁ dz/dt reaches 1000 N·m")),
           law_value(tr("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω"),
                     1.0 + 0.4 * steady, table_1.steady_torque_Nm(steady), law_rounding_Nm, "N",
@@ -128,31 +128,31 @@ Checks check_equation_4(const PapersJoint& joint) {
     largest = std::max(largest, std::abs(solved[i]));
     apart = std::max(apart, std::abs(solved[i] - log.z_rad.at(i)));
   }
-  return {vanishing(
-              tr("Equation against program, at 1000 states: largest difference"),
-              [&] {
-                std::size_t i = 0;
-                return largest_over(grid(), [&](double w) {
-                  const double z = some_deflection(friction, i++);
-                  const double g = friction.steady_deflection_rad(w);
-                  const double printed = w - std::abs(w) / g * z;
-                  return friction.deflection_rate_rad_s(z, w) - printed;
-                });
-              }(),
-              1e-12, "rad/s", tr(law_rounding)),
-          vanishing(tr("In steady sliding z = g(ω) sgn(ω) stays: largest dz/dt"),
-                    largest_over(grid(),
-                                 [&](double w) {
-                                   const double g = friction.steady_deflection_rad(w);
-                                   return friction.deflection_rate_rad_s(std::copysign(g, w), w);
-                                 }),
-                    1e-12, "rad/s", tr(law_rounding)),
-          vanishing(
-              tr("The oscillation's z(t), program against CVODE: largest difference by largest z"),
-              apart / largest, 1e-8, "", tr("what the program promises")),
-          vanishing(tr("z never exceeds g(0): by how much, as a share of it"),
-                    std::max(0.0, largest / friction.steady_deflection_rad(0) - 1), 0, "",
-                    tr("proved for LuGre"))};
+  return {
+      vanishing(
+          tr("Equation against the program, at 1000 states: largest difference"),
+          [&] {
+            std::size_t i = 0;
+            return largest_over(grid(), [&](double w) {
+              const double z = some_deflection(friction, i++);
+              const double g = friction.steady_deflection_rad(w);
+              const double printed = w - std::abs(w) / g * z;
+              return friction.deflection_rate_rad_s(z, w) - printed;
+            });
+          }(),
+          1e-12, "rad/s", tr(law_rounding)),
+      vanishing(tr("In steady sliding z stays at g(ω) sgn(ω): largest dz/dt"),
+                largest_over(grid(),
+                             [&](double w) {
+                               const double g = friction.steady_deflection_rad(w);
+                               return friction.deflection_rate_rad_s(std::copysign(g, w), w);
+                             }),
+                1e-12, "rad/s", tr(law_rounding)),
+      vanishing(tr("The oscillation's z(t), program against CVODE: largest difference / largest z"),
+                apart / largest, 1e-8, "", tr("what the program promises")),
+      vanishing(tr("z never exceeds g(0): by how much, as a share of it"),
+                std::max(0.0, largest / friction.steady_deflection_rad(0) - 1), 0, "",
+                tr("proved for LuGre"))};
 }
 
 Checks check_equation_5(const PapersJoint& joint) {
@@ -162,7 +162,7 @@ Checks check_equation_5(const PapersJoint& joint) {
     return p.bristle_stiffness_Nm_rad * friction.steady_deflection_rad(w);
   };
   const double ws = p.stribeck_speed_rad_s;
-  return {vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
+  return {vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
                     largest_over(grid(),
                                  [&](double w) {
                                    const double ratio = w / ws;
@@ -197,13 +197,13 @@ Checks check_equation_12(const PapersJoint& joint) {
           joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
                                    drawings::distance_m, load.gravity_m_s2(), 1.0),
           5e-5, "kg", tr("digits of the method's number")),
-      law_value(tr("The same torque at every angle: its m r by that of the arm"), 1.0,
+      law_value(tr("The same torque at every angle: its m r relative to that of the arm"), 1.0,
                 present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
                     drawings::distance_m / (load.mass_kg() * load.distance_m()),
                 1e-12, "", tr("rounding"))};
   if (midline != nullptr) {
-    out.push_back(law_value(tr("Mid-line of the loop, an estimate that friction does not enter"),
-                            truth, midline->mass_kg.value, 1e-4 * truth, "kg",
+    out.push_back(law_value(tr("Mid-line of the loop, an estimate free of friction"), truth,
+                            midline->mass_kg.value, 1e-4 * truth, "kg",
                             tr("what the program promises")));
   }
   return out;
@@ -218,7 +218,7 @@ Checks check_equation_14(const PapersJoint& joint) {
   const double found = selection.q_c_corrected_rad.value_or(std::nan(""));
   return {law_value(tr("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops"),
                     q_c - q_3, found, 1e-7, "rad", tr("q_peak is identified to 10⁻⁷ rad")),
-          law_value(tr("The angle q₃ that is taken off"), q_3,
+          law_value(tr("The angle q₃ that is subtracted"), q_3,
                     selection.q_c_rad ? selection.q_c_rad->value - found : std::nan(""), 1e-8,
                     "rad", tr("read between samples 1 ms apart")),
           in_words(tr("Sign: less than q_c, “less of the value”"), Origin::printed, found < q_c,

@@ -92,7 +92,7 @@ Checks check_presliding_chart(const PapersJoint& joint) {
                   loop.gap, closed, "", tr("closed to a millionth")));
     out.push_back(
         vanishing(tr("{loop}: largest change with the solver's tolerance halved", {{"loop", name}}),
-                  loop.tolerance_shift, closed, "", tr("nothing that could be seen")));
+                  loop.tolerance_shift, closed, "", tr("nothing visible")));
   }
   return out;
 }

@@ -50,13 +50,12 @@ Checks check_candidate_curves(const PapersJoint& joint) {
       apart = std::max(apart, std::abs(curve->friction_Nm[i] - shifted));
     }
   }
-  return {
-      law_value(tr("Runs with a plateau: every speed in both directions"),
-                2.0 * static_cast<double>(speeds.size()), static_cast<double>(viscous.runs.size()),
-                0, "", ""),
-      vanishing(tr("A candidate's mass only shifts its curve: six curves less curve A, less the "
-                   "difference of gravity: largest"),
-                apart, curve_rounding_Nm, "N·m", tr("rounding"))};
+  return {law_value(tr("Runs with a plateau: every speed in both directions"),
+                    2.0 * static_cast<double>(speeds.size()),
+                    static_cast<double>(viscous.runs.size()), 0, "", ""),
+          vanishing(tr("A candidate's mass only shifts its curve: six curves minus curve A, minus "
+                       "the difference in gravity: largest"),
+                    apart, curve_rounding_Nm, "N·m", tr("rounding"))};
 }
 
 Checks check_reference_curve(const PapersJoint& joint) {
@@ -69,12 +68,11 @@ Checks check_reference_curve(const PapersJoint& joint) {
     apart = std::max(apart, std::abs(joint.calibration.quality.reference_Nm.at(i) - analytic));
     two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
   }
-  return {
-      vanishing(tr("The reference is eq. (6), (7) at the motor's speed: largest difference"), apart,
-                curve_rounding_Nm, "N·m", tr("rounding")),
-      vanishing(
-          tr("(T(+ω) − T(−ω))/2 at equal angle gives it without knowing it: largest difference"),
-          two_ways, 1e-5, "N·m", tr("angles are compared in bins"))};
+  return {vanishing(tr("The reference is eq. (6), (7) at the motor's speed: largest difference"),
+                    apart, curve_rounding_Nm, "N·m", tr("rounding")),
+          vanishing(tr("(T(+ω) − T(−ω))/2 at equal angle gives it without prior knowledge: largest "
+                       "difference"),
+                    two_ways, 1e-5, "N·m", tr("angles are compared in bins"))};
 }
 
 Checks check_quality_errors(const PapersJoint& joint) {

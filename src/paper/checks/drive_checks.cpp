@@ -54,7 +54,7 @@ Checks check_equation_8(const PapersJoint& joint) {
   }
   return {printed_value(tr("Gear ratio n₃ of the scenario"), drawings::gear_ratio, 0, n, 0, "", ""),
           vanishing(
-              tr("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest"),
+              tr("n (T − J φ̈ − T_f) minus I q̈ + m g r cos(q + q_c), over the oscillation: largest"),
               apart, n * log_rounding_Nm, "N·m", tr(rounding_of_log)),
           vanishing(tr("The same through the block diagram of figure 6"), drawn_apart,
                     n * log_rounding_Nm, "N·m", tr(rounding_of_log))};
@@ -82,29 +82,29 @@ Checks check_equation_9(const PapersJoint& joint) {
 Checks check_equation_10(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
   const std::int64_t plateaus = plateaus_of(joint);
-  return {
-      vanishing(tr_count(plateaus,
-                         "n (T − T_f) less m g r cos(q + q_c), over {plateaus} plateau of constant "
-                         "speed: largest",
-                         "n (T − T_f) less m g r cos(q + q_c), over {plateaus} plateaus of "
-                         "constant speed: largest",
-                         {{"plateaus", plateaus}}),
-                largest_over_runs(joint,
-                                  [&](const method::viscous::ConstantSpeedRun& run) {
-                                    const double friction = s.sliding->torque_Nm(run.speed_rad_s);
-                                    return s.gear_ratio * (run.torque_Nm - friction) -
-                                           s.load.amplitude_Nm() * run.mean_cos;
-                                  }),
-                s.gear_ratio * log_rounding_Nm, "N·m", tr(rounding_of_log))};
+  return {vanishing(tr_count(plateaus,
+                             "n (T − T_f) minus m g r cos(q + q_c), over {plateaus} plateau of "
+                             "constant speed: largest",
+                             "n (T − T_f) minus m g r cos(q + q_c), over {plateaus} plateaus of "
+                             "constant speed: largest",
+                             {{"plateaus", plateaus}}),
+                    largest_over_runs(joint,
+                                      [&](const method::viscous::ConstantSpeedRun& run) {
+                                        const double friction =
+                                            s.sliding->torque_Nm(run.speed_rad_s);
+                                        return s.gear_ratio * (run.torque_Nm - friction) -
+                                               s.load.amplitude_Nm() * run.mean_cos;
+                                      }),
+                    s.gear_ratio * log_rounding_Nm, "N·m", tr(rounding_of_log))};
 }
 
 Checks check_equation_11(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
   const std::int64_t plateaus = plateaus_of(joint);
   return {vanishing(tr_count(plateaus,
-                             "T − m g r cos(q + q_c) / n less the analytic T_f, over {plateaus} "
+                             "T − m g r cos(q + q_c) / n minus the analytic T_f, over {plateaus} "
                              "plateau of constant speed: largest",
-                             "T − m g r cos(q + q_c) / n less the analytic T_f, over {plateaus} "
+                             "T − m g r cos(q + q_c) / n minus the analytic T_f, over {plateaus} "
                              "plateaus of constant speed: largest",
                              {{"plateaus", plateaus}}),
                     largest_over_runs(joint,
@@ -123,7 +123,7 @@ Checks check_equation_13(const PapersJoint& joint) {
   const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
   return {law_value(tr("Largest torque of the rough sweep: T_f + m g r / n"), expected,
                     rough.argmax_torque_Nm, 1e-7, "N·m", tr("the peak lies between two samples")),
-          law_value(tr("Its part m g r / n, told from friction by the two directions"),
+          law_value(tr("Its part m g r / n, separated from friction by the two directions"),
                     joint.true_gravity_Nm(), rough.gravity_Nm.value, 1e-5, "N·m",
                     tr("what the program promises"))};
 }

@@ -111,10 +111,11 @@ double torque_rate(const PapersJoint& joint, Estimator name) {
 Check given_torque(const PapersJoint& joint, Estimator name, std::string what, double given,
                    double ours, double late_s) {
   const double rate_Nm_s = torque_rate(joint, name);
-  return reconstructed_value(
-      std::move(what), given, 5, ours, half_last_place_Nm + late_s * rate_Nm_s, "N·m",
-      tr("half the last digit, and {late_ms:g} ms of reading where T moves {rate_Nm_s:.2g} N·m/s",
-         {{"late_ms", late_s * 1e3}, {"rate_Nm_s", rate_Nm_s}}));
+  return reconstructed_value(std::move(what), given, 5, ours,
+                             half_last_place_Nm + late_s * rate_Nm_s, "N·m",
+                             tr("half the last digit, and {late_ms:g} ms of reading where T "
+                                "changes by {rate_Nm_s:.2g} N·m/s",
+                                {{"late_ms", late_s * 1e3}, {"rate_Nm_s", rate_Nm_s}}));
 }
 
 void add_torques(const PapersJoint& joint, Checks& out) {
@@ -141,10 +142,10 @@ void add_torques(const PapersJoint& joint, Checks& out) {
         plain[i], plain_ours(names[i]), grid_s));
   }
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    out.push_back(
-        given_torque(joint, names[i],
-                     tr("T at {point} with them in, as given", {{"point", to_string(names[i])}}),
-                     whole[i], joint.point(names[i]).torque_Nm, fine_s));
+    out.push_back(given_torque(
+        joint, names[i],
+        tr("T at {point} with both included, as given", {{"point", to_string(names[i])}}), whole[i],
+        joint.point(names[i]).torque_Nm, fine_s));
   }
 }
 
@@ -171,7 +172,7 @@ void add_deviations(const PapersJoint& joint, Checks& out) {
                           largest_from_table_2(plain_loop_torques_Nm(joint.scenario)),
                           stated_percent, "%",
                           tr("0.20 % holds for the torques as given, whose E is read late")));
-  out.push_back(vanishing(tr("Table 2 against the torques given with them in"),
+  out.push_back(vanishing(tr("Table 2 against the torques given with both included"),
                           largest_from_table_2(whole), stated_percent, "%", stated));
   out.push_back(vanishing(tr("The same against our torques"), largest_from_table_2(ours),
                           stated_percent, "%", stated));

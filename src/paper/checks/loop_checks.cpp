@@ -181,20 +181,20 @@ Checks check_mass_model(const PapersJoint& joint) {
   const Eigen::Vector3d towards = arm.towards_mass(0, present(drawn.q_peak_rad).value);
   const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
   const scenes::DrivenMass mass = present(drawn.mass);
-  return {
-      printed_value(tr("q_c, elevation of the mass centre as drawn at q = 0"),
-                    drawings::precise_angle_rad, 5, q_c, 1e-5, "rad",
-                    tr("print cuts after five decimals")),
-      law_value(tr("The mass centre's distance as drawn: r"), joint.scenario.load.distance_m(),
-                mass.distance_m, rounding_m, "m", tr("rounding")),
-      printed_value(tr("The surrogate's distance as drawn: r (printed as 500 m)"),
-                    drawings::distance_m, 1, drawn.surrogate_distance_m, rounding_m, "m",
-                    tr("rounding")),
-      law_value(tr("Surrogate at its distance against mass at its own: its m r by that of the arm"),
-                1,
-                present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
-                    (mass.mass_kg * mass.distance_m),
-                rounding_m, "", tr("rounding"))};
+  return {printed_value(tr("q_c, elevation of the mass centre as drawn at q = 0"),
+                        drawings::precise_angle_rad, 5, q_c, 1e-5, "rad",
+                        tr("print cuts after five decimals")),
+          law_value(tr("The mass centre's distance as drawn: r"), joint.scenario.load.distance_m(),
+                    mass.distance_m, rounding_m, "m", tr("rounding")),
+          printed_value(tr("The surrogate's distance as drawn: r (printed as 500 m)"),
+                        drawings::distance_m, 1, drawn.surrogate_distance_m, rounding_m, "m",
+                        tr("rounding")),
+          law_value(tr("Surrogate at its distance against mass at its own: its m r relative to "
+                       "that of the arm"),
+                    1,
+                    present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
+                        (mass.mass_kg * mass.distance_m),
+                    rounding_m, "", tr("rounding"))};
 }
 
 Checks check_motion_range(const PapersJoint& joint) {

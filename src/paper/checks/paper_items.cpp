@@ -40,8 +40,9 @@ Checks check_conclusions(const PapersJoint& joint) {
       vanishing(tr("“The value of asperities z(t) equals to the zero” there: z as a share of its "
                    "largest"),
                 chosen.z_rad / largest_z, 2e-5, "", tr("read on a straight line between samples")),
-      law_value(tr("What is left of friction in B: error of its mass"), 0, share_off(Estimator::B),
-                1, "%", tr("a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at")),
+      law_value(tr("Friction left in B: error of its mass"), 0, share_off(Estimator::B), 1, "%",
+                tr("a single point still contains σ₁ dz/dt + σ₂ ω, and depends on the instant it "
+                   "is read")),
       law_value(tr("No a priori knowledge is needed, and no z(t): error of the mid-line's mass"), 0,
                 share_off(Estimator::midline), 0.01, "%", tr("what the program promises"))};
 }
@@ -65,13 +66,12 @@ Checks check_table_1() {
   std::size_t i = 0;
   for (const drawings::ContactRow& row : drawings::table_1) {
     const bool is_misprint = row.printed != row.meant;
-    Check check =
-        is_misprint
-            ? law_value(tr("{symbol}, as the cited source has it", {{"symbol", row.symbol}}),
-                        row.meant, values[i], 1e-12 * row.meant, row.unit,
-                        tr("rounding; the printed value is a misprint, see the errata"))
-            : printed_value(row.symbol, row.meant, row.meant < 0.01 ? 3 : 1, values[i], 0, row.unit,
-                            "");
+    Check check = is_misprint
+                      ? law_value(tr("{symbol}, as in the cited source", {{"symbol", row.symbol}}),
+                                  row.meant, values[i], 1e-12 * row.meant, row.unit,
+                                  tr("rounding; the printed value is a misprint, see the errata"))
+                      : printed_value(row.symbol, row.meant, row.meant < 0.01 ? 3 : 1, values[i], 0,
+                                      row.unit, "");
     out.push_back(check);
     ++i;
   }
@@ -171,7 +171,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
       {"3",
        tr("Friction measurement technique"),
        {figure.item(9, check_robot(joint),
-                    tr("In print a photograph; here drawn from the robot's description.")),
+                    tr("A photograph in print; here drawn from the robot's description.")),
         equation(9, tr("Gravity's torque at the arm"), check_equation_9(joint)),
         equation(10, tr("The drive in uniform motion"), check_equation_10(joint),
                  tr("In print cos(q₃), where eq. (9) has cos(q_c + q₃).")),
@@ -181,7 +181,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
        tr("Surrogate mass and its centre of gravity"),
        {figure.item(10, check_mass_model(joint)),
         equation(12, tr("Surrogate mass"), check_equation_12(joint),
-                 tr("In print n stands in the denominator, and the cosine is that of q_c."))}},
+                 tr("In print n stands in the denominator, and the cosine is of q_c."))}},
       {"3.2",
        tr("Angular position of the centre of gravity"),
        {figure.item(11, check_sweep_motion(joint)), figure.item(12, check_motion_range(joint)),

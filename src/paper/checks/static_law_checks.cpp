@@ -32,7 +32,7 @@ template <class Law>
 Check dissipates(const Law& law) {
   double least = 0;
   for (const double w : law_grid()) least = std::min(least, law.torque_Nm(w) * w);
-  return vanishing(tr("Friction takes power: least T_f ω, if negative"), least, 0, "W", "");
+  return vanishing(tr("Friction dissipates power: smallest T_f ω, if negative"), least, 0, "W", "");
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Checks check_equation_1(const PapersJoint& joint) {
     return (p.coulomb_Nm + (broken - p.coulomb_Nm) * fall + viscous * std::abs(w)) * sign(w);
   };
   return {
-      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
+      vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
                 law_rounding_Nm, "N·m", tr(law_rounding)),
       law_value(tr("Jump at rest, from −T_brk to T_brk"), 2 * broken,
@@ -73,7 +73,7 @@ Checks check_equation_2(const PapersJoint& joint) {
   };
   const double below = std::nextafter(threshold, 0.0);
   return {
-      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
+      vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
                 law_rounding_Nm, "N·m", tr(law_rounding)),
       vanishing(tr("The branches meet: jump at ω_th"),
@@ -95,7 +95,7 @@ Checks check_equation_6(const PapersJoint& joint) {
                std::exp(-std::pow(w / p.stribeck_speed_rad_s, p.stribeck_power)) +
            p.viscous_coefficient * std::pow(w, 1 - p.viscous_power);
   };
-  Checks out{vanishing(tr("Equation against program, at 500 speeds: largest difference"),
+  Checks out{vanishing(tr("Equation against the program, at 500 speeds: largest difference"),
                        largest_over(law_grid(),
                                     [&](double w) {
                                       const double size = std::abs(w);
@@ -133,7 +133,7 @@ Checks check_equation_7(const PapersJoint& joint) {
   };
   const double turn = drawings::direction_change_rad_s;
   return {
-      vanishing(tr("Equation against program, at 1000 speeds: largest difference"),
+      vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
                 law_rounding_Nm, "N·m", tr(law_rounding)),
       printed_value(tr("The scale c of the scenario"), drawings::smoothing_s_rad, 0, c, 0, "s/rad",

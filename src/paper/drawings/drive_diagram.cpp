@@ -97,10 +97,10 @@ figures::ReportFigure drive_diagram_figure(double gear_ratio) {
          "and drives "
          "the arm.",
          {{"gear_ratio", gear_ratio}});
-  out.how_to_read = tr(
-      "The ideal source imposes the motion, so speed and acceleration of the motor shaft are known "
-      "without a controller's delay. Friction acts before the gear: what the arm feels of it is n "
-      "times as large.");
+  out.how_to_read =
+      tr("The ideal source imposes the motion, so speed and acceleration of the motor shaft are "
+         "known without a controller's delay. Friction acts before the gear: at the arm it is n "
+         "times as large.");
   out.alt = tr(
       "Block diagram. An ideal source of motion gives torque, speed and acceleration of the motor "
       "shaft. J times the acceleration and the friction torque are taken from the torque; the "

@@ -124,19 +124,18 @@ figures::ReportFigure gear_diagram_figure(double gear_ratio) {
   out.id = "fig-08-gear-model";
   out.title = tr("Model of the gear");
   out.caption =
-      tr("An ideal gear of ratio n = {gear_ratio:g} with the inertia of rotor and gear reduced to "
-         "the motor "
-         "shaft as J: torque is multiplied by n, the angle divided by n, and no power is lost.",
+      tr("An ideal gear of ratio n = {gear_ratio:g} with the inertia of rotor and gear reflected "
+         "to the motor shaft as J: torque is multiplied by n, the angle divided by n, and no power "
+         "is lost.",
          {{"gear_ratio", gear_ratio}});
   out.how_to_read =
       tr("The arrows in the sketch, which is not to scale, are the positive senses on both sides. "
          "Without acceleration the arm's torque is n times what friction leaves of the motor's; a "
-         "real gear's own losses are counted in the friction.");
+         "real gear's own losses are included in the friction.");
   out.alt =
       tr("Sketch of a pinion on the motor shaft and a wheel on the arm, and a block diagram: the "
-         "motor's torque less friction and less J times its acceleration, times n = "
-         "{gear_ratio:g}, is the "
-         "arm's torque; the motor angle divided by n is the arm's angle q.",
+         "motor's torque minus friction and minus J times its acceleration, times n = "
+         "{gear_ratio:g}, is the arm's torque; the motor angle divided by n is the arm's angle q.",
          {{"gear_ratio", gear_ratio}});
   render::figure::Diagram& diagram =
       out.figure.diagram.emplace(draw_schematic(gear_graph(gear_ratio, 0.0), places(), routes()));

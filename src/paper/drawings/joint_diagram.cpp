@@ -136,17 +136,17 @@ figures::ReportFigure joint_diagram_figure() {
   out.caption =
       tr("Inverse dynamics of the joint: an ideal source moves the arm along the reference signal, "
          "and the motor torque T is what friction, the inertia J of motor and gear, and the arm "
-         "with inertia I and gravity ask of it. Sweeps and runs at constant speed use the static "
+         "with inertia I and gravity require. Sweeps and runs at constant speed use the static "
          "friction model, micro-oscillations the dynamic one.");
-  out.how_to_read = tr(
-      "Angles and torques of the arm pass the gear: n on the way to the motor, 1/n on the way of "
-      "the arm's torque. The outputs on the right are all that a robot's log holds: the arm's "
-      "angle, the motor's speed and its torque.");
-  out.alt = tr(
-      "Block diagram. From the reference signal an ideal source of motion makes angle, speed and "
-      "acceleration of the arm. Through the gear they drive the friction models and the inertia "
-      "of the motor; gravity and inertia of the arm, divided by n, are added to the motor torque. "
-      "Measured are q, the motor speed and T.");
+  out.how_to_read =
+      tr("Angles and torques pass through the gear: n towards the motor, 1/n for the arm's torque. "
+         "The outputs on the right are all that a robot's log contains: the arm's angle, the "
+         "motor's speed and its torque.");
+  out.alt =
+      tr("Block diagram. From the reference signal an ideal source of motion generates angle, "
+         "speed and acceleration of the arm. Through the gear they drive the friction models and "
+         "the inertia of the motor; gravity and inertia of the arm, divided by n, are added to the "
+         "motor torque. Measured are q, the motor speed and T.");
   out.figure.diagram = draw_schematic(joint_graph(any), places(), routes());
   out.figure.diagram->height = 123;
   add_surroundings(*out.figure.diagram);

@@ -114,9 +114,9 @@ figures::ReportFigure lugre_diagram_figure() {
          "rate |ω|/g(ω), and friction is the sum of stiffness σ₀, damping σ₁ and viscosity σ₂. The "
          "diagram is drawn from the graph that the program's tests evaluate.");
   out.how_to_read =
-      tr("Signals run along the arrows; a dot is a branch, a crossing without a dot is none. The "
-         "integrator holds the only state, the mean bristle deflection z. At constant speed dz/dt "
-         "is zero and z is g(ω) with the sign of the speed.");
+      tr("Signals run along the arrows; a dot is a branch; lines that cross without a dot do not "
+         "connect. The integrator holds the only state, the mean bristle deflection z. At constant "
+         "speed dz/dt is zero and z is g(ω) with the sign of the speed.");
   out.alt =
       tr("Block diagram. The speed ω, minus the product of z and |ω|/g(ω), gives dz/dt, which is "
          "integrated to z. σ₀ z, σ₁ dz/dt and σ₂ ω are added to the friction torque.");

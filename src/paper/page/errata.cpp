@@ -180,7 +180,7 @@ report::Table table_2(const calibration::Calibration& c) {
                    {tr("Torque, printed"), "N·m", true},
                    {tr("Mass, printed"), "kg", true},
                    {tr("Mass from the printed torque by eq. (12)"), "kg", true},
-                   {tr("Recomputed less printed"), "kg", true},
+                   {tr("Recomputed − printed"), "kg", true},
                    {tr("This dataset"), "kg", true},
                    {tr("This dataset against printed"), "%", true}};
   constexpr int decimals = 3;

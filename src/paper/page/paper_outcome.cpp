@@ -62,7 +62,7 @@ std::string sentence_of(const std::vector<PaperTally>& tallies, const checks::Ta
   const PaperTally& equations = tallies.at(2);
   return tr(
       "{good_figures} of {figures} figures, {good_tables} of {tables} tables, {good_equations} of "
-      "{equations} equations, each regenerated and with every check held; {holding_checks} of "
+      "{equations} equations, each regenerated and with every check passed; {holding_checks} of "
       "{checks} checks hold, and {holding_golden} of {golden_numbers} golden numbers.",
       {{"good_figures", figures.well},
        {"figures", figures.printed},

@@ -251,8 +251,8 @@ std::string caption_of(const Model& model, const std::string& words) {
               {{"joint", joint}, {"masses", words}});
   }
   return tr(
-      "What joint {joint} drives, as one mass at one distance: {masses}. m r is the same, so that "
-      "both ask the same torque at every angle.",
+      "What joint {joint} drives, as one mass at one distance: {masses}. m r is the same, so both "
+      "need the same torque at every angle.",
       {{"joint", joint}, {"masses", words}});
 }
 
@@ -264,15 +264,14 @@ std::string how_to_read(const Model& model) {
           : tr("q counts from the dotted line to the link's own line (dash-dotted), the mass "
                "centre's angle q_c from there on.");
   const std::string torque =
-      tr("Gravity torque is m g r times the cosine of the mass centre's angle above the level, and "
-         "largest where it is level.");
+      tr("Gravity torque is m g r times the cosine of the mass centre's angle above the "
+         "horizontal, and is largest where it is level.");
   const auto& mass = model.numbers.mass;
   const std::string known =
-      mass
-          ? tr("Only m r shows in a log: r of the mass ({distance}) is not measured.",
-               {{"distance", millimetres_text(mass->distance_m)}})
-          : tr("Only m r shows in a log: the mass of the links and its distance are not known, the "
-               "surrogate mass asks the same torque at every angle.");
+      mass ? tr("A log shows only m r: the distance r of the mass ({distance}) is not measured.",
+                {{"distance", millimetres_text(mass->distance_m)}})
+           : tr("A log shows only m r: the mass of the links and its distance are not known, the "
+                "surrogate mass needs the same torque at every angle.");
   return sentences({zero, torque, known});
 }
 

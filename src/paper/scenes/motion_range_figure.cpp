@@ -243,8 +243,8 @@ std::optional<figures::ReportFigure> motion_range_figure(const robot::RobotDescr
       numbers.identified ? tr("The angle is identified; an interval is one of 95 %.") : "";
   out.caption = sentences({motion_sentence(motion), origin, dimensions_note(robot)});
   out.how_to_read =
-      tr("The sector is what the joint swept, its ends drawn pale. The mass centre keeps its angle "
-         "q_c to the link's own line, so that the joint must stand at q_peak to bring it level. A "
+      tr("The sector is what the joint swept, with its ends drawn pale. The mass centre keeps its "
+         "angle q_c to the link's own line, so the joint must be at q_peak to bring it level. A "
          "sweep that does not pass through that angle cannot find it.");
   out.alt = side_view_in_words(motion);
   out.stage = "cog_rough";

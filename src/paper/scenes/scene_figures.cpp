@@ -132,10 +132,9 @@ figures::ReportFigure robot_figure(const robot::RobotDescription& robot) {
       sentences({tested_sentence(arm, tested), reach_sentence(robot), dimensions_note(robot)});
   out.how_to_read = tr(
       "Each arrow is the axis of a joint: seen against its direction, a positive angle turns the "
-      "links behind it counter-clockwise. Links that the tested joint does not move stand grey.");
-  out.alt =
-      tr("Three-dimensional drawing of {robot}, its axes while every joint stands at 0: {axes}.",
-         {{"robot", arm.name()}, {"axes", wording::listed(axes)}});
+      "links behind it counter-clockwise. Links that the tested joint does not move are grey.");
+  out.alt = tr("Three-dimensional drawing of {robot}, its axes with every joint at 0: {axes}.",
+               {{"robot", arm.name()}, {"axes", wording::listed(axes)}});
   out.stage = "cog_rough";
   out.figure.height_px = 1200;
   out.figure.scene = std::move(scene);

@@ -94,8 +94,8 @@ TEST(InputCase41, AGrowingLogIsReadAsFarAsItReachedAtTheStart) {
   const ProgramRun run = identify(dataset);
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err,
-            "tribolog: note: log.csv: the log is still being written; what came after the start of "
-            "reading is not in\n");
+            "tribolog: note: log.csv: the log is still being written; what was written after "
+            "reading began is not included\n");
   const auto calibration = nlohmann::json::parse(read_text(dataset.file("c.json")));
   EXPECT_EQ(calibration.at("inputs").at(1).at("rows_read"), case_rows);
   EXPECT_EQ(calibration.at("inputs").at(1).at("bytes"), long_log().size());

@@ -31,8 +31,8 @@ std::vector<InputCase> content_cases() {
   InputCase one_direction = accepted("35c", "OneDirectionOnly", case_log({}, "t,q,tau", ",", 400));
   one_direction.numbers = Numbers::any;
   one_direction.finds =
-      "check fails: Both directions in the sweep: the joint only ever rises in the rough sweep: "
-      "Coulomb friction and offset cannot be told apart";
+      "check fails: Both directions in the sweep: the joint angle only ever rises in the rough "
+      "sweep: Coulomb friction and offset cannot be told apart";
   InputCase rpm = accepted("37c", "SpeedInRpmReadAsRadians", with_speed([](int i, Row& row) {
                              const double sign = i < 400 ? 1 : -1;
                              row.push_back(fmt::format("{:.6f}", sign * speed_rad_s * 30 / pi));
@@ -46,10 +46,10 @@ std::vector<InputCase> content_cases() {
   return {
       found(
           "35a", "JointThatStands", [](int, Row& row) { row[1] = "0.5"; },
-          "check fails: The joint moves: the angle stands still in 1 of 1 recordings"),
+          "check fails: The joint moves: the angle does not change in 1 of 1 recordings"),
       found(
           "35b", "DeadTorqueSensor", [](int, Row& row) { row[2] = "0.0"; },
-          "check fails: The torque changes: the torque is one constant number in 1 of 1 "
+          "check fails: The torque changes: the torque has one constant value in 1 of 1 "
           "recordings: a dead sensor?"),
       one_direction,
       refused("36a", "FifteenRows", case_log({}, "t,q,tau", ",", 15),
@@ -74,15 +74,15 @@ std::vector<InputCase> content_cases() {
           [](int, Row& row) {
             row[2] = fmt::format("{:.9f}", std::clamp(std::stod(row[2]), -2.0, 2.0));
           },
-          "check fails: Torque not clipped: 79.3 % of the samples lie flat at 2 N·m at the "
-          "motor; 1 recording clipped"),
+          "check fails: Torque not clipped: 79.3 % of the samples are stuck at 2 N·m at the motor; "
+          "1 recording clipped"),
       found(
           "38b", "EncoderThatWrapsRound",
           [](int, Row& row) {
             if (std::stod(row[1]) > 0.5) row[1] = scaled(row[1], 1, -2 * pi);
           },
           "",
-          "log.csv: the angle jumps by a turn 2 times, first at 13.05 s: an encoder that wraps "
+          "log.csv: the angle jumps by one turn 2 times, first at 13.05 s: an encoder that wraps "
           "round? unwrap the angle in the log"),
   };
 }

@@ -127,11 +127,11 @@ std::vector<InputCase> dialect_cases() {
               "log.csv:1:5: column name 'q' stands twice, in columns 2 and 3; hint: name the one "
               "that is meant by its position: \"#2\" or \"#3\""),
       with_manifest(accepted("21b", "NameTwiceTakenByPosition", case_log({}, "t,q,q"),
-                             "log.csv: column names that stand more than once: 'q'"),
+                             "log.csv: column names that occur more than once: 'q'"),
                     replaced(case_manifest("\"q\"", "\"#2\""), "\"tau\"", "\"#3\"")),
       accepted("21c", "OtherNameTwice", case_log(add_columns, "t,q,tau,x,x"),
-               "log.csv: column names that stand more than once: 'x'\n"
-               "columns of the logs that are not used: 'x'"),
+               "log.csv: column names that occur more than once: 'x'\ncolumns of the logs that are "
+               "not used: 'x'"),
       refused("22a", "ColumnMissing", case_log({}, "t,q,current"),
               "log.csv:1: column 'tau' is missing, found 't', 'q', 'current'; hint: " + missing),
       refused("22b", "OtherCase", case_log({}, "t,q,Tau"),

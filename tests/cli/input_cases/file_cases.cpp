@@ -57,8 +57,7 @@ std::vector<InputCase> file_cases() {
       "log.csv: looks like UTF-16 (byte 0), expected a text file of columns; hint: convert it: "
       "iconv -f UTF-16 -t UTF-8";
   const std::string no_line_end =
-      "log.csv: the last row has no line end; where the log was cut off, its last number may be "
-      "too";
+      "log.csv: the last row has no line end; if the log was cut off, its last number may be too";
   const std::string save_it = "; hint: save what comes through it as a file first";
   const auto cut = [&](const char* id, const char* name, const std::string& rest) {
     InputCase one = accepted(id, name, clean + rest,

@@ -88,8 +88,7 @@ std::vector<InputCase> time_cases() {
               "log.csv: column 't': 800 of 801 time stamps repeat an earlier one, expected no more "
               "than 5 %; hint: time column has too few digits?"),
       close(accepted("31a", "ClockSetBackALittle", with_clock(set_back),
-                     "log.csv: time runs back in 2 rows (first in line 302); put in order of "
-                     "time")),
+                     "log.csv: time runs backwards in 2 rows (first in line 302); sorted by time")),
       refused("31b", "ClockSetBackBySeconds", with_clock(restarted),
               "log.csv:403: time runs back by 4.95 s; hint: " + split_it),
       refused("31c", "TwoLogsWithoutASecondHeader", case_log() + case_log().substr(8),
@@ -117,8 +116,8 @@ std::vector<InputCase> time_cases() {
                             "'#' in front of it"),
                     read_in("iso8601")),
       refused("32j", "SecondsAndMillisecondsMixed", with_clock(mixed),
-              "log.csv: column 't': 0.02 samples a second, read in s, expected 5 to 100000; hint: "
-              "another unit of time? in ms they would be 20; " +
+              "log.csv: column 't': 0.02 samples per second, read in s, expected 5 to 100000; "
+              "hint: another unit of time? in ms they would be 20; " +
                   if_right),
       with_manifest(
           [] {
@@ -133,7 +132,7 @@ std::vector<InputCase> time_cases() {
       finding(close(accepted("34a", "GapOfSevenSeconds", with_clock(gap))),
               "check fails: No gaps in time: 1 gap, the longest 7.05 s"),
       finding(close(accepted("34b", "UnevenClock", with_clock(uneven))),
-              "check fails: Even clock: the interval of 90 ms scatters by 62.9 % of itself"),
+              "check fails: Even clock: the sampling interval of 90 ms scatters by 62.9 %"),
   };
 }
 

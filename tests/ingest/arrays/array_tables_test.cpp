@@ -102,8 +102,8 @@ TEST(TablesOf, EqualNamesGetNumbers) {
   const auto result = tables({counted("q", 5, 2), counted("q_0", 5), counted("q_0", 5)});
   EXPECT_EQ(result[0].header, (Names{"q_0", "q_0_2", "q_0_3", "q_1"}));
   EXPECT_EQ(wording::words(result[0].notes),
-            (Names{"column name 'q_0' stands twice; that of array 'q_0' is now 'q_0_2'",
-                   "column name 'q_0' stands twice; that of array 'q' is now 'q_0_3'"}));
+            (Names{"column name 'q_0' occurs twice; that of array 'q_0' is now 'q_0_2'",
+                   "column name 'q_0' occurs twice; that of array 'q' is now 'q_0_3'"}));
 }
 
 TEST(TablesOf, WhatIsNotFiniteIsACountedGap) {

@@ -122,7 +122,7 @@ TEST(McapReader, NamesTopicsThatItDoesNotRead) {
                    "/idl is not read: pkg/msg/Idl is defined in 'ros2idl', not in ros2msg",
                    "/broken is not read: type 'pkg/Missing' is not defined",
                    "/bare is not read: the log does not say what its messages consist of",
-                   "messages left out because no channel record stands before them: 1"}));
+                   "messages left out because no channel record precedes them: 1"}));
 }
 
 TEST(McapReader, JoinsChannelsOfOneTopicAndSeparatesTopics) {

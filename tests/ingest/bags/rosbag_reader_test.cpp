@@ -140,7 +140,7 @@ TEST_F(RosbagReader, TakesDefinitionsThatTheLogHolds) {
   EXPECT_EQ(column(tables[0], "tau[1]").values, (Values{2, 4}));
   EXPECT_EQ(column(tables[0], "log_time").values, (Values{0, -1e-9}));
   EXPECT_EQ(wording::words(tables[0].notes),
-            (Names{"/arm: rows stand in the file's order; log_time goes back at 1 of 2",
+            (Names{"/arm: rows are in the file's order; log_time goes back at 1 of 2",
                    "/unknown is not read: the log does not say what arm_msgs/msg/Hand consists of",
                    "/proto is not read: messages are encoded as 'protobuf', not as cdr",
                    "messages left out because they belong to no topic: 1"}));
@@ -162,8 +162,8 @@ TEST_F(RosbagReader, NotesAWriteAheadLogBesideIt) {
   write_joints(3);
   std::ofstream(path_ + "-wal") << "not joined";
   EXPECT_EQ(wording::words(ingest::bags::read_rosbag_db3(path_).at(0).notes),
-            Names{"the recording was not closed: what stands in " + path_ +
-                  "-wal (10 bytes) is not read; sqlite3 can join it to the log"});
+            Names{"the recording was not closed: what is in " + path_ +
+                  "-wal (10 bytes) is not read; sqlite3 can merge it into the log"});
 }
 
 TEST_F(RosbagReader, RefusesWhatIsNoBag) {

@@ -148,8 +148,8 @@ TEST(FrictionTables, RefusalsQuoteTheRuleAtTheKeyAtFault) {
             "tables; hint: write [[friction.gms.elements]]");
   EXPECT_EQ(own("leuven", "elements = []\n"),
             "f.toml:11:12: key 'friction.leuven.elements' is empty, expected one or more "
-            "{stiffness_Nm_rad = ..., share = ...}; hint: of each stiffness_Nm_rad > 0 and share > "
-            "0; shares add up to 1");
+            "{stiffness_Nm_rad = ..., share = ...}; hint: each with stiffness_Nm_rad > 0 and share "
+            "> 0; shares add up to 1");
   EXPECT_EQ(own("leuven", "static_Nm = 2\ncoulomb_Nm = 3\n"),
             "f.toml:12:14: key 'friction.leuven.coulomb_Nm': Coulomb torque 3 N·m exceeds static "
             "torque 2 N·m; it must not be larger");
@@ -157,8 +157,8 @@ TEST(FrictionTables, RefusalsQuoteTheRuleAtTheKeyAtFault) {
             "f.toml:11:13: key 'friction.leuven.static_Nm': Coulomb torque 0.6 N·m exceeds static "
             "torque 0.5 N·m; it must not be larger");
   EXPECT_EQ(own("bliman_sorine", "way_ratio = 1\nfast_torque_Nm = 3\n"),
-            "f.toml:11:13: key 'friction.bliman_sorine.way_ratio': ratio of the ways 1 is not "
-            "allowed; it must be < 1");
+            "f.toml:11:13: key 'friction.bliman_sorine.way_ratio': ratio of the distance constants "
+            "1 is not allowed; it must be < 1");
   EXPECT_EQ(own("haessig_bristles", "bristles = 0\n"),
             "f.toml:11:12: key 'friction.haessig_bristles.bristles': number of bristles 0 is not "
             "allowed; it must be from 1 to 100000");

@@ -156,7 +156,7 @@ TEST(ScenarioFile, RefusesExperimentsThatCannotBeCarriedOut) {
             "key 'rough_sweep.to_deg': the sweep ends where it starts, found -1.3962634015954636 "
             "rad, expected another angle than from");
   EXPECT_NE(refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 9000"))
-                .find("key 'rough_sweep.to_deg': a way of"),
+                .find("key 'rough_sweep.to_deg': a travel of"),
             std::string::npos);
   EXPECT_EQ(
       refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 2e-5")),

@@ -253,7 +253,7 @@ TEST(CsvReader, NamesThatStandTwiceMatterOnlyWhereTheyAreAskedFor) {
   const std::string log = "t,x,tau,x\n0,1,2,3\n";
   const ingest::text::CsvTable table = read(log);
   EXPECT_EQ(table.columns.at(1).values, Values{2});
-  EXPECT_EQ(wording::words(table.notes), (Notes{"column names that stand more than once: 'x'"}));
+  EXPECT_EQ(wording::words(table.notes), (Notes{"column names that occur more than once: 'x'"}));
   EXPECT_EQ(read(log, {{"#4"}}).columns.at(0).values, Values{3});
   EXPECT_EQ(read(log, {}).columns.size(), 4U);
 }
