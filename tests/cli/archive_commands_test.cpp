@@ -69,7 +69,7 @@ TEST_F(ArchiveCommands, TheReportComesBackByteForByte) {
   // Made again on another day, the first one stays.
   const ProgramRun later = run(reported);
   EXPECT_EQ(later.status, 0) << later.err;
-  EXPECT_NE(later.out.find("keeps the report it has"), std::string::npos) << later.out;
+  EXPECT_NE(later.out.find("keeps its existing report"), std::string::npos) << later.out;
   EXPECT_EQ(run("archive report " + id + " -o back.html").status, 0);
   EXPECT_TRUE(read_text(dataset_.file("back.html")) == report);
 }

@@ -80,7 +80,7 @@ TEST(RobotDrawings, OfAnotherJointAreNoted) {
   const ProgramRun run = dataset.run("report --no-figures", "report.html");
   EXPECT_EQ(run.status, 0) << run.err;
   const std::string note =
-      "arm.toml describes the test of joint 'shoulder', the manifest is of joint 'J1'";
+      "arm.toml describes the test of joint 'shoulder', the manifest is for joint 'J1'";
   EXPECT_NE(run.err.find("note: " + note), std::string::npos) << run.err;
   EXPECT_NE(read_text(dataset.file("report.html")).find("describes the test of joint"),
             std::string::npos);

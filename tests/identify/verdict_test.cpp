@@ -115,7 +115,7 @@ TEST(Verdicts, ABrokenLimitMakesAUsableJointDoubtful) {
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::doubtful);
   EXPECT_EQ(quantity(c, joint::Quantity::surrogate_mass).verdict, calibration::Verdict::doubtful);
   EXPECT_EQ(quantity(c, joint::Quantity::gravity_torque).verdict, calibration::Verdict::usable);
-  EXPECT_NE(wording::words(c.judgement.findings.front()).find("breaks the limit"),
+  EXPECT_NE(wording::words(c.judgement.findings.front()).find("does not meet the limit"),
             std::string::npos)
       << wording::words(c.judgement.findings.front());
   d.manifest.limits = {with_max(80, "surrogate_mass_kg")};

@@ -39,7 +39,7 @@ std::vector<InputCase> content_cases() {
                            }));
   rpm.finds =
       "check fails: Logged speed against the angle: factor 9.537 ± 0.024 in 1 of 1 recordings; "
-      "likely revolutions per minute taken for radians per second";
+      "probably revolutions per minute taken for radians per second";
   rpm.numbers = Numbers::any;
   rpm.manifest =
       case_manifest("effort = {", "speed = { name = \"dq\", unit = \"rad/s\" }\neffort = {");

@@ -47,7 +47,7 @@ InputCase of_rate(const std::string& id, const std::string& name, double per_sec
                   const std::string& unit, const std::string& found, const std::string& likelier) {
   return with_manifest(
       refused(id, name, in_units(per_second, per_second == 1 ? 2 : 0),
-              "log.csv: column 't': " + found + " samples a second, read in " + unit +
+              "log.csv: column 't': " + found + " samples per second, read in " + unit +
                   ", expected 5 to 100000; hint: another unit of time? in " + likelier +
                   " they would be 20; " + if_right),
       read_in(unit));
@@ -132,7 +132,7 @@ std::vector<InputCase> time_cases() {
       finding(close(accepted("34a", "GapOfSevenSeconds", with_clock(gap))),
               "check fails: No gaps in time: 1 gap, the longest 7.05 s"),
       finding(close(accepted("34b", "UnevenClock", with_clock(uneven))),
-              "check fails: Even clock: the sampling interval of 90 ms scatters by 62.9 %"),
+              "check fails: Regular sampling: the sampling interval of 90 ms scatters by 62.9 %"),
   };
 }
 
