@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "base/statement.h"
-#include "friction/friction_model.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
 #include "joint/quantity.h"
 #include "joint/recording.h"
 
+namespace tribolog::friction {
+class StaticFriction;
+}
 namespace tribolog::robot {
 struct RobotDescription;
 }

@@ -13,6 +13,10 @@ namespace tribolog::simulate {
 
 namespace {
 
+bool reverses(const friction::SpeedStep& step) {
+  return simulate::reverses(step.start_rad_s, step.middle_rad_s, step.end_rad_s);
+}
+
 constexpr std::size_t block_steps = 256;
 
 /// Of a step that reverses: the first of its reversals that its three speeds tell of.

@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "friction/friction_model.h"
-
 namespace tribolog::simulate {
 
 /// Angle [rad], speed [rad/s] and acceleration [rad/s^2] as functions of time [s].
@@ -78,10 +76,6 @@ class TravelMotion final : public Motion {
 /// Is one of the three speeds forward and another one backward?
 inline bool reverses(double w0, double wm, double w1) {
   return (w0 > 0 || wm > 0 || w1 > 0) && (w0 < 0 || wm < 0 || w1 < 0);
-}
-
-inline bool reverses(const friction::SpeedStep& step) {
-  return reverses(step.start_rad_s, step.middle_rad_s, step.end_rad_s);
 }
 
 /// Time [s] in [a, b] at which the speed changes sign, by bisection to the last bit; the speed is

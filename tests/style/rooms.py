@@ -146,7 +146,8 @@ def lists(rooms):
                 faults.append(f"{room}: {stem} is not among its SOURCES")
         for name, code in files.items():
             for space in NAMESPACE.findall(code):
-                if space not in namespaces_of(room) and f"{space} {{\nstruct" not in code:
+                declares = re.search(rf"namespace {space} {{\n(struct|class) \w+;\n}}", code)
+                if space not in namespaces_of(room) and not declares:
                     own = " or ".join(sorted(namespaces_of(room)))
                     faults.append(f"{name}: stands in namespace {space}, not {own}")
         public = {other for (mine, other), where in edges.items()

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "friction/friction_model.h"
+
 namespace tribolog::method::selection {
 namespace {
 

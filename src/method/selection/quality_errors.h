@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "base/statement.h"
-#include "friction/friction_model.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
+namespace tribolog::friction {
+class StaticFriction;
+}
 namespace tribolog::method::selection {
 
 /// What the candidates' curves are held against.
