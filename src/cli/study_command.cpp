@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "api/drawing.h"
 #include "base/atomic_file.h"
@@ -13,6 +14,7 @@
 #include "figures/study_figures.h"
 #include "ingest/manifest/scenario_file.h"
 #include "report/study_page.h"
+#include "study/misfit.h"
 #include "study/trust.h"
 #include "wording/language.h"
 #include "wording/words.h"
@@ -43,10 +45,66 @@ NamedScenario scenario_of(const StudyCommandOptions& options) {
   return {name, std::move(text), std::move(scenario)};
 }
 
+nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const study::MisfitCase& c : cases) {
+    nlohmann::json quantities = nlohmann::json::object();
+    for (const study::MisfitQuantity& q : c.quantities) {
+      quantities[to_string(q.quantity)] = {{"truth", q.truth},
+                                           {"found", q.found},
+                                           {"usable", q.usable},
+                                           {"inside", q.inside},
+                                           {"wrong", q.wrong},
+                                           {"wrong_usable", q.wrong_usable},
+                                           {"worst_usable", q.worst_usable}};
+    }
+    list.push_back({{"joint", c.joint},
+                    {"disturbance", c.disturbance},
+                    {"size", c.size},
+                    {"runs", c.runs},
+                    {"named", c.named},
+                    {"quantities", quantities}});
+  }
+  return {{"schema", "tribolog-misfit-1"}, {"cases", list}};
+}
+
+ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
+  if (options.json.empty()) throw UsageError("study --misfit needs --json FILE");
+  if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
+    throw UsageError(
+        "study --misfit has joints of its own: SCENARIO, --factor and -o do not apply");
+  }
+  check_output_can_be_written(options.json, {});
+  console.make_way_for(options.json);
+  study::MisfitOptions study;
+  study.runs = options.runs;
+  study.seed = options.seed;
+  study.threads = options.threads;
+  study.resamples = options.resamples;
+  study.disturbances = options.disturbances;
+  study.joints = options.joints;
+  std::vector<study::MisfitCase> cases;
+  try {
+    cases = study::run_misfit_study(
+        study, [&](const std::string& name, std::size_t done, std::size_t all) {
+          console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
+        });
+  } catch (const std::invalid_argument& refused) {
+    throw UsageError(refused.what());
+  }
+  AtomicFiles files;
+  files.add(options.json, misfit_json(cases).dump(1) + "\n");
+  files.commit();
+  console.say("numbers: " + options.json);
+  return ExitStatus::done;
+}
+
 }  // namespace
 
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console) {
+  if (options.misfit) return run_misfit_command(options, console);
+  if (options.output.empty()) throw UsageError("study needs -o FILE, or --misfit");
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
   if (!options.json.empty()) check_output_can_be_written(options.json, inputs);
@@ -97,12 +155,18 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   constexpr std::size_t most = 1'000'000;
   command.add_option("SCENARIO", study.scenario,
                      "scenario file (TOML); default: the paper's joint with realistic noise");
-  command.add_option("-o,--output", study.output, "page (HTML) to write")->required();
+  command.add_option("-o,--output", study.output, "page (HTML) to write");
   command.add_option("--json", study.json, "file for all numbers (JSON)");
   command
       .add_option("--factor", study.factors, "study only this one (may be repeated); default: all")
       ->check(CLI::IsMember({"torque_noise", "torque_step", "encoder", "ripple_one_position",
                              "ripple_eight_positions", "amplitude", "cycles"}));
+  command.add_flag("--misfit", study.misfit,
+                   "joints and logs that the method's model does not describe");
+  command.add_option("--disturbance", study.disturbances,
+                     "with --misfit: lay this one alone (may be given again); default: all");
+  command.add_option("--joint", study.joints,
+                     "with --misfit: on this joint alone (may be given again); default: all");
   command.add_option("--runs", study.runs, "runs per case")
       ->check(CLI::Range(std::size_t{2}, most))
       ->capture_default_str();

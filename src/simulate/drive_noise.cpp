@@ -88,6 +88,7 @@ void add_drive_noise(joint::Recording& recording, const Noise& noise, double gea
   require_not_negative(noise.clock_jitter_s, "clock jitter", "s");
   require_not_negative(noise.lost_percent, "lost samples", "%");
   if (recording.t_s.empty()) return;
+  add_log_effects(recording, noise.effects, sample_rate_Hz, noise.seed, stream);
   disturb_torque(recording, noise, gear_ratio, stream);
   if (noise.encoder_counts_per_turn > 0) {
     quantise_angle(recording, noise.encoder_counts_per_turn, gear_ratio);

@@ -101,6 +101,12 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
   setup.duration_s = e.largest_torque_Nm / e.rate_Nm_s;
   setup.sample_s = 1 / e.sample_rate_Hz;
   setup.relative_tolerance = 1e-8;
+  const double factor = friction_factor_of_ramp(s, e.centre_rad, direction);
+  // A larger friction moves as a smaller torque and inertia do.
+  setup.inertia_kgm2 /= factor;
+  setup.applied_Nm = [applied = setup.applied_Nm, factor](double t, double motor_rad, double w) {
+    return applied(t, motor_rad, w) / factor;
+  };
   const ForcedMotion motion = simulate_forced_motion(*s.presliding, setup);
 
   joint::Recording r;
@@ -112,7 +118,8 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
     r.t_s.push_back(motion.t_s[i]);
     r.q_rad.push_back(q);
     r.dq_rad_s.push_back(motion.speed_rad_s[i] / n);
-    r.torque_Nm.push_back(torque_at(motion.t_s[i]));
+    r.torque_Nm.push_back(torque_at(motion.t_s[i]) + s.effects.torque_offset_Nm +
+                          s.effects.offset_drift_Nm);
   }
   r.rows_read = r.size();
   return r;

@@ -10,6 +10,7 @@
 #include "friction/friction_model.h"
 #include "friction/lugre.h"
 #include "joint/gravity_load.h"
+#include "simulate/unmodelled_effects.h"
 
 namespace tribolog::simulate {
 
@@ -85,6 +86,7 @@ struct Noise {
   double clock_jitter_s{};  ///< Standard deviation of a time stamp about its tick; two stamps never
                             ///< change places.
   double lost_percent{};    ///< Of the samples: each is missing by chance, < 100.
+  LogEffects effects;       ///< What else a log can have, besides noise.
   std::uint64_t seed{1};
 };
 
@@ -105,6 +107,7 @@ struct Scenario {
   double motor_inertia_kgm2{};  ///< J of motor and gear, at the motor shaft, >= 0.
   double arm_inertia_kgm2{};    ///< I about the joint's axis, >= 0.
   joint::GravityLoad load{1.0, 1.0, 0.0};
+  JointEffects effects;  ///< What the model of the method does not know.
   /// Drives the oscillation; one of dynamic_friction_models(), never null. Only LuGre records its
   /// bristle: the others have none that would compare.
   std::shared_ptr<const friction::DynamicFriction> presliding =

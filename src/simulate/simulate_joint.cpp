@@ -31,12 +31,6 @@ joint::Recording empty_recording(std::string name, joint::Role role, std::size_t
   return recording;
 }
 
-/// Eq. (8): driving torque at the motor, given the friction torque.
-double driving_torque(const Scenario& s, double q, double ddq, double friction) {
-  return s.motor_inertia_kgm2 * s.gear_ratio * ddq + friction +
-         (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / s.gear_ratio;
-}
-
 /// Friction torque of sliding, by the static law or by the dynamic model.
 std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, double dt,
                                    std::size_t samples) {
@@ -54,24 +48,25 @@ std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, doubl
 }
 
 /// A motion in which the joint slides, from time 0 on.
-joint::Recording sliding(const Scenario& s, const Motion& motion, std::size_t samples,
-                         double sample_rate_Hz, std::string name, joint::Role role) {
+MovedJoint sliding(const Scenario& s, const Motion& motion, std::size_t samples,
+                   double sample_rate_Hz, std::string name, joint::Role role) {
   const std::vector<double> friction = sliding_torque(s, motion, 1 / sample_rate_Hz, samples);
-  joint::Recording r = empty_recording(std::move(name), role, samples);
+  MovedJoint moved{empty_recording(std::move(name), role, samples), {}, 0};
+  joint::Recording& r = moved.recording;
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / sample_rate_Hz;
-    const double q = motion.angle(t);
     r.t_s.push_back(t);
-    r.q_rad.push_back(q);
+    r.q_rad.push_back(motion.angle(t));
     r.dq_rad_s.push_back(motion.speed(t));
-    r.torque_Nm.push_back(driving_torque(s, q, motion.acceleration(t), friction[i]));
+    r.torque_Nm.push_back(friction[i]);
+    moved.ddq_rad_s2.push_back(motion.acceleration(t));
   }
-  return r;
+  return moved;
 }
 
 /// A there-and-back travel.
-joint::Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
-                        std::string name, joint::Role role) {
+MovedJoint travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
+                  std::string name, joint::Role role) {
   require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
   const TravelMotion motion(plan);
   const auto samples =
@@ -79,8 +74,7 @@ joint::Recording travel(const Scenario& s, const TravelMotion::Plan& plan, doubl
   return sliding(s, motion, samples, sample_rate_Hz, std::move(name), role);
 }
 
-joint::Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name,
-                       joint::Role role) {
+MovedJoint sweep(const Scenario& s, const SweepExperiment& e, std::string name, joint::Role role) {
   return travel(s, {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions},
                 e.sample_rate_Hz, std::move(name), role);
 }
@@ -91,17 +85,27 @@ std::size_t samples_of_cycles(double cycles, double frequency_Hz, double sample_
   return static_cast<std::size_t>(std::floor(cycles / frequency_Hz * sample_rate_Hz + 1e-9)) + 1;
 }
 
-joint::Recording sine_sweep(const Scenario& s, const SineSweepExperiment& e) {
+MovedJoint sine_sweep(const Scenario& s, const SineSweepExperiment& e) {
   require_positive(e.amplitude_rad, "amplitude", "rad");
   const HarmonicMotion motion(e.centre_rad, e.frequency_Hz, {{-e.amplitude_rad, 0}});
   return sliding(s, motion, samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz),
                  e.sample_rate_Hz, "sine_sweep.csv", joint::Role::rough_sweep);
 }
 
-joint::Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
+HarmonicMotion oscillating_motor(const Scenario& s, const OscillationExperiment& e) {
+  const double a = s.gear_ratio * e.amplitude_rad;
+  std::vector<HarmonicMotion::Harmonic> harmonics{{0, a}};
+  if (s.effects.second_harmonic != 0 || s.effects.third_harmonic != 0) {
+    harmonics.push_back({0, a * s.effects.second_harmonic});
+    harmonics.push_back({0, a * s.effects.third_harmonic});
+  }
+  return {s.gear_ratio * e.centre_rad, e.frequency_Hz, std::move(harmonics)};
+}
+
+MovedJoint oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
   require_positive(e.amplitude_rad, "amplitude", "rad");
   const double n = s.gear_ratio;
-  const auto motor = HarmonicMotion::sine(n * e.centre_rad, n * e.amplitude_rad, e.frequency_Hz);
+  const HarmonicMotion motor = oscillating_motor(s, e);
   const std::size_t samples = samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz);
   const double dt = 1 / e.sample_rate_Hz;
   const auto* lugre = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get());
@@ -114,32 +118,48 @@ joint::Recording oscillation(const Scenario& s, const OscillationExperiment& e, 
     std::vector<double> state = s.presliding->unloaded();
     friction_response(*s.presliding, motor, 0.0, dt, state, torque);
   }
-  joint::Recording r = empty_recording(std::move(name), joint::Role::oscillation, samples);
+  MovedJoint moved{empty_recording(std::move(name), joint::Role::oscillation, samples),
+                   {},
+                   std::abs(s.presliding->steady_torque_Nm(1e-9))};
+  joint::Recording& r = moved.recording;
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
-    const double q = motor.angle(t) / n;
     const double w = motor.speed(t);
     const double friction = lugre != nullptr ? lugre->torque_Nm(z[i], dz[i], w) : torque[i];
     r.t_s.push_back(t);
-    r.q_rad.push_back(q);
+    r.q_rad.push_back(motor.angle(t) / n);
     r.dq_rad_s.push_back(w / n);
-    r.torque_Nm.push_back(driving_torque(s, q, motor.acceleration(t) / n, friction));
+    r.torque_Nm.push_back(friction);
+    moved.ddq_rad_s2.push_back(motor.acceleration(t) / n);
   }
   if (e.record_bristle && lugre != nullptr) {
     r.z_rad = std::move(z);
     r.dz_rad_s = std::move(dz);
   }
-  return r;
+  return moved;
 }
 
-joint::Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e,
-                                std::size_t index) {
+MovedJoint constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, std::size_t index) {
   const double motor_speed = e.motor_speeds_rad_s[index];
   require_positive(motor_speed, "motor_speeds_rad_s", "rad/s");
   require_positive(e.largest_travel_rad, "largest_travel_rad", "rad");
   require_positive(e.longest_plateau_s, "longest_plateau_s", "s");
   return travel(s, run_at(motor_speed, e, s.gear_ratio), e.sample_rate_Hz,
                 fmt::format("constant_speed_{:02}.csv", index + 1), joint::Role::constant_speed);
+}
+
+/// Driving torques, one recording after the other.
+std::vector<IdealRecording> put_together(const Scenario& s,
+                                         std::vector<std::pair<MovedJoint, double>> moved) {
+  SessionClock clock;
+  for (const auto& [one, rate] : moved) clock.whole_s += one.recording.t_s.back();
+  std::vector<IdealRecording> out;
+  for (auto& [one, rate] : moved) {
+    put_together(s, clock, one);
+    clock.start_s += one.recording.t_s.back();
+    out.push_back({std::move(one.recording), rate});
+  }
+  return out;
 }
 
 }  // namespace
@@ -158,10 +178,8 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   require_positive(scenario.gear_ratio, "gear ratio", "");
   require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
   require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");
-  std::vector<IdealRecording> recordings;
-  const auto keep = [&](joint::Recording recording, double rate) {
-    recordings.push_back({std::move(recording), rate});
-  };
+  std::vector<std::pair<MovedJoint, double>> moved;
+  const auto keep = [&](MovedJoint one, double rate) { moved.emplace_back(std::move(one), rate); };
   if (const auto& e = scenario.rough_sweep) {
     keep(sweep(scenario, *e, "rough_sweep.csv", joint::Role::rough_sweep), e->sample_rate_Hz);
   }
@@ -186,6 +204,7 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
       keep(constant_speed(scenario, *e, i), e->sample_rate_Hz);
     }
   }
+  std::vector<IdealRecording> recordings = put_together(scenario, std::move(moved));
   if (const auto& e = scenario.break_away) {
     const std::size_t directions = e->both_directions ? 2 : 1;
     std::vector<joint::Recording> ramps;  // repeats differ by the drive's noise alone
@@ -195,7 +214,7 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
     for (std::size_t k = 0; k < e->repeats * directions; ++k) {
       joint::Recording ramp = ramps[k % directions];
       ramp.name = fmt::format("break_away_{:02}.csv", k + 1);
-      keep(std::move(ramp), e->sample_rate_Hz);
+      recordings.push_back({std::move(ramp), e->sample_rate_Hz});
     }
   }
   return recordings;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -15,6 +16,13 @@ double student_t_975(double degrees_of_freedom) {
   // Without promotion to long double: the same digits on every machine.
   using InDouble = math::policies::policy<math::policies::promote_double<false>>;
   return math::quantile(math::students_t_distribution<double, InDouble>(degrees_of_freedom), 0.975);
+}
+
+double f_upper_tail(double f, double above, double below) {
+  namespace math = boost::math;
+  if (std::isnan(f)) return 1;
+  if (std::isinf(f)) return 0;
+  return math::cdf(math::complement(math::fisher_f(above, below), std::max(0.0, f)));
 }
 
 double normal_score(double t, double freedom) {

@@ -1,5 +1,6 @@
 #pragma once
-// Student's t: the factor of a 95 % interval, and the normal number of the same rank.
+// Student's t: the factor of a 95 % interval, and the normal number of the same rank. Chances of an
+// F ratio.
 
 namespace tribolog::statistics {
 
@@ -9,6 +10,10 @@ inline constexpr double normal_975 = 1.959963984540054;
 /// The 97.5 % quantile for this many degrees of freedom (>= 1, need not be whole; may be infinite).
 /// With less than one degree of freedom nothing can be said: infinity.
 double student_t_975(double degrees_of_freedom);
+
+/// Chance of a ratio of variances as large as `f` or larger where both are of the same noise.
+/// @param above, below degrees of freedom, > 0. @return 1 for a ratio that is no number.
+double f_upper_tail(double f, double above, double below);
 
 // A Student-t number as the normal one of the same rank.
 

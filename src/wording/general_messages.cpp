@@ -55,6 +55,7 @@ const Messages& general_messages() {
       {"interval.curve_fit_bootstrap",
        text("curve fit, bootstrap of the runs with the error of gravity")},
       {"interval.bootstrap", text("bootstrap")},
+      {"interval.transients", text("least squares over starts and stops, each a block")},
       {"interval.scatter_of_cycles_and_recordings",
        text("scatter of the cycles and of the recordings")},
       {"interval.scatter_of_half_cycles_and_recordings",

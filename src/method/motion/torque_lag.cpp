@@ -1,0 +1,275 @@
+#include "method/motion/torque_lag.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "statistics/block_regression.h"
+#include "statistics/distributions.h"
+#include "statistics/order_statistics.h"
+#include "statistics/sampled_signal.h"
+
+namespace tribolog::method::motion {
+namespace {
+
+/// The angle about a sample, by a polynomial of fourth order over the samples beside it.
+struct LocalMotion {
+  double speed{}, acceleration{}, jerk{}, snap{};
+};
+
+constexpr int order = 4;
+
+/// Weights of equally spaced neighbours for the first four derivatives.
+class DerivativeWeights {
+ public:
+  DerivativeWeights(std::size_t half, double dt) : half_(static_cast<Eigen::Index>(half)) {
+    const Eigen::Index size = 2 * half_ + 1;
+    Eigen::MatrixXd x(size, order + 1);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double s = static_cast<double>(i - half_) / static_cast<double>(half_);
+      x(i, 0) = 1;
+      for (int k = 1; k <= order; ++k) x(i, k) = x(i, k - 1) * s;
+    }
+    weights_ = (x.transpose() * x).ldlt().solve(x.transpose()).bottomRows(order);
+    double scale = 1;
+    for (int k = 0; k < order; ++k) {
+      scale *= (k + 1) / (static_cast<double>(half_) * dt);
+      weights_.row(k) *= scale;
+    }
+  }
+  [[nodiscard]] LocalMotion at(const std::vector<double>& q, std::size_t i) const {
+    const Eigen::Map<const Eigen::VectorXd> near(&q[i - static_cast<std::size_t>(half_)],
+                                                 2 * half_ + 1);
+    const Eigen::Vector4d d = weights_ * (near.array() - q[i]).matrix();
+    return {d(0), d(1), d(2), d(3)};
+  }
+  /// Of the jerk, per standard deviation of the angle.
+  [[nodiscard]] double jerk_noise() const { return weights_.row(2).norm(); }
+
+ private:
+  Eigen::Index half_;
+  Eigen::MatrixXd weights_;
+};
+
+struct Row {
+  const joint::Recording* recording{};
+  std::size_t index{};
+  double q{};
+  LocalMotion motion;
+  std::size_t transient{};
+};
+
+constexpr double least_speed_share = 0.05;  // slower: the contact may still build up
+constexpr double least_acceleration_share = 0.05;
+constexpr double most_lag_s = 0.2;
+
+/// Largest of many but for a thousandth, so that a wild sample does not set the scale.
+double largest_usual(std::vector<double> sizes) {
+  if (sizes.empty()) return 0;
+  const std::size_t rank = sizes.size() - 1 - sizes.size() / 1000;
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(rank), sizes.end());
+  return sizes[rank];
+}
+
+std::vector<LocalMotion> motion_of(const joint::Recording& r, std::size_t half, double dt) {
+  const DerivativeWeights weights(half, dt);
+  std::vector<LocalMotion> all(r.size());
+  for (std::size_t i = half; i + half < r.size(); ++i) all[i] = weights.at(r.q_rad, i);
+  return all;
+}
+
+struct Scale {
+  double speed{}, acceleration{}, jerk{};
+};
+
+Scale scale_of(const std::vector<LocalMotion>& all) {
+  std::vector<double> v, a, j;
+  for (const LocalMotion& m : all) {
+    v.push_back(std::abs(m.speed));
+    a.push_back(std::abs(m.acceleration));
+    j.push_back(std::abs(m.jerk));
+  }
+  return {largest_usual(std::move(v)), largest_usual(std::move(a)), largest_usual(std::move(j))};
+}
+
+/// Rows of the transients of a recording, its starts and stops counted on from `transients`.
+void add_rows(const joint::Recording& r, std::vector<Row>& rows, std::size_t& transients) {
+  constexpr std::size_t narrowest = 4;
+  constexpr std::size_t widest = 40;
+  constexpr double most_jerk_noise = 0.1;  // of its largest: what noise takes off its coefficient
+  const double dt = statistics::median_interval(r.t_s);
+  if (r.size() < 10 * narrowest || !(dt > 0)) return;
+  std::vector<double> thirds;
+  for (std::size_t i = 3; i < r.size(); ++i) {
+    thirds.push_back(statistics::third_difference(&r.q_rad[i - 3]));
+  }
+  const double noise = std::sqrt(std::max(0.0, statistics::white_variance(thirds)));
+  for (std::size_t half = narrowest; half <= widest; half = half * 3 / 2) {
+    if (r.size() < 8 * half) return;
+    const std::vector<LocalMotion> all = motion_of(r, half, dt);
+    const Scale scale = scale_of(all);
+    if (!(scale.acceleration > 0)) return;
+    // A change of speed has to last longer than what the polynomial looks at.
+    if (scale.speed / scale.acceleration < static_cast<double>(half) * dt) return;
+    if (noise * DerivativeWeights(half, dt).jerk_noise() > most_jerk_noise * scale.jerk) continue;
+    bool inside = false;
+    for (std::size_t i = half; i + half < r.size(); ++i) {
+      const LocalMotion& m = all[i];
+      const bool is_even =
+          r.t_s[i + half] - r.t_s[i - half] < 1.2 * dt * 2 * static_cast<double>(half);
+      const bool is_used =
+          std::abs(m.speed) > least_speed_share * scale.speed &&
+          std::abs(m.acceleration) > least_acceleration_share * scale.acceleration && is_even &&
+          std::isfinite(r.torque_Nm[i]);
+      if (is_used) rows.push_back({&r, i, r.q_rad[i], m, transients});
+      if (inside && !is_used) ++transients;
+      inside = is_used;
+    }
+    if (inside) ++transients;
+    return;
+  }
+}
+
+/// Knots of the friction polygon over the speed, each with as many rows beside it.
+std::vector<double> speed_knots(const std::vector<Row>& rows) {
+  constexpr std::size_t pieces = 6;
+  std::vector<double> speeds;
+  for (const Row& row : rows) speeds.push_back(std::abs(row.motion.speed));
+  std::sort(speeds.begin(), speeds.end());
+  std::vector<double> knots;
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    knots.push_back(speeds[std::min(speeds.size() - 1, k * speeds.size() / pieces)]);
+  }
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
+}
+
+void add_polygon(const std::vector<double>& knots, double speed, Eigen::Ref<Eigen::RowVectorXd> x) {
+  const double size = std::clamp(std::abs(speed), knots.front(), knots.back());
+  const double sign = speed < 0 ? -1 : 1;
+  std::size_t k = 1;
+  while (k + 1 < knots.size() && size > knots[k]) ++k;
+  const double share = (size - knots[k - 1]) / (knots[k] - knots[k - 1]);
+  x(static_cast<Eigen::Index>(k - 1)) = sign * (1 - share);
+  x(static_cast<Eigen::Index>(k)) = sign * share;
+}
+
+enum Column : Eigen::Index { inertia, lag, curvature, cosine, sine, offset, friction };
+
+/// The torque so much later than a sample, between samples along a straight line.
+double torque_behind(const Row& row, double lag_s) {
+  const joint::Recording& r = *row.recording;
+  const double t = r.t_s[row.index] + lag_s;
+  std::size_t above = row.index;
+  while (above + 1 < r.size() && r.t_s[above] < t) ++above;
+  while (above > 1 && r.t_s[above - 1] > t) --above;
+  above = std::max<std::size_t>(above, 1);
+  const double share = (t - r.t_s[above - 1]) / (r.t_s[above] - r.t_s[above - 1]);
+  return std::lerp(r.torque_Nm[above - 1], r.torque_Nm[above], std::clamp(share, 0.0, 1.0));
+}
+
+/// @param lag_s taken off the torque before: the coefficient of `lag` is what is left of it.
+statistics::BlockRegression regression(const std::vector<Row>& rows,
+                                       const std::vector<double>& knots, double lag_s) {
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd x =
+      Eigen::MatrixXd::Zero(size, friction + static_cast<Eigen::Index>(knots.size()));
+  Eigen::VectorXd y(size);
+  std::vector<std::size_t> blocks;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Row& row = rows[static_cast<std::size_t>(i)];
+    x(i, inertia) = row.motion.acceleration;
+    x(i, lag) = -row.motion.jerk;
+    x(i, curvature) = row.motion.snap;
+    x(i, cosine) = std::cos(row.q);
+    x(i, sine) = std::sin(row.q);
+    x(i, offset) = 1;
+    Eigen::RowVectorXd polygon = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(knots.size()));
+    add_polygon(knots, row.motion.speed, polygon);
+    x.row(i).tail(polygon.size()) = polygon;
+    y(i) = torque_behind(row, lag_s);
+    blocks.push_back(row.transient);
+  }
+  return statistics::block_regression(x, y, blocks);
+}
+
+/// A ratio of two coefficients, and its standard error.
+std::pair<double, double> ratio(const statistics::BlockRegression& fit, Eigen::Index top,
+                                Eigen::Index bottom) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.coefficients.size());
+  const double value = fit.coefficients(top) / fit.coefficients(bottom);
+  gradient(top) = 1 / fit.coefficients(bottom);
+  gradient(bottom) = -value / fit.coefficients(bottom);
+  return {value, fit.half_width_along(gradient)};
+}
+
+}  // namespace
+
+joint::Recording aligned(const joint::Recording& recording, double lag_s) {
+  joint::Recording out = recording;
+  if (recording.torque_Nm.empty() || recording.size() < 2) return out;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out.torque_Nm[i] = torque_behind({&recording, i, {}, {}, {}}, lag_s);
+  }
+  const auto first = std::find_if(out.t_s.begin(), out.t_s.end(),
+                                  [&](double t) { return t + lag_s >= recording.t_s.front(); });
+  const auto last = std::find_if(first, out.t_s.end(),
+                                 [&](double t) { return t + lag_s > recording.t_s.back(); });
+  const auto from = first - out.t_s.begin();
+  const auto count = last - first;
+  for (std::vector<double>* signal : {&out.t_s, &out.q_rad, &out.dq_rad_s, &out.torque_Nm,
+                                      &out.z_rad, &out.dz_rad_s, &out.temperature_C}) {
+    if (signal->empty()) continue;
+    signal->erase(signal->begin() + from + count, signal->end());
+    signal->erase(signal->begin(), signal->begin() + from);
+  }
+  return out;
+}
+
+TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings,
+                          double gear_ratio) {
+  constexpr std::size_t fewest_transients = 6;
+  constexpr std::size_t fewest_rows = 100;
+  TorqueLag out;
+  std::vector<Row> rows;
+  for (const joint::Recording* r : recordings) {
+    if (r->torque_Nm.size() == r->size()) add_rows(*r, rows, out.transients);
+  }
+  if (out.transients < fewest_transients || rows.size() < fewest_rows) {
+    out.why_not = {"lag.too_few_transients",
+                   {{"transients", out.transients}, {"needed", fewest_transients}}};
+    return out;
+  }
+  const std::vector<double> knots = speed_knots(rows);
+  if (knots.size() < 2) {
+    out.why_not = {"lag.too_few_transients",
+                   {{"transients", out.transients}, {"needed", fewest_transients}}};
+    return out;
+  }
+  // Smoothing takes something off the coefficient of the jerk: it is right where it is zero.
+  constexpr int most_steps = 12;
+  constexpr double last_step_s = 1e-6;
+  double lag_s = 0;
+  statistics::BlockRegression fit = regression(rows, knots, lag_s);
+  for (int k = 0; k < most_steps; ++k) {
+    const double step = fit.coefficients(lag) / fit.coefficients(inertia);
+    if (!(std::abs(step) > last_step_s) || std::abs(lag_s + step) > most_lag_s) break;
+    lag_s += step;
+    fit = regression(rows, knots, lag_s);
+  }
+  const double inertia_half_width = fit.half_width(inertia);
+  if (!(fit.coefficients(inertia) > 2 * inertia_half_width)) {
+    out.why_not = {"lag.inertia_not_shown"};
+    return out;
+  }
+  const double half_width = ratio(fit, lag, inertia).second;
+  constexpr Code method{"interval.transients"};
+  out.lag_s = statistics::symmetric_estimate(lag_s, half_width, method);
+  out.inertia_kgm2 = statistics::symmetric_estimate(fit.coefficients(inertia) / gear_ratio,
+                                                    inertia_half_width / gear_ratio, method);
+  return out;
+}
+
+}  // namespace tribolog::method::motion

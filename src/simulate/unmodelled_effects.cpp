@@ -1,0 +1,169 @@
+#include "simulate/unmodelled_effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulate/scenario.h"
+#include "statistics/random_stream.h"
+
+namespace tribolog::simulate {
+namespace {
+
+using std::numbers::pi;
+
+/// Of the load, where the gear is twisted by it: q = q_load + windup cos(q_load - q_peak).
+double load_angle(const Scenario& s, double motor_q_rad) {
+  const double windup = s.effects.gear_windup_rad;
+  if (windup == 0) return motor_q_rad;
+  double q = motor_q_rad;
+  for (int k = 0; k < 30; ++k) q = motor_q_rad - windup * std::cos(q - s.load.q_peak_rad());
+  return q;
+}
+
+double lost_by_warming_up(const JointEffects& e, double share_of_session) {
+  constexpr double time_constants = 3;
+  return e.warm_up * -std::expm1(-time_constants * share_of_session);
+}
+
+/// 1 in sliding, less while the contact builds up.
+double built_up(double friction_Nm, double static_Nm) {
+  const double sign = friction_Nm < 0 ? -1 : 1;
+  if (!(static_Nm > 0)) return friction_Nm == 0 ? 0 : sign;
+  return std::clamp(friction_Nm / static_Nm, -1.0, 1.0);
+}
+
+double scaled_friction(const Scenario& s, double q_rad, double friction_Nm,
+                       double share_of_session) {
+  const JointEffects& e = s.effects;
+  const double direction = friction_Nm < 0 ? -1 : 1;
+  return friction_Nm * (1 + e.direction_asymmetry * direction) *
+         (1 - lost_by_warming_up(e, share_of_session)) *
+         (1 + e.friction_by_angle * std::cos(2 * q_rad));
+}
+
+}  // namespace
+
+bool JointEffects::any() const {
+  return gear_loss != 0 || load_friction != 0 || direction_asymmetry != 0 ||
+         torque_offset_Nm != 0 || offset_drift_Nm != 0 || warm_up != 0 || friction_by_angle != 0 ||
+         gear_windup_rad != 0 || second_harmonic != 0 || third_harmonic != 0;
+}
+
+bool LogEffects::any() const {
+  return torque_delay_s != 0 || torque_filter_Hz != 0 || torque_scale != 1 ||
+         torque_limit_Nm != 0 || vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 ||
+         outlier_percent != 0 || held_percent != 0 || dead_percent != 0 || speed_scale != 1 ||
+         wrap_rad != 0 || mirrored_angle || mirrored_torque;
+}
+
+void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& moved) {
+  const JointEffects& e = s.effects;
+  const double n = s.gear_ratio;
+  joint::Recording& r = moved.recording;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const double share =
+        clock.whole_s > 0 ? (clock.start_s + r.t_s[i] - r.t_s.front()) / clock.whole_s : 0;
+    const double q = load_angle(s, r.q_rad[i]);
+    const double load = s.load.torque_Nm(q) / n;
+    const double contact = r.torque_Nm[i];
+    const double way = built_up(contact, moved.static_Nm);
+    const double turned = r.dq_rad_s[i] != 0 ? (r.dq_rad_s[i] < 0 ? -1 : 1) : way;
+    const double friction = scaled_friction(s, r.q_rad[i], contact, share) +
+                            e.load_friction * std::abs(load) * way +
+                            e.gear_loss * std::abs(load) * turned;
+    const double ddq = moved.ddq_rad_s2[i];
+    r.torque_Nm[i] = s.motor_inertia_kgm2 * n * ddq + friction +
+                     (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / n + e.torque_offset_Nm +
+                     e.offset_drift_Nm * share;
+  }
+}
+
+double friction_factor_of_ramp(const Scenario& s, double q_rad, double direction) {
+  const double static_Nm = std::abs(s.presliding->steady_torque_Nm(1e-9));
+  const double load = std::abs(s.load.torque_Nm(load_angle(s, q_rad))) / s.gear_ratio;
+  double factor = scaled_friction(s, q_rad, direction, 1) / direction;
+  if (static_Nm > 0) factor += (s.effects.load_friction + s.effects.gear_loss) * load / static_Nm;
+  return factor;
+}
+
+namespace {
+
+/// What was true so much earlier, between samples along a straight line.
+void delay(std::vector<double>& signal, double samples) {
+  const std::vector<double> before = signal;
+  const auto last = static_cast<double>(before.size() - 1);
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    const double at = std::clamp(static_cast<double>(i) - samples, 0.0, last);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, before.size() - 1);
+    signal[i] = std::lerp(before[below], before[above], at - static_cast<double>(below));
+  }
+}
+
+void low_pass(std::vector<double>& signal, double cut_off_Hz, double sample_rate_Hz) {
+  const double keep = std::exp(-2 * pi * cut_off_Hz / sample_rate_Hz);
+  double state = signal.front();
+  for (double& value : signal) value = state = keep * state + (1 - keep) * value;
+}
+
+void add_coloured(std::vector<double>& signal, double sd, double time_s, double sample_rate_Hz,
+                  statistics::RandomStream& random) {
+  const double keep = std::exp(-1 / (time_s * sample_rate_Hz));
+  double state = sd * random.normal();
+  for (double& value : signal) {
+    value += state;
+    state = keep * state + sd * std::sqrt(1 - keep * keep) * random.normal();
+  }
+}
+
+void hold(std::vector<double>& signal, double percent, statistics::RandomStream& random) {
+  constexpr std::size_t burst = 50;
+  for (std::size_t i = burst; i + burst < signal.size(); i += burst) {
+    if (100 * random.uniform() < percent)
+      std::fill_n(signal.begin() + static_cast<std::ptrdiff_t>(i), burst, signal[i - 1]);
+  }
+}
+
+}  // namespace
+
+void add_log_effects(joint::Recording& r, const LogEffects& e, double sample_rate_Hz,
+                     std::uint64_t seed, std::uint64_t stream) {
+  if (!e.any() || r.t_s.empty()) return;
+  constexpr std::uint64_t behind_those_of_noise = std::uint64_t{1} << 33U;
+  statistics::RandomStream random(seed, behind_those_of_noise + stream);
+  std::vector<double>& torque = r.torque_Nm;
+  const double vibration_phase = 2 * pi * random.uniform();
+  const double neighbour_phase = 2 * pi * random.uniform();
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    torque[i] += e.vibration_Nm * std::sin(2 * pi * e.vibration_Hz * r.t_s[i] + vibration_phase) +
+                 e.neighbour_Nm * std::sin(2 * pi * e.neighbour_Hz * r.t_s[i] + neighbour_phase);
+  }
+  if (e.torque_filter_Hz > 0) low_pass(torque, e.torque_filter_Hz, sample_rate_Hz);
+  if (e.torque_delay_s != 0) delay(torque, e.torque_delay_s * sample_rate_Hz);
+  if (e.coloured_Nm > 0)
+    add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);
+  for (double& value : torque) {
+    value *= e.torque_scale;
+    if (e.outlier_percent > 0 && 100 * random.uniform() < e.outlier_percent) {
+      value += random.uniform() < 0.5 ? -e.outlier_Nm : e.outlier_Nm;
+    }
+    if (e.torque_limit_Nm > 0) value = std::clamp(value, -e.torque_limit_Nm, e.torque_limit_Nm);
+  }
+  if (e.held_percent > 0) hold(torque, e.held_percent, random);
+  if (100 * random.uniform() < e.dead_percent)
+    std::fill(torque.begin(), torque.end(), torque.front());
+  for (double& speed : r.dq_rad_s) speed *= e.speed_scale;
+  if (e.wrap_rad > 0) {
+    for (double& q : r.q_rad) q -= e.wrap_rad * std::round(q / e.wrap_rad);
+  }
+  if (e.mirrored_angle) {
+    for (double& q : r.q_rad) q = -q;
+    for (double& speed : r.dq_rad_s) speed = -speed;
+  }
+  if (e.mirrored_torque) {
+    for (double& value : torque) value = -value;
+  }
+}
+
+}  // namespace tribolog::simulate

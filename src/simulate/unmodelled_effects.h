@@ -1,0 +1,89 @@
+#pragma once
+// What real joints and real logs do that the method's model does not: each an effect of its own, of
+// a stated size, to be laid on a simulated joint. All zero: the model's own joint.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "joint/recording.h"
+
+namespace tribolog::simulate {
+
+struct Scenario;
+
+/// Of the joint: these change the torque that a motion takes.
+struct JointEffects {
+  /// Share of the load's torque that the gear loses against the motion, 1 - efficiency; it changes
+  /// sides at once where the motion turns round.
+  double gear_loss{};
+  /// Share of the load's torque by which friction grows; it builds up with the contact's own.
+  double load_friction{};
+  /// Friction is larger by this share while it holds back a rising angle, and smaller while it
+  /// holds back a falling one.
+  double direction_asymmetry{};
+  double torque_offset_Nm{};  ///< Motor side.
+  double offset_drift_Nm{};   ///< Grows to this over the session, motor side.
+  double warm_up{};  ///< Share of the friction that is lost over the session, in an exponential.
+  double
+      friction_by_angle{};  ///< Friction is larger and smaller by this share, twice a joint turn.
+  /// Twist of the gear under the largest gravity torque [rad, joint side]; the angle is the
+  /// motor's.
+  double gear_windup_rad{};
+  double second_harmonic{};  ///< Of an oscillation's motion, as a share of its amplitude.
+  double third_harmonic{};   ///< The same.
+
+  [[nodiscard]] bool any() const;
+};
+
+/// Of the drive and its log: these change what is written down.
+struct LogEffects {
+  double torque_delay_s{};    ///< The torque is logged so much later than the angle; < 0: earlier.
+  double torque_filter_Hz{};  ///< First-order low pass of the torque; 0: none.
+  double torque_scale{1.0};   ///< Logged over true: a torque constant that is off.
+  double torque_limit_Nm{};   ///< Larger torques are logged as this, motor side; 0: none are.
+  double vibration_Nm{};      ///< Amplitude of a torque periodic in time, motor side.
+  double vibration_Hz{};
+  double coloured_Nm{};      ///< Standard deviation of noise that hangs together in time.
+  double coloured_time_s{};  ///< For so long.
+  double
+      neighbour_Nm{};  ///< Amplitude of gravity's change by another joint that moves, motor side.
+  double neighbour_Hz{};
+  double outlier_percent{};  ///< Of the samples of the torque.
+  double outlier_Nm{};       ///< Size of such a sample's error, motor side.
+  double held_percent{};     ///< Of the samples: the torque is stuck at an earlier value.
+  double dead_percent{};     ///< Of the recordings: the torque is stuck all along.
+  double speed_scale{1.0};   ///< Logged over true.
+  double wrap_rad{};         ///< The angle is logged modulo this, about zero; 0: as it is.
+  bool mirrored_angle{};     ///< The angle counts the other way round.
+  bool mirrored_torque{};    ///< The torque counts the other way round.
+
+  [[nodiscard]] bool any() const;
+};
+
+/// A motion with the friction in it, before the torque that drives it is put together.
+struct MovedJoint {
+  joint::Recording recording;  ///< Its torque is the friction's alone, motor side.
+  std::vector<double> ddq_rad_s2;
+  double static_Nm{};  ///< Of the contact: friction counts as built up by its share of this. 0: at
+                       ///< once.
+};
+
+/// Session time of the joint's effects: when a recording begins, and how long all of them take.
+struct SessionClock {
+  double start_s{};
+  double whole_s{};
+};
+
+/// Turns friction into driving torque, eq. (8), with the joint's effects in it.
+void put_together(const Scenario& scenario, const SessionClock& clock, MovedJoint& moved);
+
+/// What a break-away ramp meets: friction times this.
+/// @param direction of the torque, +1 or -1.
+double friction_factor_of_ramp(const Scenario& scenario, double q_rad, double direction);
+
+/// @param stream number of the recording: its random numbers and phases are its own.
+void add_log_effects(joint::Recording& recording, const LogEffects& effects, double sample_rate_Hz,
+                     std::uint64_t seed, std::uint64_t stream);
+
+}  // namespace tribolog::simulate

@@ -1,0 +1,82 @@
+#pragma once
+// What becomes of each quantity on joints and logs that the method's model does not describe.
+//
+// Four joints of very different gear, gravity and friction; on each one effect at a time is laid,
+// in three sizes (simulate/unmodelled_effects.h, other contacts than LuGre's, motions that do not
+// show what they should). Every run is identified with the whole chain and judged by the verdict.
+// Counted is what must not be: a number that is wrong and called usable. A number is wrong where
+// the truth lies outside its 95 % interval and it is off by more than matters (bound_of()).
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "joint/quantity.h"
+#include "simulate/scenario.h"
+
+namespace tribolog::study {
+
+/// One thing that the model of the method does not have, at three sizes from small to large.
+struct Disturbance {
+  std::string key;  ///< Stable: "torque_delay".
+  std::vector<double> sizes;
+  std::function<void(simulate::Scenario& scenario, double size)> lay;
+  /// Codes of findings that name it: one that begins with any of these.
+  std::vector<std::string> named_by;
+  /// No log can show it: the uncertainty budget has to name it instead.
+  bool is_hidden{};
+};
+
+const std::vector<Disturbance>& disturbances();
+
+struct MisfitJoint {
+  std::string key;  ///< Stable: "geared_arm".
+  simulate::Scenario scenario;
+};
+
+/// Without noise of their own seed; each with rough sweep, oscillations, runs and ramps.
+std::vector<MisfitJoint> misfit_joints();
+
+/// How a quantity fared over the runs of one case.
+struct MisfitQuantity {
+  joint::Quantity quantity{};
+  double truth{};  ///< SI, motor side; NaN: it has none on this joint.
+  std::size_t found{};
+  std::size_t usable{};
+  std::size_t inside{};        ///< Runs whose interval holds the truth, of those found.
+  std::size_t wrong{};         ///< Outside the interval and off by more than matters.
+  std::size_t wrong_usable{};  ///< And called usable: must be 0.
+  double worst_usable{};       ///< Largest error of a usable number, as a share of bound_of().
+};
+
+struct MisfitCase {
+  std::string joint;
+  std::string disturbance;  ///< Empty: none; what is sound.
+  double size{};
+  std::size_t runs{};
+  std::size_t named{};  ///< Runs whose findings name the cause.
+  std::vector<MisfitQuantity> quantities;
+};
+
+struct MisfitOptions {
+  std::size_t runs{50};
+  std::uint64_t seed{1};
+  std::size_t threads{0};
+  std::size_t resamples{0};
+  std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all, and none at all.
+  std::vector<std::string> joints;        ///< Keys; none: all.
+};
+
+using MisfitProgress =
+    std::function<void(const std::string& case_name, std::size_t done, std::size_t all)>;
+
+/// @throw std::invalid_argument for a key that there is not, naming those there are.
+std::vector<MisfitCase> run_misfit_study(const MisfitOptions& options = {},
+                                         const MisfitProgress& progress = {});
+
+/// Error of a quantity from which on it matters: 0.05° of the angle, shares of the others.
+double bound_of(joint::Quantity quantity, double truth);
+
+}  // namespace tribolog::study

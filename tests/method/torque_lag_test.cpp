@@ -1,0 +1,94 @@
+// How late the torque is logged against the angle: found from starts and stops, and taken off.
+
+#include "method/motion/torque_lag.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/paper_joint.h"
+
+namespace tribolog::torque_lag_test {
+namespace {
+
+/// Sweeps and runs of the paper's joint with a drive's noise, its torque as the effects make it.
+std::vector<joint::Recording> travels(const simulate::LogEffects& effects, std::uint64_t seed = 1) {
+  simulate::Scenario s = test::noisy_paper_joint(seed);
+  s.oscillation.reset();
+  s.precise_sweep.reset();
+  s.noise.effects = effects;
+  return simulate::simulate_joint(s);
+}
+
+method::motion::TorqueLag lag_in(const std::vector<joint::Recording>& recordings) {
+  std::vector<const joint::Recording*> all;
+  for (const joint::Recording& r : recordings) all.push_back(&r);
+  return method::motion::find_torque_lag(all, 100);
+}
+
+void expect_holds(const method::motion::TorqueLag& found, double lag_s) {
+  ASSERT_TRUE(found.lag_s);
+  EXPECT_LE(found.lag_s->low, lag_s);
+  EXPECT_GE(found.lag_s->high, lag_s);
+  EXPECT_LT(found.lag_s->half_width(), 0.5e-3);
+}
+
+TEST(TorqueLag, IsFoundEitherWayAndZeroWhereThereIsNone) {
+  for (const double lag_s : {0.0, 0.5e-3, 2e-3, 5e-3, -2e-3}) {
+    const method::motion::TorqueLag found = lag_in(travels({.torque_delay_s = lag_s}));
+    expect_holds(found, lag_s);
+    EXPECT_EQ(found.is_clear(), lag_s != 0) << lag_s;
+  }
+}
+
+TEST(TorqueLag, OfAFilterIsMostOfItsTimeConstant) {
+  const double time_constant_s = 1 / (2 * 3.141592653589793 * 50);
+  const method::motion::TorqueLag found = lag_in(travels({.torque_filter_Hz = 50}));
+  ASSERT_TRUE(found.is_clear());
+  EXPECT_GT(found.lag_s->value, 0.5 * time_constant_s);
+  EXPECT_LT(found.lag_s->value, 1.1 * time_constant_s);
+}
+
+TEST(TorqueLag, TellsTheInertiaThatItIsFoundBy) {
+  const simulate::Scenario s = test::paper_joint();
+  const double truth = s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (100 * 100);
+  const method::motion::TorqueLag found = lag_in(travels({.torque_delay_s = 2e-3}));
+  ASSERT_TRUE(found.inertia_kgm2);
+  EXPECT_NEAR(found.inertia_kgm2->value / truth, 1, 0.02);
+}
+
+TEST(TorqueLag, NeedsStartsAndStops) {
+  std::vector<joint::Recording> plateaus = travels({});
+  for (joint::Recording& r : plateaus) {
+    const std::size_t quarter = r.size() / 4;
+    for (auto* signal : {&r.t_s, &r.q_rad, &r.dq_rad_s, &r.torque_Nm}) {
+      *signal = {signal->begin() + static_cast<std::ptrdiff_t>(quarter / 2),
+                 signal->begin() + static_cast<std::ptrdiff_t>(quarter)};
+    }
+  }
+  const method::motion::TorqueLag found = lag_in(plateaus);
+  EXPECT_FALSE(found.lag_s);
+  EXPECT_FALSE(found.why_not.empty());
+}
+
+TEST(TorqueLag, TakenOffLeavesTheTorqueBesideItsAngle) {
+  joint::Recording r;
+  constexpr double lag_s = 3.5e-3;
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 1e-3 * i;
+    r.t_s.push_back(t);
+    r.q_rad.push_back(std::sin(t));
+    r.torque_Nm.push_back(std::sin(t - lag_s));
+  }
+  const joint::Recording aligned = method::motion::aligned(r, lag_s);
+  EXPECT_EQ(aligned.size(), r.size() - 4);  // whose torque came behind the recording's end
+  for (std::size_t i = 0; i < aligned.size(); ++i) {
+    EXPECT_NEAR(aligned.torque_Nm[i], aligned.q_rad[i], 2e-7);
+  }
+  const joint::Recording early = method::motion::aligned(r, -lag_s);
+  EXPECT_EQ(early.size(), r.size() - 4);
+  EXPECT_GE(early.t_s.front(), lag_s);
+}
+
+}  // namespace
+}  // namespace tribolog::torque_lag_test

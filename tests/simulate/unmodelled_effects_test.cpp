@@ -1,0 +1,136 @@
+// Effects that the method's model does not have, each by what it does to an ideal log.
+
+#include "simulate/unmodelled_effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "joint/degrees.h"
+#include "support/paper_joint.h"
+
+namespace tribolog::unmodelled_effects_test {
+namespace {
+
+using simulate::Scenario;
+
+Scenario short_joint() {
+  Scenario s = test::paper_joint();
+  s.precise_sweep.reset();
+  s.rough_sweep->speed_rad_s *= 10;
+  s.constant_speed->motor_speeds_rad_s = {3, 30};
+  return s;
+}
+
+const joint::Recording& of_role(const std::vector<joint::Recording>& all, joint::Role role) {
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const joint::Recording& r) { return r.role == role; });
+}
+
+TEST(UnmodelledEffects, OfNoSizeLeaveEveryBitAsItWas) {
+  const Scenario s = short_joint();
+  EXPECT_FALSE(s.effects.any());
+  EXPECT_FALSE(s.noise.effects.any());
+  const std::vector<joint::Recording> plain = simulate::simulate_joint(s);
+  joint::Recording r = plain.front();
+  simulate::add_log_effects(r, {}, 1000, 1, 0);
+  EXPECT_EQ(r.torque_Nm, plain.front().torque_Nm);
+}
+
+TEST(UnmodelledEffects, AnOffsetIsThereInEverySample) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.torque_offset_Nm = 0.1;
+  const auto with = simulate::simulate_joint(s);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    for (std::size_t i = 0; i < plain[k].size(); i += 100) {
+      EXPECT_NEAR(with[k].torque_Nm[i] - plain[k].torque_Nm[i], 0.1, 1e-12);
+    }
+  }
+}
+
+TEST(UnmodelledEffects, AsymmetryMovesTheMeanOfTheDirectionsByItsShareOfFriction) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.direction_asymmetry = 0.1;
+  const auto with = simulate::simulate_joint(s);
+  const joint::Recording& before = of_role(plain, joint::Role::constant_speed);
+  const joint::Recording& after = of_role(with, joint::Role::constant_speed);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    // 10 % more upwards, and 10 % less of a negative torque downwards.
+    EXPECT_GE(after.torque_Nm[i] - before.torque_Nm[i], -1e-12);
+  }
+  const std::size_t upwards = before.size() / 4;
+  EXPECT_NEAR(after.torque_Nm[upwards] - before.torque_Nm[upwards],
+              0.1 * std::abs(s.sliding->torque_Nm(3)), 1e-6);
+}
+
+TEST(UnmodelledEffects, WarmingUpTakesItsShareAtTheEndOfTheSession) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.warm_up = 0.2;
+  const auto with = simulate::simulate_joint(s);
+  const auto slide = [](const joint::Recording& r) { return r.torque_Nm[r.size() * 2 / 5]; };
+  const double lost = slide(plain.back()) - slide(with.back());
+  EXPECT_NEAR(lost, 0.2 * std::abs(s.sliding->torque_Nm(30)) * 0.95, 0.01);
+  EXPECT_NEAR(slide(plain.front()) - slide(with.front()), 0, 0.08);
+}
+
+TEST(UnmodelledEffects, AGearThatTwistsShowsItsPeakWhereTheMotorStandsThen) {
+  Scenario s = short_joint();
+  s.effects.gear_windup_rad = 0.5 * joint::rad_per_degree;
+  const auto with = simulate::simulate_joint(s);
+  const joint::Recording& sweep = of_role(with, joint::Role::rough_sweep);
+  const auto half = sweep.torque_Nm.begin() + static_cast<std::ptrdiff_t>(sweep.size() / 2);
+  const auto at = std::max_element(sweep.torque_Nm.begin(), half) - sweep.torque_Nm.begin();
+  EXPECT_NEAR(sweep.q_rad[static_cast<std::size_t>(at)],
+              s.load.q_peak_rad() + s.effects.gear_windup_rad, 2e-3);
+}
+
+TEST(UnmodelledEffects, GearLossAndLoadFrictionAreTheSameInSliding) {
+  Scenario s = short_joint();
+  s.effects.gear_loss = 0.03;
+  const auto loss = simulate::simulate_joint(s);
+  s.effects = {.load_friction = 0.03};
+  const auto load = simulate::simulate_joint(s);
+  const joint::Recording& a = of_role(loss, joint::Role::rough_sweep);
+  const joint::Recording& b = of_role(load, joint::Role::rough_sweep);
+  const std::size_t i = a.size() / 4;
+  EXPECT_NEAR(a.torque_Nm[i], b.torque_Nm[i], 1e-9);
+  // In pre-sliding the one jumps, the other builds up.
+  const joint::Recording& jumps = of_role(loss, joint::Role::oscillation);
+  const joint::Recording& builds = of_role(load, joint::Role::oscillation);
+  double largest = 0;
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    largest = std::max(largest, std::abs(jumps.torque_Nm[k] - builds.torque_Nm[k]));
+  }
+  EXPECT_GT(largest, 0.05);
+}
+
+TEST(UnmodelledEffects, ADelayedTorqueIsThatOfBefore) {
+  Scenario s = short_joint();
+  s.noise = {};
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.torque_delay_s = 0.004;
+  const auto late = simulate::simulate_joint(s);
+  const joint::Recording& a = plain.front();
+  const joint::Recording& b = late.front();
+  for (std::size_t i = 4; i < a.size(); i += 50) {
+    EXPECT_NEAR(b.torque_Nm[i], a.torque_Nm[i - 4], 1e-9);
+  }
+}
+
+TEST(UnmodelledEffects, AMirroredLogIsTheSameJointTheOtherWayRound) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects = {.mirrored_angle = true, .mirrored_torque = true};
+  const auto mirrored = simulate::simulate_joint(s);
+  for (std::size_t i = 0; i < plain.front().size(); i += 100) {
+    EXPECT_EQ(mirrored.front().q_rad[i], -plain.front().q_rad[i]);
+    EXPECT_EQ(mirrored.front().torque_Nm[i], -plain.front().torque_Nm[i]);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog::unmodelled_effects_test

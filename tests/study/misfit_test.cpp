@@ -1,0 +1,66 @@
+// The study of joints and logs that the method's model does not describe.
+
+#include "study/misfit.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace tribolog::misfit_test {
+namespace {
+
+const study::MisfitQuantity& quantity(const study::MisfitCase& c, joint::Quantity which) {
+  return *std::find_if(c.quantities.begin(), c.quantities.end(),
+                       [&](const study::MisfitQuantity& q) { return q.quantity == which; });
+}
+
+study::MisfitOptions on_the_arm(const std::string& disturbance) {
+  study::MisfitOptions options;
+  options.runs = 2;
+  options.joints = {"geared_arm"};
+  options.disturbances = {disturbance};
+  return options;
+}
+
+TEST(MisfitStudy, LaysThirtyDisturbancesInThreeSizesOnFourJoints) {
+  EXPECT_GE(study::disturbances().size(), 30U);
+  EXPECT_EQ(study::misfit_joints().size(), 4U);
+  for (const study::Disturbance& d : study::disturbances()) {
+    EXPECT_EQ(d.sizes.size(), 3U) << d.key;
+    EXPECT_FALSE(d.named_by.empty()) << d.key;
+  }
+}
+
+TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
+  const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
+  ASSERT_EQ(cases.size(), 4U);
+  const study::MisfitCase& sound = cases.front();
+  EXPECT_TRUE(sound.disturbance.empty());
+  for (const joint::Quantity which : {joint::Quantity::cog_angle, joint::Quantity::gravity_torque,
+                                      joint::Quantity::bristle_stiffness}) {
+    const study::MisfitQuantity& q = quantity(sound, which);
+    EXPECT_EQ(q.found, sound.runs) << to_string(which);
+    EXPECT_EQ(q.wrong, 0U) << to_string(which);
+  }
+  // A torque constant that is off by half shows in no log: the number is wrong.
+  const study::MisfitCase& off = cases.back();
+  EXPECT_EQ(off.size, 1.5);
+  EXPECT_EQ(quantity(off, joint::Quantity::gravity_torque).wrong, off.runs);
+  EXPECT_EQ(quantity(off, joint::Quantity::cog_angle).wrong, 0U);
+}
+
+TEST(MisfitStudy, RefusesWhatThereIsNot) {
+  EXPECT_THROW(study::run_misfit_study(on_the_arm("bad_weather")), std::invalid_argument);
+  study::MisfitOptions elsewhere = on_the_arm("warm_up");
+  elsewhere.joints = {"elbow"};
+  EXPECT_THROW(study::run_misfit_study(elsewhere), std::invalid_argument);
+}
+
+TEST(MisfitStudy, MeasuresAnErrorByWhatMatters) {
+  EXPECT_DOUBLE_EQ(study::bound_of(joint::Quantity::surrogate_mass, 80), 0.08);
+  EXPECT_DOUBLE_EQ(study::bound_of(joint::Quantity::inertia, -2), 0.5);
+}
+
+}  // namespace
+}  // namespace tribolog::misfit_test
