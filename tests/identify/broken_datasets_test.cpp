@@ -339,7 +339,7 @@ const std::vector<Breach>& breaches() {
            }
          });
        },
-       "springs on"},
+       "jumps ahead"},
       {"friction_falls_while_warming_up", CheckName::friction_drift,
        [](joint::Dataset& d) {
          each(d, [](joint::Recording& r) {
