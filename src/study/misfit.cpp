@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -115,161 +116,201 @@ Scenario sketched(const JointSketch& j) {
   return s;
 }
 
-/// Both sizes of an effect that is relative to the joint's friction or gravity.
-Disturbance effect(std::string key, std::vector<double> sizes,
-                   std::function<void(Scenario&, double)> lay, std::vector<std::string> named_by,
-                   bool is_hidden = false) {
-  return {std::move(key), std::move(sizes), std::move(lay), std::move(named_by), is_hidden};
-}
-
 std::vector<Disturbance> all_disturbances() {
   return {
-      effect("torque_delay", {0.0005, 0.002, 0.005},
-             [](Scenario& s, double x) { s.noise.effects.torque_delay_s = x; }, {"cause.lag"}),
-      effect("angle_delay", {0.0005, 0.002, 0.005},
-             [](Scenario& s, double x) { s.noise.effects.torque_delay_s = -x; }, {"cause.lag"}),
-      effect("torque_filter", {100, 50, 20},
-             [](Scenario& s, double x) { s.noise.effects.torque_filter_Hz = x; }, {"cause.lag"}),
-      effect("elasto_plastic_contact", {1, 2, 0.7},
-             [](Scenario& s, double x) {
-               set_contact(s, "elasto_plastic");
-               scale_amplitude(s, x);
-             },
-             {"cause.other_contact"}),
-      effect("maxwell_slip_contact", {1, 2, 0.7},
-             [](Scenario& s, double x) {
-               set_contact(s, "gms");
-               scale_amplitude(s, x);
-             },
-             {"cause.other_contact"}),
-      effect("leuven_contact", {1, 2, 0.7},
-             [](Scenario& s, double x) {
-               set_contact(s, "leuven");
-               scale_amplitude(s, x);
-             },
-             {"cause.other_contact"}),
-      effect("gear_loss", {0.005, 0.02, 0.05},
-             [](Scenario& s, double x) { s.effects.gear_loss = x; }, {"cause.load"}),
-      effect("load_friction", {0.01, 0.03, 0.1},
-             [](Scenario& s, double x) { s.effects.load_friction = x; }, {"cause.load"}),
-      effect("direction_asymmetry", {0.01, 0.05, 0.2},
-             [](Scenario& s, double x) { s.effects.direction_asymmetry = x; }, {"cause.asymmetry"}),
-      effect("torque_offset", {0.001, 0.005, 0.02},
-             [](Scenario& s, double x) { s.effects.torque_offset_Nm = x * motor_gravity(s); },
-             {"cause.offset", "cause.asymmetry"}),
-      effect("offset_drift", {0.002, 0.01, 0.03},
-             [](Scenario& s, double x) { s.effects.offset_drift_Nm = x * motor_gravity(s); },
-             {"cause.drift", "cause.offset"}),
-      effect("warm_up", {0.05, 0.1, 0.2}, [](Scenario& s, double x) { s.effects.warm_up = x; },
-             {"cause.drift"}),
-      effect("friction_by_angle", {0.02, 0.05, 0.2},
-             [](Scenario& s, double x) { s.effects.friction_by_angle = x; },
-             {"cause.angle", "cause.load"}),
-      effect("gear_windup", {0.1, 0.5, 1},
-             [](Scenario& s, double x) { s.effects.gear_windup_rad = x * joint::rad_per_degree; },
-             {"cause.elastic_gear", "cause.lag"}),
-      effect("late_stribeck_dip", {2, 5, 10},
-             [](Scenario& s, double x) {
-               LuGre p = lugre_of(s);
-               const double slowest = s.constant_speed->motor_speeds_rad_s.front();
-               p.stribeck_speed_rad_s *= x;
-               set_lugre(s, p);
-               s.constant_speed->motor_speeds_rad_s.front() = slowest;
-             },
-             {"cause.stribeck", "curve_model"}),
-      effect("second_harmonic", {0.01, 0.03, 0.1},
-             [](Scenario& s, double x) { s.effects.second_harmonic = x; }, {"cause.motion"}),
-      effect("third_harmonic", {0.01, 0.03, 0.1},
-             [](Scenario& s, double x) { s.effects.third_harmonic = x; }, {"cause.motion"}),
-      effect("coloured_noise", {1, 3, 10},
-             [](Scenario& s, double x) {
-               s.noise.effects.coloured_Nm = x * s.noise.torque_white_Nm;
-               s.noise.effects.coloured_time_s = 0.1;
-             },
-             {"cause.coloured_noise"}),
-      effect("ripple", {0.003, 0.01, 0.03},
-             [](Scenario& s, double x) {
-               const double a = x * motor_gravity(s);
-               s.noise.ripple = {{a, 1, 0}, {a, 6, 0}};
-             },
-             {"cause.ripple", "check.torque_ripple", "positions."}),
-      effect("vibration", {0.003, 0.01, 0.03},
-             [](Scenario& s, double x) {
-               s.noise.effects.vibration_Nm = x * motor_gravity(s);
-               s.noise.effects.vibration_Hz = 7.3;
-             },
-             {"cause.vibration"}),
-      effect("other_joint_moves", {0.01, 0.05, 0.2},
-             [](Scenario& s, double x) {
-               s.noise.effects.neighbour_Nm = x * motor_gravity(s);
-               s.noise.effects.neighbour_Hz = 0.13;
-             },
-             {"cause.other_joint", "cause.drift", "cause.vibration"}),
-      effect(
-          "torque_constant", {1.02, 1.1, 1.5},
-          [](Scenario& s, double x) { s.noise.effects.torque_scale = x; }, {"budget."}, true),
-      effect("torque_limit", {0.98, 0.9, 0.8},
-             [](Scenario& s, double x) {
-               s.noise.effects.torque_limit_Nm = x * (motor_gravity(s) + friction_of(s));
-             },
-             {"check.torque_saturation"}),
-      effect("torque_outliers", {0.05, 0.5, 5},
-             [](Scenario& s, double x) {
-               s.noise.effects.outlier_percent = x;
-               s.noise.effects.outlier_Nm = 5 * friction_of(s);
-             },
-             {"cause.outliers", "check.torque_outliers"}),
-      effect("torque_stuck", {1, 5, 20},
-             [](Scenario& s, double x) { s.noise.effects.held_percent = x; },
-             {"check.torque_alive", "check.torque_held"}),
-      effect("torque_dead", {10, 40, 100},
-             [](Scenario& s, double x) { s.noise.effects.dead_percent = x; },
-             {"check.torque_alive"}),
-      effect("torque_step", {0.05, 0.2, 0.5},
-             [](Scenario& s, double x) { s.noise.torque_step_Nm = x * friction_of(s); },
-             {"check.torque_step"}),
-      effect("coarse_encoder", {20, 8, 3},
-             [](Scenario& s, double x) {
-               const LuGre& p = lugre_of(s);
-               const double bristle = p.static_Nm / p.bristle_stiffness_Nm_rad;
-               s.noise.encoder_counts_per_turn = 2 * 3.14159265358979 / (bristle / x);
-             },
-             {"check.encoder_step"}),
-      effect("speed_scale", {0.9, 0.5, 2},
-             [](Scenario& s, double x) { s.noise.effects.speed_scale = x; }, {"check.speed_scale"}),
-      effect("small_oscillation", {0.3, 0.15, 0.05},
-             [](Scenario& s, double x) {
-               scale_amplitude(s, x);
-               s.further_oscillations.pop_back();
-               s.break_away.reset();
-             },
-             {"check.oscillation_slides", "lugre."}),
-      effect("one_direction", {1, 2, 3},
-             [](Scenario& s, double x) {
-               if (x != 2) s.constant_speed->both_directions = false;
-               if (x != 1) s.rough_sweep->both_directions = false;
-             },
-             {"check.run_directions", "check.sweep_directions"}),
-      effect("few_speeds_below_dip", {1, 2, 3},
-             [](Scenario& s, double x) {
-               auto& speeds = s.constant_speed->motor_speeds_rad_s;
-               speeds.erase(speeds.begin(), speeds.begin() + static_cast<std::ptrdiff_t>(2 * x));
-             },
-             {"curve_model", "cause.stribeck"}),
-      effect("jittered_clock", {0.0002, 0.001, 0.003},
-             [](Scenario& s, double x) { s.noise.clock_jitter_s = x; }, {"check.clock_jitter"}),
-      effect("no_gravity", {0.05, 0.01, 0.001},
-             [](Scenario& s, double x) {
-               s.load = joint::GravityLoad(x * friction_of(s) * s.gear_ratio / (9.81 * 0.1), 0.1,
-                                           s.load.q_peak_rad());
-             },
-             {"cause.no_gravity"}),
-      effect("mirrored", {1, 2, 3},
-             [](Scenario& s, double x) {
-               s.noise.effects.mirrored_angle = x != 2;
-               s.noise.effects.mirrored_torque = x != 1;
-             },
-             {"check.friction_dissipates"}),
+      {"torque_delay",
+       {0.0005, 0.002, 0.005},
+       [](Scenario& s, double x) { s.noise.effects.torque_delay_s = x; },
+       {"cause.lag"}},
+      {"angle_delay",
+       {0.0005, 0.002, 0.005},
+       [](Scenario& s, double x) { s.noise.effects.torque_delay_s = -x; },
+       {"cause.lag"}},
+      {"torque_filter",
+       {100, 50, 20},
+       [](Scenario& s, double x) { s.noise.effects.torque_filter_Hz = x; },
+       {"cause.lag"}},
+      {"elasto_plastic_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "elasto_plastic");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"maxwell_slip_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "gms");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"leuven_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "leuven");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"gear_loss",
+       {0.005, 0.02, 0.05},
+       [](Scenario& s, double x) { s.effects.gear_loss = x; },
+       {"cause.load"}},
+      {"load_friction",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.load_friction = x; },
+       {"cause.load"}},
+      {"direction_asymmetry",
+       {0.01, 0.05, 0.2},
+       [](Scenario& s, double x) { s.effects.direction_asymmetry = x; },
+       {"cause.asymmetry"}},
+      {"torque_offset",
+       {0.001, 0.005, 0.02},
+       [](Scenario& s, double x) { s.effects.torque_offset_Nm = x * motor_gravity(s); },
+       {"cause.offset", "cause.asymmetry"}},
+      {"offset_drift",
+       {0.002, 0.01, 0.03},
+       [](Scenario& s, double x) { s.effects.offset_drift_Nm = x * motor_gravity(s); },
+       {"cause.drift", "cause.offset"}},
+      {"warm_up",
+       {0.05, 0.1, 0.2},
+       [](Scenario& s, double x) { s.effects.warm_up = x; },
+       {"cause.drift"}},
+      {"friction_by_angle",
+       {0.02, 0.05, 0.2},
+       [](Scenario& s, double x) { s.effects.friction_by_angle = x; },
+       {"cause.angle", "cause.load"}},
+      {"gear_windup",
+       {0.1, 0.5, 1},
+       [](Scenario& s, double x) { s.effects.gear_windup_rad = x * joint::rad_per_degree; },
+       {"cause.elastic_gear", "cause.lag"}},
+      {"late_stribeck_dip",
+       {2, 5, 10},
+       [](Scenario& s, double x) {
+         LuGre p = lugre_of(s);
+         const double slowest = s.constant_speed->motor_speeds_rad_s.front();
+         p.stribeck_speed_rad_s *= x;
+         set_lugre(s, p);
+         s.constant_speed->motor_speeds_rad_s.front() = slowest;
+       },
+       {"cause.stribeck", "curve_model"}},
+      {"second_harmonic",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.second_harmonic = x; },
+       {"cause.motion"}},
+      {"third_harmonic",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.third_harmonic = x; },
+       {"cause.motion"}},
+      {"coloured_noise",
+       {1, 3, 10},
+       [](Scenario& s, double x) {
+         s.noise.effects.coloured_Nm = x * s.noise.torque_white_Nm;
+         s.noise.effects.coloured_time_s = 0.1;
+       },
+       {"cause.coloured_noise"}},
+      {"ripple",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) {
+         const double a = x * motor_gravity(s);
+         s.noise.ripple = {{a, 1, 0}, {a, 6, 0}};
+       },
+       {"cause.ripple", "check.torque_ripple", "positions."}},
+      {"vibration",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) {
+         s.noise.effects.vibration_Nm = x * motor_gravity(s);
+         s.noise.effects.vibration_Hz = 7.3;
+       },
+       {"cause.vibration"}},
+      {"other_joint_moves",
+       {0.01, 0.05, 0.2},
+       [](Scenario& s, double x) {
+         s.noise.effects.neighbour_Nm = x * motor_gravity(s);
+         s.noise.effects.neighbour_Hz = 0.13;
+       },
+       {"cause.other_joint", "cause.drift", "cause.vibration"}},
+      {"torque_constant",
+       {1.02, 1.1, 1.5},
+       [](Scenario& s, double x) { s.noise.effects.torque_scale = x; },
+       {"budget."},
+       true},
+      {"torque_limit",
+       {0.98, 0.9, 0.8},
+       [](Scenario& s, double x) {
+         s.noise.effects.torque_limit_Nm = x * (motor_gravity(s) + friction_of(s));
+       },
+       {"check.torque_saturation"}},
+      {"torque_outliers",
+       {0.05, 0.5, 5},
+       [](Scenario& s, double x) {
+         s.noise.effects.outlier_percent = x;
+         s.noise.effects.outlier_Nm = 5 * friction_of(s);
+       },
+       {"cause.outliers", "check.torque_outliers"}},
+      {"torque_stuck",
+       {1, 5, 20},
+       [](Scenario& s, double x) { s.noise.effects.held_percent = x; },
+       {"check.torque_alive", "check.torque_held"}},
+      {"torque_dead",
+       {10, 40, 100},
+       [](Scenario& s, double x) { s.noise.effects.dead_percent = x; },
+       {"check.torque_alive"}},
+      {"torque_step",
+       {0.05, 0.2, 0.5},
+       [](Scenario& s, double x) { s.noise.torque_step_Nm = x * friction_of(s); },
+       {"check.torque_step"}},
+      {"coarse_encoder",
+       {20, 8, 3},
+       [](Scenario& s, double x) {
+         const LuGre& p = lugre_of(s);
+         const double bristle = p.static_Nm / p.bristle_stiffness_Nm_rad;
+         s.noise.encoder_counts_per_turn = 2 * std::numbers::pi / (bristle / x);
+       },
+       {"check.encoder_step"}},
+      {"speed_scale",
+       {0.9, 0.5, 2},
+       [](Scenario& s, double x) { s.noise.effects.speed_scale = x; },
+       {"check.speed_scale"}},
+      {"small_oscillation",
+       {0.3, 0.15, 0.05},
+       [](Scenario& s, double x) {
+         scale_amplitude(s, x);
+         s.further_oscillations.pop_back();
+         s.break_away.reset();
+       },
+       {"check.oscillation_slides", "lugre."}},
+      {"one_direction",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         if (x != 2) s.constant_speed->both_directions = false;
+         if (x != 1) s.rough_sweep->both_directions = false;
+       },
+       {"check.run_directions", "check.sweep_directions"}},
+      {"few_speeds_below_dip",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         auto& speeds = s.constant_speed->motor_speeds_rad_s;
+         speeds.erase(speeds.begin(), speeds.begin() + static_cast<std::ptrdiff_t>(2 * x));
+       },
+       {"curve_model", "cause.stribeck"}},
+      {"jittered_clock",
+       {0.0002, 0.001, 0.003},
+       [](Scenario& s, double x) { s.noise.clock_jitter_s = x; },
+       {"check.clock_jitter"}},
+      {"no_gravity",
+       {0.05, 0.01, 0.001},
+       [](Scenario& s, double x) {
+         s.load = joint::GravityLoad(x * friction_of(s) * s.gear_ratio / (9.81 * 0.1), 0.1,
+                                     s.load.q_peak_rad());
+       },
+       {"cause.no_gravity"}},
+      {"mirrored",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         s.noise.effects.mirrored_angle = x != 2;
+         s.noise.effects.mirrored_torque = x != 1;
+       },
+       {"check.friction_dissipates"}},
   };
 }
 
@@ -358,7 +399,7 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       if (std::isnan(q.truth)) continue;
       const bool inside = it->estimate->low <= q.truth && q.truth <= it->estimate->high;
       double off = it->estimate->value - q.truth;
-      if (q.quantity == Quantity::cog_angle) off = std::remainder(off, 2 * 3.14159265358979323846);
+      if (q.quantity == Quantity::cog_angle) off = std::remainder(off, 2 * std::numbers::pi);
       off = std::abs(off) / bound_of(q.quantity, q.truth);
       const bool is_wrong = !inside && off > 1;
       q.inside += inside ? 1 : 0;
