@@ -197,6 +197,8 @@ Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_r
                      {"rate_Nm_s", number(r.rate_Nm_s)},
                      {"torque_Nm", number(r.torque_Nm)},
                      {"friction_Nm", number(r.friction_Nm)},
+                     {"inertia_Nm", number(r.inertia_Nm)},
+                     {"level_Nm", number(r.level_Nm)},
                      {"q_start_rad", number(r.q_start_rad)},
                      {"travel_rad", number(r.travel_rad)},
                      {"first_slip_rad", number(r.first_slip_rad)},

@@ -137,7 +137,10 @@ constexpr Step papers_chain[] = {
        const method::motion::TorqueLag& lag = p.c.torque_lag;
        p.aligned.clear();
        std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
+       method::hysteresis::LagOfLoops of_loops;
+       if (lag.lag_s) of_loops.half_width_s = lag.lag_s->half_width();
        if (lag.is_clear()) {
+         of_loops.taken_off_s = lag.lag_s->value;
          p.aligned.reserve(loops.size());
          for (const joint::Recording*& r : loops) {
            p.aligned.push_back(method::motion::aligned(*r, lag.lag_s->value));
@@ -145,8 +148,7 @@ constexpr Step papers_chain[] = {
          }
        }
        p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
-                                                        p.c.q_peak_rad,
-                                                        lag.lag_s ? lag.lag_s->half_width() : 0);
+                                                        p.c.q_peak_rad, of_loops);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",
@@ -208,8 +210,9 @@ constexpr Step further_steps[] = {
      }},
     {"break-away ramps and loop shapes",
      [](Progress& p) {
-       p.c.break_away = method::hysteresis::identify_break_away(p.recordings(Role::break_away),
-                                                                known_gravity(p));
+       const std::optional<statistics::Estimate>& inertia = p.c.torque_lag.inertia_kgm2;
+       p.c.break_away = method::hysteresis::identify_break_away(
+           p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0);
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
     {"",

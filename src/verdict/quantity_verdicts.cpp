@@ -83,6 +83,20 @@ Statement why_no_fit(const calibration::Calibration& c) {
   return {"verdict.no_loop_model"};
 }
 
+/// Of the ramps; where the loops' level lies outside its interval and theirs, so wide that it holds
+/// the level. Which of the two the contact's model bends, nobody knows.
+std::optional<statistics::Estimate> with_loops(
+    const std::optional<statistics::Estimate>& ramps_Nm,
+    const std::optional<statistics::Estimate>& loop_level_Nm) {
+  if (!ramps_Nm || !loop_level_Nm) return ramps_Nm;
+  const double difference = std::abs(loop_level_Nm->value - ramps_Nm->value);
+  const double noise = std::hypot(ramps_Nm->half_width(), loop_level_Nm->half_width());
+  if (difference <= noise) return ramps_Nm;
+  return statistics::symmetric_estimate(
+      ramps_Nm->value, difference + loop_level_Nm->half_width(),
+      {"interval.widened_by_loops", {{"interval", ramps_Nm->method}}});
+}
+
 /// From ramps where there are some that broke away, else from the loop's level.
 calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                                         const std::optional<statistics::Estimate>& loop_level_Nm,
@@ -90,8 +104,9 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
   calibration::QuantityVerdict q =
-      by_estimate(Quantity::break_away_torque, "N·m", from_ramps ? ramps.mean_Nm : loop_level_Nm,
-                  why, record_an_oscillation);
+      by_estimate(Quantity::break_away_torque, "N·m",
+                  from_ramps ? with_loops(ramps.mean_Nm, loop_level_Nm) : loop_level_Nm, why,
+                  record_an_oscillation);
   if (!ramps.ramps.empty() && !from_ramps) {
     calibration::lower(q, calibration::Verdict::doubtful,
                        {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},

@@ -13,8 +13,7 @@ using calibration::Calibration;
 using calibration::Verdict;
 using joint::Quantity;
 
-const std::vector<Quantity> of_loop_fit{Quantity::break_away_torque, Quantity::bristle_stiffness,
-                                        Quantity::bristle_damping};
+const std::vector<Quantity> of_loop_fit{Quantity::bristle_stiffness, Quantity::bristle_damping};
 
 /// A number of a model is one of the joint as far as the model describes the joint: what LuGre
 /// leaves of the loop that it describes worst, as a share of that loop's height.
@@ -41,6 +40,11 @@ std::optional<Measured> torque_lag(const Calibration& c) {
        {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
 }
 
+/// The same where the break-away torque comes from the loops, for want of ramps.
+std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
+  return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
+}
+
 }  // namespace
 
 const std::vector<Rule>& rules() {
@@ -60,6 +64,13 @@ const std::vector<Rule>& rules() {
       // softer (tests/identify/other_friction_test.cpp).
       {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
        loop_misfit},
+      {"loop_misfit_at_break_away",
+       "%",
+       0.5,
+       Verdict::doubtful,
+       {Quantity::break_away_torque},
+       "record.ramps",
+       loop_misfit_without_ramps},
       {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
        "record.compare_reversals", loop_misfit},
   };

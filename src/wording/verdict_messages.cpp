@@ -32,6 +32,8 @@ const Messages& verdict_messages() {
       // The verdict's rules, each by what it measures.
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
+      {"rule.loop_misfit_at_break_away",
+       text("The same, where the break-away torque is read from the loops")},
       {"rule.loop_unlike_model", text("Misfit at which nothing of the LuGre model is left")},
 
       // What was found to be wrong with the joint or the log.

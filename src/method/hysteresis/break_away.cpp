@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Dense>
+
+#include "base/requirements.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
@@ -65,7 +68,101 @@ double gravity_torque(const std::optional<KnownGravity>& gravity, double q_rad) 
   return gravity ? gravity->amplitude_Nm.value * std::cos(q_rad - gravity->q_peak_rad) : 0.0;
 }
 
-BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGravity>& gravity) {
+/// Part of the ramp in which the joint rests: up to where friction passes this share of the
+/// reading.
+constexpr double resting_share = 0.85;
+constexpr std::size_t fewest_angles = 12;
+
+/// Tf(x) = level - fall exp(-x / way), of one way.
+struct BentFit {
+  double level{}, fall{}, squares{INFINITY};
+};
+
+BentFit fit_bent(const std::vector<double>& x, const std::vector<double>& friction, double way) {
+  double n = 0, e1 = 0, e2 = 0, f1 = 0, fe = 0, ff = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double e = std::exp(-x[i] / way);
+    n += 1;
+    e1 += e;
+    e2 += e * e;
+    f1 += friction[i];
+    fe += friction[i] * e;
+    ff += friction[i] * friction[i];
+  }
+  const double determinant = n * e2 - e1 * e1;
+  if (!(determinant > 0)) return {};
+  const double level = (e2 * f1 - e1 * fe) / determinant;
+  const double fall = (e1 * f1 - n * fe) / determinant;
+  return {level, fall, ff - level * f1 + fall * fe};
+}
+
+/// What friction tends to while the joint rests.
+/// @param friction with gravity taken off, a magnitude; `travel` from rest; both up to break-away.
+std::optional<double> level_at_rest(const std::vector<double>& travel,
+                                    const std::vector<double>& friction, double reading) {
+  // Noise crosses the share to and fro: the middle of its first and its last crossing.
+  const double passed = resting_share * reading;
+  std::size_t first = friction.size();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    if (friction[i] > passed) first = std::min(first, i);
+    if (friction[i] < passed) last = i;
+  }
+  const std::size_t rests = std::min((first + last) / 2, friction.size());
+  const std::vector<double> x(travel.begin(), travel.begin() + static_cast<std::ptrdiff_t>(rests));
+  const std::vector<double> y(friction.begin(),
+                              friction.begin() + static_cast<std::ptrdiff_t>(rests));
+  std::size_t angles = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) angles += x[i] != x[i - 1] ? 1 : 0;
+  if (angles < fewest_angles) return std::nullopt;
+  const double far = *std::max_element(x.begin(), x.end());
+  // The best way on a grid, then between its neighbours.
+  constexpr double straightest = 4;  // ways longer than this many travels: it does not bend
+  constexpr int steps = 40;
+  const auto way_at = [&](double k) { return far * straightest * std::pow(64.0, -k / steps); };
+  double best = 0;
+  BentFit fit;
+  for (int k = 0; k <= steps; ++k) {
+    const BentFit one = fit_bent(x, y, way_at(k));
+    if (one.squares < fit.squares) {
+      fit = one;
+      best = k;
+    }
+  }
+  double low = best - 1;
+  double high = best + 1;
+  for (int k = 0; k < 30; ++k) {
+    const double a = low + (high - low) / 3;
+    const double b = high - (high - low) / 3;
+    (fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares ? high : low) =
+        fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares ? b : a;
+  }
+  const double way = way_at((low + high) / 2);
+  fit = fit_bent(x, y, way);
+  constexpr double farthest = 0.3;  // share of the reading by which a level may lie off it
+  const bool bends_over = far > way;
+  if (!bends_over || !(std::abs(fit.level - reading) < farthest * reading)) return std::nullopt;
+  return fit.level;
+}
+
+/// Acceleration about a sample: of a parabola through as many samples beside it.
+double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t beside) {
+  const std::size_t first = at > beside ? at - beside : 0;
+  const std::size_t last = std::min(r.size() - 1, at + beside);
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const double span = r.t_s[last] - r.t_s[first];
+  for (std::size_t i = first; i <= last; ++i) {
+    const double s = (r.t_s[i] - r.t_s[at]) / span;
+    const Eigen::Vector3d x(1, s, s * s);
+    normal += x * x.transpose();
+    right += x * (r.q_rad[i] - r.q_rad[at]);
+  }
+  return 2 * normal.ldlt().solve(right)(2) / (span * span);
+}
+
+BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGravity>& gravity,
+                        double inertia_at_joint) {
   BreakAwayRamp ramp;
   ramp.recording = r.name;
   const double sign = direction_of(r);
@@ -81,6 +178,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r.q_rad);
   std::size_t at = furthest;
+  std::size_t beside = 0;
   for (std::size_t i = 1; i < furthest; ++i) {
     const double need = std::max(least, share_of_travel * travel[i]);
     const std::size_t j = moved_on(summits, i, need);
@@ -92,11 +190,24 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     if (yield > yield_at_break_away) {
       ramp.broke_away = true;
       at = i;
+      beside = j - i;
       break;
     }
   }
   ramp.torque_Nm = r.torque_Nm[at];
-  ramp.friction_Nm = sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at]));
+  constexpr std::size_t fewest_beside = 3;
+  if (ramp.broke_away && beside >= fewest_beside) {
+    ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
+  }
+  ramp.friction_Nm =
+      sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at])) - ramp.inertia_Nm;
+  if (ramp.broke_away) {
+    std::vector<double> friction;
+    for (std::size_t i = 0; i < at; ++i) {
+      friction.push_back(sign * (r.torque_Nm[i] - gravity_torque(gravity, r.q_rad[i])));
+    }
+    ramp.level_Nm = level_at_rest(travel, friction, ramp.friction_Nm);
+  }
   ramp.travel_rad = travel[at];
   if (ramp.broke_away) ramp.first_slip_rad = slip_until_stop(r, summits, at, furthest, least);
   const double duration = r.t_s[at] - r.t_s.front();
@@ -106,31 +217,54 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   return ramp;
 }
 
-std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
-                                            const std::optional<KnownGravity>& gravity) {
+/// A LuGre contact is seen to yield so far below what it holds.
+constexpr double share_at_reading = 0.993;
+
+/// Of the ramps of one direction that broke away; absent with fewer than two.
+struct RampMean {
+  double value{};
+  double scatter{};  ///< 95 % half width.
+};
+
+std::optional<RampMean> mean_over(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  if (n < 2) return std::nullopt;
   double mean = 0;
-  double n = 0;
+  for (const double v : values) mean += v / n;
+  double squares = 0;
+  for (const double v : values) squares += std::pow(v - mean, 2);
+  return RampMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
+}
+
+/// @param is_level the levels at rest are the values, and the readings what they are held against.
+std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
+                                            bool is_level,
+                                            const std::optional<KnownGravity>& gravity) {
+  std::vector<double> readings;
+  std::vector<double> levels;
   double by_gravity = 0;
   for (const BreakAwayRamp& ramp : ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
-    mean += ramp.friction_Nm;
-    n += 1;
+    readings.push_back(ramp.friction_Nm);
+    if (is_level) levels.push_back(present(ramp.level_Nm));
     if (gravity) {
       by_gravity += gravity->amplitude_Nm.half_width() *
                     std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
     }
   }
-  if (n < 2) return std::nullopt;
-  mean /= n;
-  by_gravity /= n;
-  double squares = 0;
-  for (const BreakAwayRamp& ramp : ramps) {
-    if (ramp.broke_away && ramp.is_rising == is_rising)
-      squares += std::pow(ramp.friction_Nm - mean, 2);
+  const std::optional<RampMean> reading = mean_over(readings);
+  if (!reading) return std::nullopt;
+  by_gravity /= static_cast<double>(readings.size());
+  if (!is_level) {
+    return statistics::symmetric_estimate(reading->value, std::hypot(reading->scatter, by_gravity),
+                                          {"interval.scatter_of_ramps"});
   }
-  const double scatter = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return statistics::symmetric_estimate(mean, std::hypot(scatter, by_gravity),
-                                        {"interval.scatter_of_ramps"});
+  const RampMean level = present(mean_over(levels));
+  const double difference = std::abs(reading->value - share_at_reading * level.value);
+  const double by_contact = std::max(0.0, difference - std::hypot(reading->scatter, level.scatter));
+  return statistics::symmetric_estimate(level.value,
+                                        std::hypot(level.scatter, by_gravity, by_contact),
+                                        {"interval.scatter_of_ramps_at_rest"});
 }
 
 void add_reason(statistics::StageReport& stage, const Statement& reason) {
@@ -159,7 +293,8 @@ Code too_few_ramps(const BreakAwayResult& result) {
 }  // namespace
 
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
-                                    const std::optional<KnownGravity>& gravity) {
+                                    const std::optional<KnownGravity>& gravity,
+                                    double inertia_at_joint) {
   BreakAwayResult out;
   out.stage.name = "break_away";
   out.gravity_taken_off = gravity.has_value();
@@ -170,11 +305,14 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   }
   for (const joint::Recording* r : ramps) {
     if (r->size() < 3) continue;
-    out.ramps.push_back(read_ramp(*r, gravity));
+    out.ramps.push_back(read_ramp(*r, gravity, inertia_at_joint));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
   }
-  out.rising_Nm = mean_of(out.ramps, true, gravity);
-  out.falling_Nm = mean_of(out.ramps, false, gravity);
+  out.is_level = gravity && std::all_of(out.ramps.begin(), out.ramps.end(), [](const auto& ramp) {
+                   return !ramp.broke_away || ramp.level_Nm;
+                 });
+  out.rising_Nm = mean_of(out.ramps, true, out.is_level, gravity);
+  out.falling_Nm = mean_of(out.ramps, false, out.is_level, gravity);
   if (out.rising_Nm && out.falling_Nm) {
     out.mean_Nm = statistics::symmetric_estimate(
         (out.rising_Nm->value + out.falling_Nm->value) / 2,

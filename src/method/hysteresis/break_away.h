@@ -7,6 +7,17 @@
 // `yield_at_break_away` times faster than on average since the ramp began. A LuGre contact does so
 // 0.7 % below its static torque, whatever its stiffness and the rate.
 //
+// Where the torque rises fast for the contact, the joint is already being sped up when it is seen
+// to yield, and more torque is read than friction holds. The part of the ramp in which it rests
+// tells without that: the bristles give way as
+//
+//   Tf(x) = Ts - (Ts - T0) exp(-x / d)
+//
+// (LuGre along a travel x at no speed; T0 at the start, d = Ts / s0), and Ts is what that part
+// tends to. It is the value where every ramp bends far enough for it; the reading is what it is
+// held against, and what they differ by goes into the interval, for another contact has another
+// bend.
+//
 // A ramp that ends before that tells only that friction is larger than what was reached: a censored
 // value. It bounds the break-away torque from below and takes no part in the mean.
 
@@ -30,11 +41,15 @@ struct KnownGravity {
 
 struct BreakAwayRamp {
   std::string recording;
-  bool is_rising{};        ///< The torque rises to positive values.
-  bool broke_away{};       ///< false: censored, friction_Nm is a lower bound.
-  double rate_Nm_s{};      ///< Mean rate of the torque up to there, motor side, >= 0.
-  double torque_Nm{};      ///< Driving torque there, motor side, signed.
-  double friction_Nm{};    ///< Magnitude with gravity taken off (if known).
+  bool is_rising{};      ///< The torque rises to positive values.
+  bool broke_away{};     ///< false: censored, friction_Nm is a lower bound.
+  double rate_Nm_s{};    ///< Mean rate of the torque up to there, motor side, >= 0.
+  double torque_Nm{};    ///< Driving torque there, motor side, signed.
+  double friction_Nm{};  ///< Magnitude with gravity and inertia taken off (if known).
+  double inertia_Nm{};   ///< What was taken off for inertia, in the ramp's direction.
+  /// What friction tends to in the part that rests, a magnitude; absent where that does not bend
+  /// over, or too few angles are seen in it.
+  std::optional<double> level_Nm;
   double travel_rad{};     ///< Joint travel from rest up to there.
   double largest_yield{};  ///< Largest ratio of speed to mean speed seen up to there.
   double q_start_rad{};    ///< Joint angle at rest.
@@ -50,6 +65,7 @@ struct BreakAwayResult {
   bool gravity_taken_off{};
   std::vector<BreakAwayRamp> ramps;
   std::size_t censored{};
+  bool is_level{};  ///< The values are the ramps' levels, not their readings.
   /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
   /// scatter of the ramps, absent with fewer than two that broke away.
   std::optional<statistics::Estimate> rising_Nm;
@@ -59,8 +75,11 @@ struct BreakAwayResult {
 };
 
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
+/// @param inertia_at_joint of all that turns, by the joint's acceleration: torque at the motor
+/// [N·m s²/rad]; what it takes at the reading is taken off. 0: unknown, nothing is.
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
-                                    const std::optional<KnownGravity>& gravity);
+                                    const std::optional<KnownGravity>& gravity,
+                                    double inertia_at_joint = 0);
 
 // The level that hysteresis loops flatten at, against torque ramps that made the joint slide or
 // not.

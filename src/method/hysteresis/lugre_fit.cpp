@@ -204,23 +204,67 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
                              {"interval.scatter_of_half_cycles_and_recordings"});
 }
 
-/// What a second of lag between torque and angle does to the fit's parameters.
-Eigen::VectorXd shift_by_lag(const LuGreClimb& climb, const LuGreProblem& problem) {
-  Eigen::VectorXd late(problem.rows());
+/// The model's torque over the rows of one recording, and what a lag does to it.
+class LateTorque {
+ public:
+  LateTorque(std::vector<double> time_s, Eigen::VectorXd torque_Nm)
+      : t_(std::move(time_s)), torque_(std::move(torque_Nm)) {}
+
+  /// By a second of lag.
+  [[nodiscard]] Eigen::VectorXd slope() const {
+    Eigen::VectorXd out(torque_.size());
+    for (Eigen::Index i = 0; i < torque_.size(); ++i) {
+      const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
+      const Eigen::Index b = std::min(torque_.size() - 1, i + 1);
+      const double span = at(b) - at(a);
+      out(i) = span > 0 ? -(torque_(b) - torque_(a)) / span : 0;
+    }
+    return out;
+  }
+  /// Behind a first-order filter of that time constant, less the same late by it.
+  [[nodiscard]] Eigen::VectorXd filtered_less_delayed(double lag_s) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(torque_.size());
+    double filtered = torque_(0);
+    Eigen::Index behind = 0;
+    for (Eigen::Index i = 1; i < torque_.size(); ++i) {
+      // The torque runs along a straight line between two rows.
+      const double step = at(i) - at(i - 1);
+      const double rate = (torque_(i) - torque_(i - 1)) / step;
+      const double before = filtered - torque_(i - 1) + rate * lag_s;
+      filtered = torque_(i) - rate * lag_s + before * std::exp(-step / lag_s);
+      const double then = at(i) - lag_s;
+      while (behind + 1 < i && at(behind + 1) < then) ++behind;
+      const double share =
+          std::clamp((then - at(behind)) / (at(behind + 1) - at(behind)), 0.0, 1.0);
+      out(i) = filtered - std::lerp(torque_(behind), torque_(behind + 1), share);
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] double at(Eigen::Index i) const { return t_[static_cast<std::size_t>(i)]; }
+  std::vector<double> t_;
+  Eigen::VectorXd torque_;
+};
+
+/// What the lag does to the fit's parameters: one column for what is not known of its size, and one
+/// for its shape, which may be that of a delay or of a filter. Standard deviations.
+Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& problem,
+                              const LagOfLoops& lag) {
+  Eigen::MatrixXd late = Eigen::MatrixXd::Zero(problem.rows(), 2);
   Eigen::Index top = 0;
   for (const LuGreLoopModel& model : problem.models()) {
-    const std::vector<double> t = model.row_times_s();
-    const Eigen::VectorXd torque =
-        model.measured() + climb.linear.fit.residuals.segment(top, model.rows());
-    for (Eigen::Index i = 0; i < model.rows(); ++i) {
-      const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
-      const Eigen::Index b = std::min(model.rows() - 1, i + 1);
-      const double span = t[static_cast<std::size_t>(b)] - t[static_cast<std::size_t>(a)];
-      late(top + i) = span > 0 ? -(torque(b) - torque(a)) / span : 0;
+    const LateTorque torque(
+        model.row_times_s(),
+        model.measured() + climb.linear.fit.residuals.segment(top, model.rows()));
+    late.col(0).segment(top, model.rows()) = torque.slope() * lag.half_width_s;
+    if (lag.taken_off_s != 0) {
+      late.col(1).segment(top, model.rows()) =
+          torque.filtered_less_delayed(std::abs(lag.taken_off_s));
     }
     top += model.rows();
   }
-  return climb.linear.fit.jacobian.colPivHouseholderQr().solve(late);
+  return climb.linear.fit.jacobian.colPivHouseholderQr().solve(late) / statistics::normal_975;
 }
 
 /// All that resampling needs.
@@ -324,7 +368,7 @@ std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) con
 }
 
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple, double lag_half_width_s) {
+                      const gravity::Ripple& ripple, const LagOfLoops& lag) {
   if (loops.empty()) throw std::invalid_argument("no loops");
   FittedLuGre made;
   LuGreFit& fit = made.fit;
@@ -344,10 +388,9 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   fit.converged = true;
   Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
   by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
-  if (lag_half_width_s > 0) {
-    by_motion.conservativeResize(Eigen::NoChange, by_motion.cols() + 1);
-    by_motion.rightCols<1>() =
-        shift_by_lag(climb, problem) * (lag_half_width_s / statistics::normal_975);
+  if (lag.half_width_s > 0) {
+    by_motion.conservativeResize(Eigen::NoChange, by_motion.cols() + 2);
+    by_motion.rightCols<2>() = shifts_by_lag(climb, problem, lag);
   }
   climb.around.covariance += by_motion * by_motion.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;

@@ -140,6 +140,12 @@ struct LuGreSignals {
   std::vector<double> dz_rad_s;
 };
 
+/// Lag of the loops' torque against their angle.
+struct LagOfLoops {
+  double taken_off_s{};   ///< Already, as a delay; it may have been a filter's.
+  double half_width_s{};  ///< 95 %; 0: known exactly.
+};
+
 struct FittedLuGre {
   LuGreFit fit;
   std::vector<LuGreSignals> signals;  ///< In the order of LuGreFit::loops.
@@ -155,9 +161,8 @@ struct FittedLuGre {
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
 /// @throw std::invalid_argument if there is no loop.
-/// @param lag_half_width_s how far the torque may still be late or early against the angle (95 %):
-/// it looks like bristle damping, and widens what rests on that.
+/// @param lag looks like bristle damping; what is not known of it widens what rests on that.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple = {}, double lag_half_width_s = 0);
+                      const gravity::Ripple& ripple = {}, const LagOfLoops& lag = {});
 
 }  // namespace tribolog::method::hysteresis

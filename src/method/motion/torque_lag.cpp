@@ -1,7 +1,6 @@
 #include "method/motion/torque_lag.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -195,14 +194,13 @@ statistics::BlockRegression regression(const std::vector<Row>& rows,
   return statistics::block_regression(x, y, blocks);
 }
 
-/// A ratio of two coefficients, and its standard error.
-std::pair<double, double> ratio(const statistics::BlockRegression& fit, Eigen::Index top,
-                                Eigen::Index bottom) {
+/// 95 % half width of a ratio of two coefficients.
+double half_width_of_ratio(const statistics::BlockRegression& fit, Eigen::Index top,
+                           Eigen::Index bottom) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.coefficients.size());
-  const double value = fit.coefficients(top) / fit.coefficients(bottom);
   gradient(top) = 1 / fit.coefficients(bottom);
-  gradient(bottom) = -value / fit.coefficients(bottom);
-  return {value, fit.half_width_along(gradient)};
+  gradient(bottom) = -fit.coefficients(top) * gradient(top) / fit.coefficients(bottom);
+  return fit.half_width_along(gradient);
 }
 
 }  // namespace
@@ -264,7 +262,11 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     out.why_not = {"lag.inertia_not_shown"};
     return out;
   }
-  const double half_width = ratio(fit, lag, inertia).second;
+  // Behind a filter, starts and stops look late by another share of its time constant than slow
+  // loops do, by how short they are.
+  constexpr double unlike_a_delay = 0.3;
+  const double half_width =
+      std::hypot(half_width_of_ratio(fit, lag, inertia), unlike_a_delay * lag_s);
   constexpr Code method{"interval.transients"};
   out.lag_s = statistics::symmetric_estimate(lag_s, half_width, method);
   out.inertia_kgm2 = statistics::symmetric_estimate(fit.coefficients(inertia) / gear_ratio,
