@@ -29,6 +29,7 @@ struct Progress {
 
   const joint::Dataset& dataset;
   const IdentifyOptions& options;
+  joint::Dataset cleaned;  ///< The same without outliers of the torque, where there are some.
   std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
 
   const double n = dataset.manifest.drive.gear_ratio();
@@ -44,7 +45,7 @@ struct Progress {
   Calibration c;
 
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
-    return dataset.with_role(role);
+    return c.torque_outliers.replaced > 0 ? cleaned.with_role(role) : dataset.with_role(role);
   }
   [[nodiscard]] const method::hysteresis::SurrogateMass* recommended_mass() const {
     return c.masses.find(c.selection.recommended);
@@ -105,6 +106,12 @@ std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p)
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be held
 /// against a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
+    {"",
+     [](Progress& p) {
+       std::vector<joint::Recording> recordings = p.dataset.recordings;
+       p.c.torque_outliers = method::motion::replace_torque_outliers(recordings);
+       if (p.c.torque_outliers.replaced > 0) p.cleaned.recordings = std::move(recordings);
+     }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));

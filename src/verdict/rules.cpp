@@ -45,6 +45,17 @@ std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
 }
 
+/// Samples of the torque that were replaced, of the recording with most of them.
+std::optional<Measured> torque_outliers(const Calibration& c) {
+  const method::motion::TorqueOutliers& found = c.torque_outliers;
+  return Measured{found.worst_percent,
+                  {"cause.outliers",
+                   {{"samples", found.replaced},
+                    {"percent", found.worst_percent},
+                    {"recording", found.recording},
+                    {"largest_Nm", found.largest_Nm}}}};
+}
+
 }  // namespace
 
 const std::vector<Rule>& rules() {
@@ -60,6 +71,16 @@ const std::vector<Rule>& rules() {
        "record.runs",
        torque_lag,
        "verdict.lag_unknown"},
+      {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
+      {"many_torque_outliers",
+       "%",
+       2,
+       Verdict::doubtful,
+       {Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::bristle_damping,
+        Quantity::inertia, Quantity::coulomb_torque, Quantity::stribeck_speed,
+        Quantity::viscous_coefficient},
+       "record.more_of_the_same",
+       torque_outliers},
       // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or
       // softer (tests/identify/other_friction_test.cpp).
       {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",

@@ -31,6 +31,8 @@ const Messages& verdict_messages() {
 
       // The verdict's rules, each by what it measures.
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
+      {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
+      {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
       {"rule.loop_misfit_at_break_away",
        text("The same, where the break-away torque is read from the loops")},
@@ -42,6 +44,10 @@ const Messages& verdict_messages() {
             "loop's height, that noise does not explain: the contact follows another law, and the "
             "numbers are those of the closest LuGre model, not the joint's")},
 
+      {"cause.outliers",
+       text("{samples} samples of the torque lie far off their neighbours, up to {largest_Nm:.2g} "
+            "N·m, and were replaced by the line between these ({recording}: {percent:.2g} % of its "
+            "samples)")},
       {"cause.lag", text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than "
                          "the angle; it was "
                          "moved back by that before the loops were fitted")},

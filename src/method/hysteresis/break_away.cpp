@@ -18,7 +18,9 @@ namespace {
 
 constexpr double fewest_steps = 20;      // across which a speed is taken
 constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
-constexpr double torque_on = 0.1;        // share of the largest torque that tells the direction
+// Where a ramp ends before it is seen to break away, it may slide from here on.
+constexpr double yield_that_may_slide = 5;
+constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
 /// Sign of the ramp: that of the torque when it has first left its rest.
 double direction_of(const joint::Recording& r) {
@@ -34,13 +36,25 @@ double direction_of(const joint::Recording& r) {
 }
 
 /// The usual step of the angle from sample to sample, standing still left out: the encoder's step
-/// or its noise, whichever is seen.
-double usual_step_rad(const std::vector<double>& q_rad) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < q_rad.size(); ++i) {
-    if (q_rad[i] != q_rad[i - 1]) steps.push_back(std::abs(q_rad[i] - q_rad[i - 1]));
+/// or its noise, whichever is seen. Of the part that surely rests, up to half of the ramp's torque:
+/// sliding has larger ones.
+double usual_step_rad(const joint::Recording& r) {
+  double largest = 0;
+  for (const double torque : r.torque_Nm) {
+    largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
   }
-  return steps.empty() ? 0.0 : statistics::median(std::move(steps));
+  std::vector<double> at_rest;
+  std::vector<double> all;
+  bool rests = true;
+  for (std::size_t i = 1; i < r.size(); ++i) {
+    rests = rests && std::abs(r.torque_Nm[i] - r.torque_Nm.front()) < largest / 2;
+    if (r.q_rad[i] == r.q_rad[i - 1]) continue;
+    all.push_back(std::abs(r.q_rad[i] - r.q_rad[i - 1]));
+    if (rests) at_rest.push_back(all.back());
+  }
+  if (all.empty()) return 0;
+  constexpr std::size_t enough = 5;
+  return statistics::median(at_rest.size() >= enough ? std::move(at_rest) : std::move(all));
 }
 
 /// Where the joint has moved `need` on from sample i, or the end.
@@ -176,7 +190,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   }
   const statistics::Summits summits(std::move(way));
   const std::vector<double>& travel = summits.signal();
-  const double least = fewest_steps * usual_step_rad(r.q_rad);
+  const double least = fewest_steps * usual_step_rad(r);
+  std::size_t furthest_at_rest = furthest;
   std::size_t at = furthest;
   std::size_t beside = 0;
   for (std::size_t i = 1; i < furthest; ++i) {
@@ -187,6 +202,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     if (!(mean_speed > 0)) continue;
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);
+    if (yield > yield_that_may_slide) furthest_at_rest = std::min(furthest_at_rest, i);
     if (yield > yield_at_break_away) {
       ramp.broke_away = true;
       at = i;
@@ -196,7 +212,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   }
   ramp.torque_Nm = r.torque_Nm[at];
   constexpr std::size_t fewest_beside = 3;
-  if (ramp.broke_away && beside >= fewest_beside) {
+  if (!ramp.broke_away) at = furthest_at_rest;
+  if (beside >= fewest_beside) {
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
   }
   ramp.friction_Nm =

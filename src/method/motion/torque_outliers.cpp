@@ -1,0 +1,102 @@
+#include "method/motion/torque_outliers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "statistics/order_statistics.h"
+
+namespace tribolog::method::motion {
+namespace {
+
+constexpr std::size_t beside = 3;        // neighbours on either side that a sample is compared with
+constexpr std::size_t beside_scale = 7;  // those that tell the scale
+constexpr double mad_to_sd = 1.4826;
+
+/// Median of the samples about i, so many on either side.
+double median_about(const std::vector<double>& y, std::size_t i, std::size_t half) {
+  std::array<double, 2 * beside_scale + 1> window{};
+  const auto end = std::copy(y.begin() + static_cast<std::ptrdiff_t>(i - half),
+                             y.begin() + static_cast<std::ptrdiff_t>(i + half + 1), window.begin());
+  const auto middle = window.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(window.begin(), middle, end);
+  return *middle;
+}
+
+double deviation_about(const std::vector<double>& y, std::size_t i, double median) {
+  std::array<double, 2 * beside_scale + 1> window{};
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    window[k] = std::abs(y[i - beside_scale + k] - median);
+  }
+  std::nth_element(window.begin(), window.begin() + beside_scale, window.end());
+  return mad_to_sd * window[beside_scale];
+}
+
+/// White noise by the median of the third differences, which rare outliers do not move.
+double usual_noise(const std::vector<double>& y) {
+  std::vector<double> thirds;
+  for (std::size_t i = 3; i < y.size(); ++i) {
+    thirds.push_back(std::abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3]));
+  }
+  constexpr double of_third_difference = 4.47213595499958;  // sqrt(20)
+  return mad_to_sd * statistics::median(std::move(thirds)) / of_third_difference;
+}
+
+}  // namespace
+
+std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
+  constexpr double far_off = 8;          // in standard deviations: one in 1e15
+  constexpr double least_share = 0.005;  // of the torque's usual range
+  constexpr double most_share = 0.1;     // more of them are no outliers
+  constexpr std::size_t fewest_samples = 50;
+  const std::vector<double>& y = recording.torque_Nm;
+  if (y.size() < fewest_samples || y.size() != recording.size()) return {};
+  const double noise = usual_noise(y);
+  std::vector<double> sorted = y;
+  const auto at = [&](double share) {
+    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
+    return sorted[static_cast<std::size_t>(k)];
+  };
+  const double range = at(0.95) - at(0.05);
+  std::vector<std::size_t> out;
+  for (std::size_t i = beside_scale; i + beside_scale < y.size(); ++i) {
+    const double median = median_about(y, i, beside);
+    const double off = std::abs(y[i] - median);
+    if (!(off > far_off * noise) || !(off > least_share * range)) continue;
+    if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale))) out.push_back(i);
+  }
+  if (static_cast<double>(out.size()) > most_share * static_cast<double>(y.size())) return {};
+  return out;
+}
+
+TorqueOutliers replace_torque_outliers(std::vector<joint::Recording>& recordings) {
+  TorqueOutliers found;
+  for (joint::Recording& r : recordings) {
+    const std::vector<std::size_t> outliers = torque_outliers(r);
+    if (outliers.empty()) continue;
+    found.replaced += outliers.size();
+    const double percent =
+        100 * static_cast<double>(outliers.size()) / static_cast<double>(r.size());
+    if (percent > found.worst_percent) {
+      found.worst_percent = percent;
+      found.recording = r.name;
+    }
+    for (std::size_t k = 0; k < outliers.size();) {
+      std::size_t last = k;
+      while (last + 1 < outliers.size() && outliers[last + 1] == outliers[last] + 1) ++last;
+      const std::size_t before = outliers[k] - 1;
+      const std::size_t behind = outliers[last] + 1;
+      for (std::size_t i = before + 1; i < behind; ++i) {
+        const double share = (r.t_s[i] - r.t_s[before]) / (r.t_s[behind] - r.t_s[before]);
+        const double line = std::lerp(r.torque_Nm[before], r.torque_Nm[behind], share);
+        found.largest_Nm = std::max(found.largest_Nm, std::abs(r.torque_Nm[i] - line));
+        r.torque_Nm[i] = line;
+      }
+      k = last + 1;
+    }
+  }
+  return found;
+}
+
+}  // namespace tribolog::method::motion
