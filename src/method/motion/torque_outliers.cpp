@@ -42,6 +42,33 @@ double usual_noise(const std::vector<double>& y) {
   return mad_to_sd * statistics::median(std::move(thirds)) / of_third_difference;
 }
 
+/// Whether the joint speeds up or slows down about a sample as it rarely does: its torque may then
+/// well be a spike.
+class RareMotion {
+ public:
+  explicit RareMotion(const std::vector<double>& q_rad) : q_(q_rad) {
+    std::vector<double> sizes;
+    for (std::size_t i = beside_scale; i + beside_scale < q_.size(); ++i) {
+      sizes.push_back(std::abs(change(i)));
+    }
+    usual_ = mad_to_sd * statistics::median(std::move(sizes));
+  }
+  [[nodiscard]] bool at(std::size_t i) const {
+    constexpr double rare = 5;
+    for (std::size_t k = i - beside; k <= i + beside; ++k) {
+      if (std::abs(change(k)) > rare * usual_) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] double change(std::size_t i) const {
+    return q_[i + beside] - 2 * q_[i] + q_[i - beside];
+  }
+  const std::vector<double>& q_;
+  double usual_{};
+};
+
 }  // namespace
 
 std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
@@ -52,6 +79,7 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   const std::vector<double>& y = recording.torque_Nm;
   if (y.size() < fewest_samples || y.size() != recording.size()) return {};
   const double noise = usual_noise(y);
+  const RareMotion motion(recording.q_rad);
   std::vector<double> sorted = y;
   const auto at = [&](double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
@@ -64,7 +92,9 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
     const double median = median_about(y, i, beside);
     const double off = std::abs(y[i] - median);
     if (!(off > far_off * noise) || !(off > least_share * range)) continue;
-    if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale))) out.push_back(i);
+    if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale)) && !motion.at(i)) {
+      out.push_back(i);
+    }
   }
   if (static_cast<double>(out.size()) > most_share * static_cast<double>(y.size())) return {};
   return out;

@@ -4,7 +4,8 @@
 //
 // Hampel's filter: a sample is compared with the median of the seven about it, in units of the
 // median absolute deviation of a wider window or of the recording's white noise, whichever is
-// larger. A step of friction at a reversal has its like on one side and stays.
+// larger. A step of friction at a reversal has its like on one side and stays; so does a sample
+// beside which the joint speeds up or slows down as it rarely does.
 //
 // It fails where the log is too coarse for the joint: spikes may then be its motion. A recording
 // of which more than a tenth would be replaced is left as it is.
