@@ -29,6 +29,7 @@ struct Ramp {
   double duration_s{12};
   double stiffness_Nm_rad{465};
   double q_start_rad{test::true_q_peak_rad()};
+  double arm_inertia_kgm2{0};  // lets a fast ramp rise past break-away before it shows
 };
 
 joint::Recording ramp_of(const Ramp& ramp) {
@@ -36,7 +37,7 @@ joint::Recording ramp_of(const Ramp& ramp) {
   s.presliding = std::make_shared<friction::LuGreFriction>(friction::LuGreFriction::Parameters{
       ramp.stiffness_Nm_rad, 0.77, 0.001, 0.60, static_Nm, 5.0});
   s.motor_inertia_kgm2 = 2e-3;
-  s.arm_inertia_kgm2 = 0;  // inertia lets a fast ramp rise past break-away before it shows
+  s.arm_inertia_kgm2 = ramp.arm_inertia_kgm2;
   simulate::BreakAwayExperiment e;
   e.centre_rad = ramp.q_start_rad;
   e.rate_Nm_s = std::abs(ramp.rate_Nm_s);
@@ -66,6 +67,25 @@ TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
       EXPECT_EQ(found.samples_used + found.samples_left_out, r.size());
     }
   }
+}
+
+TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
+  Ramp fast{4, 0.5};
+  fast.arm_inertia_kgm2 = 60;
+  Ramp back = fast;
+  back.rate_Nm_s = -4;
+  const std::vector<joint::Recording> r{ramp_of(fast), ramp_of(fast), ramp_of(back), ramp_of(back)};
+  const double inertia_at_joint = (60.0 / gear_ratio + 2e-3 * gear_ratio);
+  const auto bare = method::hysteresis::identify_break_away({&r[0]}, true_gravity);
+  EXPECT_GT(bare.ramps.front().friction_Nm, 1.02 * static_Nm);  // what is read is not held
+  const auto result = method::hysteresis::identify_break_away({&r[0], &r[1], &r[2], &r[3]},
+                                                              true_gravity, inertia_at_joint);
+  ASSERT_TRUE(result.is_level);
+  ASSERT_TRUE(result.mean_Nm);
+  EXPECT_NEAR(result.mean_Nm->value, static_Nm, 0.01 * static_Nm);
+  EXPECT_LE(result.mean_Nm->low, static_Nm);
+  EXPECT_GE(result.mean_Nm->high, static_Nm);
+  EXPECT_GT(result.ramps.front().inertia_Nm, 0);
 }
 
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double fewest_steps = 20;      // across which a speed is taken
 constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
-// Where a ramp ends before it is seen to break away, it may slide from here on.
+// Where the angle's steps are coarse for the contact and a ramp ends before it is seen to break
+// away, it may slide from here on.
 constexpr double yield_that_may_slide = 5;
 constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
@@ -202,7 +203,10 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     if (!(mean_speed > 0)) continue;
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);
-    if (yield > yield_that_may_slide) furthest_at_rest = std::min(furthest_at_rest, i);
+    const bool is_resolved = least <= share_of_travel * travel[i];
+    if (yield > yield_that_may_slide && !is_resolved) {
+      furthest_at_rest = std::min(furthest_at_rest, i);
+    }
     if (yield > yield_at_break_away) {
       ramp.broke_away = true;
       at = i;
