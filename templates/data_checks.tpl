@@ -11,4 +11,13 @@
 {{/CHECK}}</tbody>
 </table>
 </div>
-</section>
+{{#HAS_RULES}}<div class="table-box long" id="table-rules" tabindex="0" role="region" aria-labelledby="table-rules-caption">
+<table class="judged">
+<caption id="table-rules-caption"><span>Rules of the verdict: what the fits show, and the value above which a rule lowers the verdict of the quantities named</span></caption>
+<thead><tr><th scope="col">Rule</th><th scope="col">Result</th><th scope="col" class="number">Measured</th><th scope="col" class="number">Limit</th><th scope="col">What was found, and which quantities it lowers</th></tr></thead>
+<tbody>
+{{#RULE}}<tr id="{{CHECK_ID}}"><th scope="row">{{TITLE}}</th><td><span class="state {{OUTCOME}}"><span aria-hidden="true">{{ICON}}</span> {{STATE}}</span></td><td class="number" data-name="Measured">{{MEASURED}}</td><td class="number" data-name="Limit">{{LIMIT}}</td><td class="words"><p><bdi>{{FOUND}}</bdi></p>{{#CONSEQUENCE_IF}}<p><bdi>{{CONSEQUENCE}}</bdi></p>{{/CONSEQUENCE_IF}}</td></tr>
+{{/RULE}}</tbody>
+</table>
+</div>
+{{/HAS_RULES}}</section>

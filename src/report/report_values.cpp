@@ -19,7 +19,7 @@ using wording::tr_count;
 
 /// Nothing where there are none.
 void fill_quantities(const ReportView& view, TemplateValues& values);
-void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values);
+void fill_data_checks(const ReportView& view, TemplateValues& values);
 
 /// Beside the word and the colour.
 const char* icon_of(Outcome outcome) {
@@ -113,24 +113,28 @@ void fill_quantities(const ReportView& view, TemplateValues& values) {
   for (const QuantityRow& row : rows) fill_row(row, shown, table.add_section("QUANTITY"));
 }
 
-void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values) {
-  if (rows.empty()) return;
+void fill_check(const DataCheckRow& row, TemplateValues& out) {
+  out.set("CHECK_ID", row.id);
+  out.set("TITLE", row.title);
+  out.set_optional("MEASURE", row.measure);
+  out.set("STATE", row.state_word);
+  fill_state(row.outcome, out);
+  out.set("MEASURED", or_dash(row.measured));
+  out.set("LIMIT", or_dash(row.limit));
+  out.set("FOUND", or_dash(row.found));
+  out.set_optional("CONSEQUENCE", row.consequence);
+  out.set_optional("EXPERIMENT", row.experiment);
+  out.set_optional("RECORDING", row.recording);
+}
+
+void fill_data_checks(const ReportView& view, TemplateValues& values) {
+  if (view.data_checks.empty()) return;
   values.add_section("HAS_DATA_CHECKS");
   TemplateValues& table = values.add_include("DATA_CHECKS", "data_checks.tpl");
-  for (const DataCheckRow& row : rows) {
-    TemplateValues& out = table.add_section("CHECK");
-    out.set("CHECK_ID", row.id);
-    out.set("TITLE", row.title);
-    out.set_optional("MEASURE", row.measure);
-    out.set("STATE", row.state_word);
-    fill_state(row.outcome, out);
-    out.set("MEASURED", or_dash(row.measured));
-    out.set("LIMIT", or_dash(row.limit));
-    out.set("FOUND", or_dash(row.found));
-    out.set_optional("CONSEQUENCE", row.consequence);
-    out.set_optional("EXPERIMENT", row.experiment);
-    out.set_optional("RECORDING", row.recording);
-  }
+  for (const DataCheckRow& row : view.data_checks) fill_check(row, table.add_section("CHECK"));
+  if (view.rules.empty()) return;
+  TemplateValues& rules = table.add_section("HAS_RULES");
+  for (const DataCheckRow& row : view.rules) fill_check(row, rules.add_section("RULE"));
 }
 
 }  // namespace
@@ -237,7 +241,7 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   fill_findings(view.findings, verdict);
 
   fill_quantities(view, values);
-  fill_data_checks(view.data_checks, values);
+  fill_data_checks(view, values);
   fill_conversions(view.conversion_tables, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
   fill_missing(view.missing, values);

@@ -140,6 +140,7 @@ ReportView make_report_view(const calibration::Calibration& c,
     view.last_id = since_last->first.id.substr(0, calibration::shown_digits);
   }
   view.data_checks = data_check_rows(c.data_checks);
+  view.rules = rule_rows(c.judgement.rules);
   view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);
   for (const StageId stage : all_stages) {

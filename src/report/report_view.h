@@ -136,6 +136,7 @@ struct ReportView {
   std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.
   std::string last_id;
   std::vector<DataCheckRow> data_checks;
+  std::vector<DataCheckRow> rules;  ///< Of the verdict, in the same columns.
   Table key_numbers;
   std::vector<MissingResult> missing;
   std::vector<Section> sections;         ///< Stages 1 to 8, then what was recorded beyond.

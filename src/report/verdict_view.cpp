@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -193,6 +196,58 @@ std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult
     row.found = as_sentence(check.found);
     row.consequence = as_sentence(check.consequence);
     row.experiment = as_sentence(check.experiment);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+namespace {
+
+Outcome outcome_of(const calibration::RuleOutcome& rule) {
+  switch (rule.state) {
+    case calibration::RuleState::kept:
+      return Outcome::good;
+    case calibration::RuleState::broken:
+      return rule.lowers_to == calibration::Verdict::not_identifiable ? Outcome::bad
+                                                                      : Outcome::partial;
+    case calibration::RuleState::not_computed:
+      break;
+  }
+  return Outcome::absent;
+}
+
+std::string word_of(const calibration::RuleOutcome& rule) {
+  switch (rule.state) {
+    case calibration::RuleState::kept:
+      return tr("kept");
+    case calibration::RuleState::broken:
+      return rule.lowers_to == calibration::Verdict::usable ? tr("noted")
+                                                            : verdict_in_words(rule.lowers_to);
+    case calibration::RuleState::not_computed:
+      break;
+  }
+  return tr("not computed");
+}
+
+}  // namespace
+
+std::vector<DataCheckRow> rule_rows(const std::vector<calibration::RuleOutcome>& rules) {
+  std::vector<DataCheckRow> rows;
+  for (const calibration::RuleOutcome& rule : rules) {
+    DataCheckRow row;
+    row.id = "rule-" + rule.rule;
+    std::replace(row.id.begin(), row.id.end(), '_', '-');
+    row.title = wording::words_for("rule", rule.rule);
+    row.outcome = outcome_of(rule);
+    row.state_word = word_of(rule);
+    if (rule.value) row.measured = with_the_unit(*rule.value, rule.unit, 3);
+    row.limit = "≤ " + with_the_unit(rule.threshold, rule.unit, 3);
+    row.found = as_sentence(rule.finding);
+    std::vector<std::string> names;
+    for (const joint::Quantity q : rule.quantities) {
+      names.push_back(wording::words_for("quantity", to_string(q)));
+    }
+    row.consequence = fmt::format("{}", fmt::join(names, ", "));
     rows.push_back(std::move(row));
   }
   return rows;
