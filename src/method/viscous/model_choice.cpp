@@ -294,8 +294,10 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
     none.sentence = {"curve_model.no_curve"};
     return none;
   }
-  CurveModelChoice out = choose_curve_model(curve_samples(curves, *curve), curves.from_sweep);
+  const std::vector<CurveSample> samples = curve_samples(curves, *curve);
+  CurveModelChoice out = choose_curve_model(samples, curves.from_sweep);
   out.curve = estimator;
+  if (out.chosen_any && !curves.from_sweep) out.sliding = fit_sliding_law(samples, out.chosen);
   return out;
 }
 

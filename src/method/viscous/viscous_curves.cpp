@@ -24,6 +24,7 @@ struct RunSource {
 struct BlockMean {
   double mean{};
   double half_width{};  // 95 %, from the scatter of the blocks
+  double standard_error{};
   std::vector<double> blocks;
 };
 
@@ -43,11 +44,12 @@ BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
     means[b] = sum / static_cast<double>(to - from);
     mean += sum / static_cast<double>(n);
   }
-  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity(), {}};
+  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity(), 0, {}};
   double squares = 0;
   for (double m : means) squares += (m - mean) * (m - mean);
   const auto b = static_cast<double>(blocks);
-  return {mean, statistics::student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b),
+  const double standard_error = std::sqrt(squares / (b - 1) / b);
+  return {mean, statistics::student_t_975(b - 1) * standard_error, standard_error,
           std::move(means)};
 }
 
@@ -96,6 +98,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
     }
   }
   run.torque_half_width_Nm = friction.half_width;
+  run.torque_standard_error_Nm = friction.standard_error;
   blocks_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
