@@ -50,6 +50,7 @@ Json sliding_law(const method::viscous::SlidingLaw& l, double n) {
           {"highest_exponent", number(l.highest_exponent)},
           {"viscous_exponent", number(l.viscous_exponent)},
           {"scatter_Nm", number(l.scatter_Nm)},
+          {"direction_scatter_Nm", number(l.direction_scatter_Nm)},
           {"residual_Nm", number(l.residual_Nm)},
           {"speeds", l.speeds},
           {"left_out", std::move(left_out)}};

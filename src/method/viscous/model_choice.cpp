@@ -9,6 +9,7 @@
 
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
+#include "method/viscous/torque_ceiling.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -297,7 +298,14 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
   const std::vector<CurveSample> samples = curve_samples(curves, *curve);
   CurveModelChoice out = choose_curve_model(samples, curves.from_sweep);
   out.curve = estimator;
-  if (out.chosen_any && !curves.from_sweep) out.sliding = fit_sliding_law(samples, out.chosen);
+  if (out.chosen_any && !curves.from_sweep) {
+    out.sliding = fit_sliding_law(samples, out.chosen);
+    const TorqueCeiling ceiling = torque_ceiling(curves);
+    if (ceiling.runs > 0) {
+      out.sliding.doubt({"check.torque_saturation_of_runs",
+                         {{"runs", ceiling.runs}, {"torque_Nm", ceiling.torque_Nm}}});
+    }
+  }
   return out;
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Dense>
+
 #include "method/viscous/law_scan.h"
 #include "statistics/distributions.h"
 
@@ -12,11 +14,10 @@ namespace tribolog::method::viscous {
 namespace {
 
 constexpr std::size_t fewest_speeds_of_law = 3;
-constexpr std::size_t fewest_for_a_dip = 6;
 constexpr double line_parameters = 2;
 constexpr double dip_parameters = 4;
 constexpr double line_excluded = 0.01;   // chance at which the straight line is
-constexpr double power_excluded = 0.01;  // and a viscous term linear in speed
+constexpr double shape_excluded = 0.01;  // and d = 2, or a viscous term linear in speed
 constexpr double stray = 0.01;           // after Holm's correction
 constexpr double least_stray = 0.005;    // of the friction: what matters
 constexpr double strays_per_speed = 0.2;
@@ -26,6 +27,8 @@ constexpr std::size_t speeds_tried = 40;
 /// One speed with all of its runs.
 struct Speed {
   SpeedMean mean;
+  bool has_both{};           ///< Directions.
+  double half_difference{};  ///< Friction of rising less that of falling, halved; if it has both.
   std::vector<std::size_t> runs;
 };
 
@@ -132,6 +135,8 @@ std::vector<Speed> speeds_of(const std::vector<CurveSample>& samples, const Curv
     s.mean.speed_rad_s = g.speed / g.count;
     s.mean.load = g.load / g.count;
     if (g.rising.count > 0 && g.falling.count > 0) {
+      s.has_both = true;
+      s.half_difference = (g.rising.friction - g.falling.friction) / 2;
       s.mean.friction_Nm = (g.rising.friction + g.falling.friction) / 2;
       s.mean.variance = (g.rising.variance_of_mean() + g.falling.variance_of_mean()) / 4;
     } else {
@@ -164,6 +169,53 @@ const LawPoint* best_of(const std::vector<LawPoint>& points) {
   return at == points.end() ? nullptr : &*at;
 }
 
+/// The scatter, squared, at which a fit leaves as much as its freedom lets expect.
+/// @param largest friction.
+template <class Leaves>
+double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
+  if (leaves(0) <= freedom) return 0;
+  double low = std::log(1e-14 * largest * largest);
+  double high = std::log(largest * largest);
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    (leaves(std::exp(middle)) > freedom ? low : high) = middle;
+  }
+  return std::exp((low + high) / 2);
+}
+
+/// Scatter of the difference of the directions between speeds, squared, beyond what the runs show
+/// by themselves. A difference that is constant (gravity, offset), a share of the friction or
+/// proportional to the speed is no scatter. 0 if none is significant beyond `scatter2`.
+double direction_scatter2(const std::vector<Speed>& speeds, double scatter2) {
+  constexpr Eigen::Index terms = 3;
+  std::vector<const Speed*> both;
+  double largest = 0;
+  for (const Speed& s : speeds) {
+    if (!s.has_both) continue;
+    both.push_back(&s);
+    largest = std::max(largest, std::abs(s.mean.friction_Nm));
+  }
+  const auto n = static_cast<Eigen::Index>(both.size());
+  const auto freedom = static_cast<double>(n - terms);
+  if (freedom < 2) return 0;
+  const auto leaves = [&](double scatter) {
+    Eigen::MatrixXd x(n, terms);
+    Eigen::VectorXd y(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Speed& s = *both[static_cast<std::size_t>(i)];
+      const double weight = 1 / std::sqrt(s.mean.variance + scatter);
+      x.row(i) << weight, weight * s.mean.friction_Nm / largest, weight * s.mean.speed_rad_s;
+      y(i) = weight * s.half_difference;
+    }
+    const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
+    return (y - x * c).squaredNorm();
+  };
+  constexpr double sure = 1e6;  // degrees of freedom of an error that is known
+  if (statistics::f_upper_tail(leaves(scatter2) / freedom, freedom, sure) > 0.01) return 0;
+  return root_of_scatter(leaves, freedom, largest);
+}
+
 /// Laws against one set of speeds.
 class Laws {
  public:
@@ -176,10 +228,15 @@ class Laws {
     }
   }
 
+  /// All speeds ws, at d and p as they are.
   [[nodiscard]] LawGrid whole_grid() const {
     constexpr double below_slowest = 30;
     constexpr double beyond_fastest = 3;
-    return {{2.0}, {1.0}, load_, slowest_ / below_slowest, beyond_fastest * fastest_};
+    return {{exponent_}, {power_}, load_, slowest_ / below_slowest, beyond_fastest * fastest_};
+  }
+  void set_shape(double exponent, double power) {
+    exponent_ = exponent;
+    power_ = power;
   }
   [[nodiscard]] double freedom(double parameters) const {
     return static_cast<double>(means_.size()) - parameters - (load_ ? 1 : 0);
@@ -190,12 +247,12 @@ class Laws {
   [[nodiscard]] std::vector<LawPoint> scan(const LawGrid& grid) const {
     return scan_laws(means_, scatter2_, grid, speeds_tried);
   }
-  /// The best law with d = 2; the line where none is better.
-  [[nodiscard]] LawPoint gauss() const {
-    const LawPoint straight = line();
+  /// The best law at d and p; the line where none is better.
+  [[nodiscard]] LawPoint best() const {
+    const LawPoint straight = line(power_);
     if (!can_dip()) return straight;
-    const std::optional<LawPoint> best = best_law(whole_grid());
-    return best && best->chi2 < straight.chi2 ? *best : straight;
+    const std::optional<LawPoint> dip = best_law(whole_grid());
+    return dip && dip->chi2 < straight.chi2 ? *dip : straight;
   }
   /// By scans that close in on it.
   [[nodiscard]] std::optional<LawPoint> best_law(LawGrid grid) const {
@@ -214,7 +271,7 @@ class Laws {
     return best;
   }
   [[nodiscard]] bool can_dip() const { return freedom(dip_parameters) >= 2; }
-  [[nodiscard]] double gauss_freedom() const {
+  [[nodiscard]] double best_freedom() const {
     return freedom(can_dip() ? dip_parameters : line_parameters);
   }
   [[nodiscard]] double scatter2() const { return scatter2_; }
@@ -227,40 +284,28 @@ class Laws {
   void find_scatter() {
     scatter2_ = 0;
     constexpr int rounds = 3;
-    const double freedom = gauss_freedom();
+    const double freedom = best_freedom();
     if (!(freedom > 0)) return;
     for (int k = 0; k < rounds; ++k) {
-      const LawPoint law = gauss();
+      const LawPoint law = best();
       const auto leaves = [&](double scatter2) {
-        if (!law.has_excess) return line_at(means_, scatter2, 1.0, load_).chi2;
-        const LawGrid one{{law.exponent}, {1.0}, load_, law.speed_rad_s, law.speed_rad_s};
+        if (!law.has_excess) return line_at(means_, scatter2, law.power, load_).chi2;
+        const LawGrid one{{law.exponent}, {law.power}, load_, law.speed_rad_s, law.speed_rad_s};
         const std::vector<LawPoint> at = scan_laws(means_, scatter2, one, 2);
         return at.empty() ? 0.0 : at.front().chi2;
       };
       const double before = scatter2_;
-      scatter2_ = root_of_scatter(leaves, freedom);
+      scatter2_ = root_of_scatter(leaves, freedom, largest_);
       if (std::abs(scatter2_ - before) <= 1e-3 * before) break;
     }
   }
   void set_scatter2(double scatter2) { scatter2_ = scatter2; }
 
  private:
-  template <class Leaves>
-  [[nodiscard]] double root_of_scatter(const Leaves& leaves, double freedom) const {
-    if (leaves(0) <= freedom) return 0;
-    double low = std::log(1e-14 * largest_ * largest_);
-    double high = std::log(largest_ * largest_);
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i) {
-      const double middle = (low + high) / 2;
-      (leaves(std::exp(middle)) > freedom ? low : high) = middle;
-    }
-    return std::exp((low + high) / 2);
-  }
-
   std::vector<SpeedMean> means_;
   bool load_{};
   double slowest_{}, fastest_{}, largest_{};
+  double exponent_{2}, power_{1};
   double scatter2_{};
 };
 
@@ -287,11 +332,11 @@ std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load)
       Laws others(means_of(speeds, i), load);
       if (!others.can_dip()) return out;
       others.find_scatter();
-      const LawPoint law = others.gauss();
+      const LawPoint law = others.best();
       Laws all(means_of(speeds, no_speed), load);
       all.set_scatter2(others.scatter2());
-      const double freedom = others.gauss_freedom();
-      const double f = (all.gauss().chi2 - law.chi2) / (law.chi2 / freedom);
+      const double freedom = others.best_freedom();
+      const double f = (all.best().chi2 - law.chi2) / (law.chi2 / freedom);
       const double chance = statistics::f_upper_tail(f, 1, freedom);
       const SpeedMean& m = speeds[i].mean;
       const double w = m.speed_rad_s;
@@ -394,6 +439,13 @@ Hulls hulls_of(const Laws& laws, LawGrid grid, const LawPoint& law, double limit
 
 }  // namespace
 
+void SlidingLaw::doubt(const Statement& why) {
+  findings.insert(findings.begin(), why);
+  for (SlidingQuantity* q : {&coulomb_Nm, &stribeck_speed_rad_s, &viscous_Nms_rad}) {
+    if (q->estimate) q->why_not = why;
+  }
+}
+
 double SlidingLaw::friction_Nm(double speed_rad_s) const {
   const double share = speed_rad_s / fastest_rad_s;
   double friction = level_Nm + rise_Nm * std::pow(share, viscous_exponent);
@@ -403,6 +455,153 @@ double SlidingLaw::friction_Nm(double speed_rad_s) const {
   return friction;
 }
 
+namespace {
+
+/// Whether the runs show the dip from both sides.
+struct DipCover {
+  std::size_t below{};   ///< Speeds at which more than 1/e of the excess is left.
+  std::size_t beyond{};  ///< Speeds at which next to nothing of it is left.
+};
+
+DipCover cover_of(const std::vector<SpeedMean>& means, double dip_rad_s) {
+  constexpr double gone = 2;  // times ws: exp(-4)
+  DipCover out;
+  for (const SpeedMean& m : means) {
+    if (m.speed_rad_s <= dip_rad_s) ++out.below;
+    if (m.speed_rad_s >= gone * dip_rad_s) ++out.beyond;
+  }
+  return out;
+}
+
+/// The laws that describe the speeds, and the one that is taken.
+struct Choice {
+  LawPoint law;
+  bool has_dip{};
+  double freedom{};
+  double limit{};  ///< chi2 up to which a law is not excluded.
+};
+
+void take_limit(Choice& choice) {
+  choice.limit = choice.law.chi2 *
+                 (1 + std::pow(statistics::student_t_975(choice.freedom), 2) / choice.freedom);
+}
+
+/// The simplest that is not excluded: line, d = 2, any d; then p = 1, any p.
+Choice choose(Laws& laws, double direction_scatter) {
+  const auto find_scatter = [&] {
+    laws.find_scatter();
+    laws.set_scatter2(std::max(laws.scatter2(), direction_scatter));
+  };
+  find_scatter();
+  Choice out;
+  out.law = laws.line();
+  out.freedom = laws.freedom(line_parameters);
+  const double freedom = laws.freedom(dip_parameters);
+  if (laws.can_dip()) {
+    const std::optional<LawPoint> gauss = laws.best_law(laws.whole_grid());
+    out.has_dip = gauss && chance_of_gain(out.law.chi2, gauss->chi2, 2, freedom) < line_excluded;
+    if (out.has_dip) {
+      out.law = *gauss;
+      out.freedom = freedom;
+    }
+  }
+  const double left = out.freedom - 1;
+  if (left < 2) {
+    take_limit(out);
+    return out;
+  }
+  // Another exponent, of the excess or of the viscous term, where the simple one is excluded.
+  struct Rival {
+    LawPoint law;
+    double chance{1};
+  };
+  const auto rival = [&](const std::vector<double>& exponents_tried,
+                         const std::vector<double>& powers_tried) {
+    std::optional<LawPoint> best;
+    if (out.has_dip) {
+      LawGrid grid = laws.whole_grid();
+      grid.exponents = exponents_tried;
+      grid.powers = powers_tried;
+      best = laws.best_law(grid);
+    } else {
+      for (const double power : powers_tried) {
+        const LawPoint at = laws.line(power);
+        if (!best || at.chi2 < best->chi2) best = at;
+      }
+    }
+    return best ? Rival{*best, chance_of_gain(out.law.chi2, best->chi2, 1, left)} : Rival{};
+  };
+  const Rival sharper = out.has_dip ? rival(exponents(), {1.0}) : Rival{};
+  const Rival curved = rival({2.0}, powers());
+  const Rival& better = sharper.chance < curved.chance ? sharper : curved;
+  if (better.chance < shape_excluded) {
+    out.law = better.law;
+    out.freedom = left;
+    laws.set_shape(out.law.exponent, out.law.power);
+    find_scatter();
+    out.law = out.has_dip ? laws.best() : laws.line(out.law.power);
+  }
+  take_limit(out);
+  return out;
+}
+
+Hulls hulls_about(const Laws& laws, const Choice& choice) {
+  LawGrid grid = laws.whole_grid();
+  grid.exponents = exponents();
+  const bool is_curved = choice.law.power != 1;
+  if (is_curved) grid.powers = powers();
+  // Where no dip shows, friction that falls over the whole range just as a straight line would
+  // have it is no rival: that takes an accident.
+  constexpr double farthest_hidden = 1.0 / 3;
+  if (!choice.has_dip) grid.fastest_speed = farthest_hidden * laws.fastest();
+  Hulls hulls;
+  if (laws.can_dip() && grid.slowest_speed < grid.fastest_speed)
+    hulls = hulls_of(laws, grid, choice.law, choice.limit);
+  for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, hulls);
+  add_points({choice.law}, choice.limit, hulls);
+  return hulls;
+}
+
+void add_findings(const Laws& laws, SlidingLaw& law) {
+  if (!law.left_out.empty()) {
+    double farthest = 0;
+    double its_speed = 0;
+    for (const StrayFriction& s : law.left_out) {
+      if (std::abs(s.off_Nm) <= std::abs(farthest)) continue;
+      farthest = s.off_Nm;
+      its_speed = s.speed_rad_s;
+    }
+    law.findings.push_back({"cause.outliers_of_speeds",
+                            {{"speeds", law.left_out.size()},
+                             {"all", law.left_out.size() + law.speeds},
+                             {"speed_rad_s", its_speed},
+                             {"off_Nm", farthest}}});
+  }
+  if (!law.has_dip) {
+    law.findings.push_back({"cause.stribeck_not_shown", {{"slowest_rad_s", laws.slowest()}}});
+    return;
+  }
+  constexpr std::size_t enough = 3;
+  const DipCover cover = cover_of(laws.means(), law.dip_rad_s);
+  if (cover.below < enough || cover.beyond < enough) {
+    law.findings.push_back({"cause.stribeck_at_the_edge",
+                            {{"stribeck_rad_s", law.dip_rad_s},
+                             {"below", cover.below},
+                             {"beyond", cover.beyond},
+                             {"needed", enough}}});
+  }
+}
+
+double residual_of(const SlidingLaw& law, const std::vector<SpeedMean>& means, double load_Nm) {
+  double squares = 0;
+  for (const SpeedMean& m : means) {
+    squares += std::pow(m.friction_Nm - law.friction_Nm(m.speed_rad_s) - load_Nm * m.load, 2);
+  }
+  return std::sqrt(squares / static_cast<double>(means.size()));
+}
+
+}  // namespace
+
 SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveModel& terms) {
   SlidingLaw out;
   if (group_count(samples) < fewest_speeds_of_law) return out;
@@ -410,57 +609,51 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
   floor_variances(speeds);
   out.left_out = without_strays(speeds, terms.load);
   Laws laws(means_of(speeds, no_speed), terms.load);
-  if (!(laws.largest() > 0) || !(laws.freedom(line_parameters) > 0)) return out;
+  const bool can_fit = laws.largest() > 0 && laws.freedom(line_parameters) >= 1;
+  if (!can_fit || !std::isfinite(laws.line().chi2)) return out;
   laws.find_scatter();
-  out.speeds = speeds.size();
-  out.scatter_Nm = std::sqrt(laws.scatter2());
-
-  const LawPoint line = laws.line();
-  if (!std::isfinite(line.chi2)) return out;
-  LawGrid grid = laws.whole_grid();
-  std::optional<LawPoint> gauss;
-  if (laws.can_dip()) gauss = laws.best_law(grid);
-  const double freedom = laws.freedom(dip_parameters);
-  out.has_dip = gauss && chance_of_gain(line.chi2, gauss->chi2, 2, freedom) < line_excluded;
-  LawPoint law = out.has_dip ? *gauss : line;
-
-  const double law_freedom = laws.freedom(out.has_dip ? dip_parameters : line_parameters);
-  const double least_scale = 0.0;
-  double scale = std::max(least_scale, law.chi2 / law_freedom);
-  const auto limit_of = [&](double chi2, double scale2, double freedom_left) {
-    return chi2 + scale2 * std::pow(statistics::student_t_975(freedom_left), 2);
-  };
-  double limit = limit_of(law.chi2, scale, law_freedom);
-  grid.exponents = exponents();
-  if (out.has_dip) {
-    // An exponent of its own where 2 is excluded.
-    const std::optional<LawPoint> any = laws.best_law(grid);
-    const double left = freedom - 1;
-    if (any && left >= 1 && chance_of_gain(law.chi2, any->chi2, 1, left) < 0.05) {
-      law = *any;
-      limit = limit_of(law.chi2, law.chi2 / left, left);
-    }
-  }
-  Hulls hulls;
-  if (laws.can_dip()) hulls = hulls_of(laws, grid, law, limit);
-  const bool line_is_possible = line.chi2 <= limit || !out.has_dip;
-  if (line_is_possible) add_points({line}, limit, hulls);
+  const double direction_scatter = direction_scatter2(speeds, laws.scatter2());
+  const Choice choice = choose(laws, direction_scatter);
+  const Hulls hulls = hulls_about(laws, choice);
 
   out.fitted = true;
-  out.level_Nm = law.coulomb_Nm;
-  out.excess_Nm = law.excess_Nm;
-  out.dip_rad_s = law.speed_rad_s;
+  out.speeds = speeds.size();
+  out.has_dip = choice.has_dip;
+  out.scatter_Nm = std::sqrt(laws.scatter2());
+  out.level_Nm = choice.law.coulomb_Nm;
+  out.excess_Nm = choice.law.excess_Nm;
+  out.dip_rad_s = choice.law.speed_rad_s;
   out.fastest_rad_s = laws.fastest();
-  out.rise_Nm = law.slope * laws.fastest() / law.power;
-  out.stribeck_exponent = law.exponent;
+  out.rise_Nm = choice.law.slope * laws.fastest() / choice.law.power;
+  out.stribeck_exponent = choice.law.exponent;
+  out.viscous_exponent = choice.law.power;
   if (hulls.exponent.any()) {
     out.lowest_exponent = hulls.exponent.low;
     out.highest_exponent = hulls.exponent.high;
   }
-  out.coulomb_Nm.estimate = hulls.coulomb.about(law.coulomb_Nm);
-  out.viscous_Nms_rad.estimate = hulls.slope.about(law.slope);
-  out.residual_Nm = 0;
-  if (out.has_dip) out.stribeck_speed_rad_s.estimate = hulls.speed.about(law.speed_rad_s);
+  out.residual_Nm = residual_of(out, laws.means(), choice.law.load_Nm);
+  out.coulomb_Nm.estimate = hulls.coulomb.about(choice.law.coulomb_Nm);
+  out.viscous_Nms_rad.estimate = hulls.slope.about(choice.law.slope);
+  add_findings(laws, out);
+  out.direction_scatter_Nm = std::sqrt(direction_scatter);
+  if (out.has_dip) {
+    out.stribeck_speed_rad_s.estimate = hulls.speed.about(choice.law.speed_rad_s);
+  } else {
+    out.stribeck_speed_rad_s.why_not = out.findings.back();
+  }
+  if (out.viscous_exponent != 1) {
+    out.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
+                                   {{"exponent", out.viscous_exponent}}};
+    out.findings.push_back(out.viscous_Nms_rad.why_not);
+  }
+  // The mean of the directions is friction only where both tell of the same.
+  constexpr double matters = 0.005;
+  if (out.direction_scatter_Nm > matters * out.level_Nm) {
+    const Statement disagree{"cause.outliers_between_directions",
+                             {{"scatter_Nm", out.direction_scatter_Nm},
+                              {"percent", 100 * out.direction_scatter_Nm / out.level_Nm}}};
+    out.doubt(disagree);
+  }
   return out;
 }
 

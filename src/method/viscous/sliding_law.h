@@ -63,11 +63,15 @@ struct SlidingLaw {
   double highest_exponent{2};
   double viscous_exponent{1};  ///< p; other than 1 only where 1 is excluded.
   double scatter_Nm{};         ///< Between speeds, beyond the scatter within the runs.
-  double residual_Nm{};        ///< Root mean square over the speeds.
-  std::size_t speeds{};        ///< That took part.
+  /// Of half the difference of the directions, between speeds, where it is significant; else 0.
+  double direction_scatter_Nm{};
+  double residual_Nm{};  ///< Root mean square over the speeds.
+  std::size_t speeds{};  ///< That took part.
   std::vector<StrayFriction> left_out;
-  std::vector<Statement> findings;  ///< cause.stribeck, cause.outliers
+  std::vector<Statement> findings;  ///< "cause.stribeck...", "cause.outliers...", "check..."
 
+  /// All three are doubtful for this, which is a finding too.
+  void doubt(const Statement& why);
   /// Of the law at a motor speed >= 0. Valid if fitted.
   [[nodiscard]] double friction_Nm(double speed_rad_s) const;
 };

@@ -72,7 +72,7 @@ struct ViscousCurvesResult {
   DirectionAngles angles;
   bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
-  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling, wild samples.
   std::size_t recordings_without_plateau{};
 
   [[nodiscard]] const ViscousCurve* find(std::optional<hysteresis::Estimator> estimator) const;
