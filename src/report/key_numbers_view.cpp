@@ -298,7 +298,8 @@ class KeyNumbers {
     const auto& viscous_Nms_rad = headline.viscous_Nms_rad.estimate;
     const std::string from = source_of(headline);
     const std::string coulomb = tr("Coulomb torque");
-    if (refused(Quantity::coulomb_torque) && coulomb_Nm) {
+    const bool has_law = headline.source == calibration::HeadlineSource::sliding_law;
+    if (refused(Quantity::coulomb_torque) && (coulomb_Nm || has_law)) {
       see_the_verdict(coulomb);
     } else if (coulomb_Nm) {
       sides(coulomb, *coulomb_Nm, n_, wording::torque_scale, from);

@@ -104,6 +104,10 @@ const Messages& viscous_messages() {
        text("{runs} runs of different speeds have the same largest torque, {torque_Nm:.4g} N·m at "
             "the motor, where those of the other direction differ: the drive's limit sets it, not "
             "the joint")},
+      {"curve_model.no_coulomb_torque",
+       text(
+           "the curve follows Waiboer's eq. (6), which has no Coulomb torque: without its Stribeck "
+           "term friction goes to zero with the speed")},
       {"curve_model.viscous_not_linear",
        text("friction does not grow in proportion to speed but with its power {exponent:.2g}: the "
             "viscous coefficient is the slope at the fastest speed alone")},

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 
@@ -29,13 +28,12 @@ bool is_on_few_levels(const std::vector<double>& torque, double step) {
 }  // namespace
 
 PlateauSamples samples_that_count(const joint::Recording& recording, const motion::Plateau& plateau,
-                                  const std::vector<double>& friction_Nm) {
+                                  const std::vector<double>& friction_Nm, double step) {
   PlateauSamples out{plateau.first, plateau.last, std::vector<char>(plateau.size(), 1), 0, 0};
   const auto at = [&](std::size_t i) {
     return recording.torque_Nm.begin() + static_cast<std::ptrdiff_t>(i);
   };
   const std::vector<double> torque(at(plateau.first), at(plateau.last));
-  const double step = motion::common_step(recording.torque_Nm);
   if (step > 0 && is_on_few_levels(torque, step)) out.rounding_error_Nm = step / std::sqrt(12.0);
 
   const double middle = statistics::median(friction_Nm);

@@ -27,7 +27,8 @@ struct PlateauSamples {
 };
 
 /// @param friction_Nm torque less gravity, per sample of the plateau.
+/// @param step_Nm that the torque is rounded to; 0: it is not.
 PlateauSamples samples_that_count(const joint::Recording& recording, const motion::Plateau& plateau,
-                                  const std::vector<double>& friction_Nm);
+                                  const std::vector<double>& friction_Nm, double step_Nm);
 
 }  // namespace tribolog::method::viscous

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "joint/degrees.h"
+#include "method/motion/encoder_resolution.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/paired_sweep.h"
 #include "method/viscous/plateau_samples.h"
@@ -66,19 +67,20 @@ BlockMean block_mean(const PlateauSamples& samples, std::size_t first, std::size
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
 /// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
+/// @param torque_step_Nm that the torque is rounded to; 0: it is not.
 /// @param samples receives those of the plateau that count.
 /// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
-                          const gravity::Ripple& ripple, PlateauSamples& samples,
-                          std::vector<double>& blocks_Nm) {
+                          const gravity::Ripple& ripple, double torque_step_Nm,
+                          PlateauSamples& samples, std::vector<double>& blocks_Nm) {
   const auto friction_at = [&](std::size_t i) {
     return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
   };
   std::vector<double> friction_Nm;
   friction_Nm.reserve(plateau.size());
   for (std::size_t i = plateau.first; i < plateau.last; ++i) friction_Nm.push_back(friction_at(i));
-  samples = samples_that_count(r, plateau, friction_Nm);
+  samples = samples_that_count(r, plateau, friction_Nm, torque_step_Nm);
 
   ConstantSpeedRun run;
   run.recording = r.name;
@@ -285,14 +287,19 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
                          : of_runs != nullptr ? of_runs->gravity_Nm.value
                                               : 0.0;
   std::vector<RunSource> sources;
+  // A slow run may stay on one value all along: the others tell the step.
+  double step_Nm = 0;
+  for (const joint::Recording* r : recordings) {
+    step_Nm = std::max(step_Nm, motion::common_step(r->torque_Nm));
+  }
   for (const joint::Recording* r : recordings) {
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, {}});
       made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, samples,
-                                  made.block_friction_Nm.back()));
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, step_Nm,
+                                  samples, made.block_friction_Nm.back()));
       out.samples_used += samples.size();
       out.samples_left_out += samples.left_out;
     }
