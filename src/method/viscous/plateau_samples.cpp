@@ -34,7 +34,12 @@ PlateauSamples samples_that_count(const joint::Recording& recording, const motio
     return recording.torque_Nm.begin() + static_cast<std::ptrdiff_t>(i);
   };
   const std::vector<double> torque(at(plateau.first), at(plateau.last));
-  if (step > 0 && is_on_few_levels(torque, step)) out.rounding_error_Nm = step / std::sqrt(12.0);
+  // Neighbouring speeds and both directions round alike: their mean has the error of one of them,
+  // and the curve bends by it where independent errors would cancel.
+  constexpr double in_common = 2;
+  if (step > 0 && is_on_few_levels(torque, step)) {
+    out.rounding_error_Nm = in_common * step / std::sqrt(12.0);
+  }
 
   const double middle = statistics::median(friction_Nm);
   std::vector<double> off(friction_Nm.size());
