@@ -29,6 +29,33 @@ Json coulomb_viscous(const method::selection::CoulombViscousFit& f, double n) {
           {"fastest_rad_s", number(f.fastest_rad_s)}};
 }
 
+Json sliding_quantity(const method::viscous::SlidingQuantity& q, double to_joint) {
+  return {{"estimate", q.estimate ? both_sides(*q.estimate, to_joint) : Json(nullptr)},
+          {"why_not", words_or_null(q.why_not)},
+          {"why_not_code", code_of(q.why_not)}};
+}
+
+Json sliding_law(const method::viscous::SlidingLaw& l, double n) {
+  Json left_out = Json::array();
+  for (const method::viscous::StrayFriction& s : l.left_out) {
+    left_out.push_back({{"speed_rad_s", number(s.speed_rad_s)}, {"off_Nm", number(s.off_Nm)}});
+  }
+  return {{"coulomb_Nm", sliding_quantity(l.coulomb_Nm, n)},
+          {"stribeck_speed_rad_s", sliding_quantity(l.stribeck_speed_rad_s, 1 / n)},
+          {"viscous_Nms_rad", sliding_quantity(l.viscous_Nms_rad, n * n)},
+          {"has_dip", l.has_dip},
+          {"excess_Nm", number(l.excess_Nm)},
+          {"stribeck_exponent", number(l.stribeck_exponent)},
+          {"lowest_exponent", number(l.lowest_exponent)},
+          {"highest_exponent", number(l.highest_exponent)},
+          {"viscous_exponent", number(l.viscous_exponent)},
+          {"scatter_Nm", number(l.scatter_Nm)},
+          {"direction_scatter_Nm", number(l.direction_scatter_Nm)},
+          {"residual_Nm", number(l.residual_Nm)},
+          {"speeds", l.speeds},
+          {"left_out", std::move(left_out)}};
+}
+
 }  // namespace
 
 Json friction(const Calibration& c, double n) {
@@ -36,9 +63,12 @@ Json friction(const Calibration& c, double n) {
   Json made{{"curve", text_or_null(to_string(f.curve))},
             {"waiboer", nullptr},
             {"coulomb_viscous", nullptr},
+            {"sliding_law", nullptr},
             {"lugre", nullptr}};
   if (f.waiboer) made["waiboer"] = waiboer(*f.waiboer, n);
   if (f.coulomb_viscous) made["coulomb_viscous"] = coulomb_viscous(*f.coulomb_viscous, n);
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (law.fitted) made["sliding_law"] = sliding_law(law, n);
   if (c.lugre) made["lugre"] = lugre(*c.lugre, n);
   return made;
 }

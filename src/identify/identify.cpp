@@ -186,6 +186,11 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        p.friction = method::selection::fit_friction_parameters(p.c.viscous, p.c.selection);
      }},
+    {"",
+     [](Progress& p) {
+       p.c.curve_model =
+           method::viscous::choose_curve_model(p.c.viscous, p.c.selection.recommended);
+     }},
 };
 
 /// Whether the data can carry the chain, what the paper has not, and how sure all of it is.
@@ -204,11 +209,6 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        p.c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
            p.c.viscous, p.recommended_mass(), p.c.rough.offset_Nm);
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.curve_model =
-           method::viscous::choose_curve_model(p.c.viscous, p.c.selection.recommended);
      }},
     {"",
      [](Progress& p) {

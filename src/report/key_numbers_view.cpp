@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/curve_headline.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -280,29 +281,36 @@ class KeyNumbers {
     table_.rows.push_back(not_identified_row(quantity, tr("see the verdict on it")));
   }
 
+  [[nodiscard]] static std::string source_of(const calibration::CurveHeadline& headline) {
+    using calibration::HeadlineSource;
+    if (headline.source == HeadlineSource::sweep) {
+      return tr("stage {stage}, sweep", {{"stage", stage_number(StageId::cog_rough)}});
+    }
+    const int stage = stage_number(StageId::parameters);
+    return headline.source == HeadlineSource::sliding_law
+               ? tr("stage {stage}, sliding law", {{"stage", stage}})
+               : tr("stage {stage}, straight line", {{"stage", stage}});
+  }
+
   void coulomb_and_viscous() {
-    const auto& line = c_.friction.coulomb_viscous;
-    const std::string from_line =
-        tr("stage {stage}, straight line", {{"stage", stage_number(StageId::parameters)}});
-    const std::string from_sweep =
-        tr("stage {stage}, sweep", {{"stage", stage_number(StageId::cog_rough)}});
+    const calibration::CurveHeadline headline = calibration::curve_headline(c_);
+    const auto& coulomb_Nm = headline.coulomb_Nm.estimate;
+    const auto& viscous_Nms_rad = headline.viscous_Nms_rad.estimate;
+    const std::string from = source_of(headline);
     const std::string coulomb = tr("Coulomb torque");
-    if (refused(Quantity::coulomb_torque) && (line || c_.rough.coulomb_Nm)) {
+    const bool has_law = headline.source == calibration::HeadlineSource::sliding_law;
+    if (refused(Quantity::coulomb_torque) && (coulomb_Nm || has_law)) {
       see_the_verdict(coulomb);
-    } else if (line) {
-      sides(coulomb, line->coulomb_Nm, n_, wording::torque_scale, from_line);
-    } else if (c_.rough.coulomb_Nm) {
-      sides(coulomb, *c_.rough.coulomb_Nm, n_, wording::torque_scale, from_sweep);
+    } else if (coulomb_Nm) {
+      sides(coulomb, *coulomb_Nm, n_, wording::torque_scale, from);
     } else {
       missing(coulomb, StageId::parameters);
     }
     const std::string viscous = tr("Viscous coefficient");
-    if (refused(Quantity::viscous_coefficient) && (line || c_.rough.viscous_Nms_rad)) {
+    if (refused(Quantity::viscous_coefficient) && viscous_Nms_rad) {
       see_the_verdict(viscous);
-    } else if (line) {
-      sides(viscous, line->viscous_Nms_rad, n_ * n_, wording::viscous_scale, from_line);
-    } else if (c_.rough.viscous_Nms_rad) {
-      sides(viscous, *c_.rough.viscous_Nms_rad, n_ * n_, wording::viscous_scale, from_sweep);
+    } else if (viscous_Nms_rad) {
+      sides(viscous, *viscous_Nms_rad, n_ * n_, wording::viscous_scale, from);
     } else {
       missing(viscous, StageId::parameters);
     }

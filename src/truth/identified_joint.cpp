@@ -37,6 +37,22 @@ class SlidingFriction final : public friction::StaticFriction {
   double rest_;
 };
 
+/// The sliding law of the runs, continuous through zero.
+class LawOfRuns final : public friction::StaticFriction {
+ public:
+  LawOfRuns(const method::viscous::SlidingLaw& law, double rest_speed_rad_s)
+      : law_(law), rest_(rest_speed_rad_s) {}
+  [[nodiscard]] std::string name() const override { return "sliding_law"; }
+  [[nodiscard]] friction::NamedParameters named_parameters() const override { return {}; }
+  [[nodiscard]] double torque_Nm(double speed) const override {
+    return law_.friction_Nm(std::abs(speed)) * std::tanh(speed / rest_);
+  }
+
+ private:
+  const method::viscous::SlidingLaw& law_;
+  double rest_;
+};
+
 /// Speeds below this share of the largest are rest: there the sign of friction is nobody's.
 constexpr double rest_share = 1e-3;
 
@@ -118,9 +134,13 @@ class Maker {
   [[nodiscard]] std::vector<double> run_torque(const joint::Recording& r,
                                                Statement& why_not) const {
     const method::selection::FrictionParametersResult& f = c_.friction;
-    if (f.waiboer && f.waiboer->converged) {
+    if (runs_follow_waiboer(c_)) {
       return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
                      0, 0);
+    }
+    if (c_.curve_model.sliding.fitted) {
+      const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
+      return sliding(r, motion, LawOfRuns(c_.curve_model.sliding, rest_speed(motion)), 0, 0);
     }
     if (f.coulomb_viscous && !c_.viscous.from_sweep) {
       const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
@@ -229,13 +249,14 @@ std::vector<Reading> put_in(const calibration::Calibration& c, double gravity_Nm
         std::any_of(recordings.begin(), recordings.end(),
                     [&](const joint::Recording& r) { return is_read_from(reading, r.role); });
     if (!is_recorded || is_single_point(reading.name)) continue;
-    // Where eq. (6) is put in, no straight line is.
-    const bool is_line =
-        reading.quantity == ReadingKind::coulomb || reading.quantity == ReadingKind::viscous;
-    if (is_line &&
-        (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
-      continue;
-    }
+    // Where eq. (6) is put in, no other law is, and the other way round.
+    using enum ReadingKind;
+    const ReadingKind kind = reading.quantity;
+    const bool is_of_law = kind == coulomb || kind == viscous;
+    const bool is_of_waiboer = kind == asperity_torque || kind == stribeck_power ||
+                               kind == viscous_factor || kind == viscous_power;
+    if (is_of_law && (c.viscous.from_sweep || runs_follow_waiboer(c))) continue;
+    if (is_of_waiboer && !runs_follow_waiboer(c)) continue;
     const double value =
         reading.quantity == ReadingKind::gravity ? gravity_Nm : reading.estimate.value;
     reading.estimate = {value, value, value, {"interval.put_in"}};

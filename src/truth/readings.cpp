@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "calibration/curve_headline.h"
+
 namespace tribolog::truth {
 namespace {
 
@@ -59,14 +61,22 @@ void read_loop_fit(const method::hysteresis::LuGreFit& fit, Reader& out) {
           fit.shown(LuGreParameterName::static_torque));
 }
 
-void read_curve(const method::selection::FrictionParametersResult& friction, Reader& out) {
-  if (const auto& line = friction.coulomb_viscous) {
-    out.add(ReadingName::coulomb, ReadingKind::coulomb, line->coulomb_Nm);
-    out.add(ReadingName::viscous, ReadingKind::viscous, line->viscous_Nms_rad);
+void read_curve(const calibration::Calibration& c, Reader& out) {
+  const calibration::CurveHeadline headline = calibration::curve_headline(c);
+  if (headline.source != calibration::HeadlineSource::sweep) {
+    out.add(ReadingName::coulomb, ReadingKind::coulomb, headline.coulomb_Nm.estimate);
+    out.add(ReadingName::viscous, ReadingKind::viscous, headline.viscous_Nms_rad.estimate);
   }
-  if (const auto& w = friction.waiboer; w && w->converged) {
+  const auto& w = c.friction.waiboer;
+  const bool has_waiboer = w && w->converged;
+  const bool is_of_waiboer =
+      has_waiboer && (runs_follow_waiboer(c) || !headline.stribeck_speed_rad_s.estimate);
+  if (has_waiboer) {
     out.add(ReadingName::asperity_torque, ReadingKind::asperity_torque, w->asperity_torque_Nm);
-    out.add(ReadingName::stribeck_speed, ReadingKind::stribeck_speed, w->stribeck_speed_rad_s);
+  }
+  out.add(ReadingName::stribeck_speed, ReadingKind::stribeck_speed,
+          is_of_waiboer ? w->stribeck_speed_rad_s : headline.stribeck_speed_rad_s.estimate);
+  if (has_waiboer) {
     out.add(ReadingName::stribeck_power, ReadingKind::stribeck_power, w->stribeck_power);
     out.add(ReadingName::viscous_coefficient, ReadingKind::viscous_factor, w->viscous_coefficient);
     out.add(ReadingName::viscous_power, ReadingKind::viscous_power, w->viscous_power);
@@ -110,7 +120,7 @@ std::vector<Reading> readings_of(const calibration::Calibration& c) {
   out.add(ReadingName::q_peak, ReadingKind::peak_angle, c.q_peak_rad);
   if (c.rough.found)
     out.add(ReadingName::sweep_friction, ReadingKind::sweep_friction, c.rough.coulomb_Nm);
-  read_curve(c.friction, out);
+  read_curve(c, out);
   return out.all();
 }
 
@@ -118,6 +128,11 @@ const Reading* find_reading(const std::vector<Reading>& readings, ReadingName na
   const auto it = std::find_if(readings.begin(), readings.end(),
                                [&](const Reading& r) { return r.name == name; });
   return it == readings.end() ? nullptr : &*it;
+}
+
+bool runs_follow_waiboer(const calibration::Calibration& c) {
+  const auto& w = c.friction.waiboer;
+  return w && w->converged && (c.curve_model.carries_five || !c.curve_model.sliding.fitted);
 }
 
 bool is_single_point(ReadingName name) { return name <= ReadingName::B_steady; }

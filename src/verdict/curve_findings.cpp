@@ -3,7 +3,7 @@
 namespace tribolog::verdict {
 
 std::vector<Statement> curve_findings(const calibration::Calibration& c) {
-  std::vector<Statement> findings;
+  std::vector<Statement> findings = c.curve_model.sliding.findings;
   if (c.load_dependence.found) findings.push_back(c.load_dependence.sentence);
   if (c.direction_asymmetry.found) findings.push_back(c.direction_asymmetry.sentence);
   const method::viscous::DirectionAngles& angles = c.viscous.angles;

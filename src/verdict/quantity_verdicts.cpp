@@ -1,3 +1,4 @@
+#include "calibration/curve_headline.h"
 #include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"
 
@@ -184,28 +185,37 @@ calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
 }  // namespace
 
 std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c) {
-  const auto& line = c.friction.coulomb_viscous;
-  return line ? line->coulomb_Nm : c.rough.coulomb_Nm;
+  return calibration::curve_headline(c).coulomb_Nm.estimate;
 }
 
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
-  const auto& line = c.friction.coulomb_viscous;
-  const auto& waiboer = c.friction.waiboer;
-  const Statement& why = c.friction.stage.reason;
-  std::optional<statistics::Estimate> viscous = c.rough.viscous_Nms_rad;
-  std::optional<statistics::Estimate> stribeck;
-  if (line) viscous = line->viscous_Nms_rad;
-  if (waiboer && waiboer->converged) stribeck = waiboer->stribeck_speed_rad_s;
-  // Which model of the curve was chosen, and what it shows of each parameter, enters here.
+  const calibration::CurveHeadline headline = calibration::curve_headline(c);
+  // A number is there, or why there is none; a number of which something is not sure is doubtful.
+  const auto judged = [&](Quantity quantity, const std::string& unit,
+                          const method::viscous::SlidingQuantity& found,
+                          const Statement& experiment) {
+    const Statement& none = found.why_not.empty() ? c.friction.stage.reason : found.why_not;
+    calibration::QuantityVerdict q = by_estimate(quantity, unit, found.estimate, none, experiment);
+    if (found.estimate && !found.why_not.empty()) {
+      calibration::lower(q, calibration::Verdict::doubtful, found.why_not, experiment);
+    }
+    return q;
+  };
   std::vector<calibration::QuantityVerdict> all{
-      by_estimate(Quantity::coulomb_torque, "N·m", coulomb_torque(c), why, record_runs),
-      by_estimate(Quantity::stribeck_speed, "rad/s", stribeck,
-                  why.empty() ? Statement{"verdict.no_stribeck_model"} : why,
-                  {"record.speeds_about_the_dip"}),
-      by_estimate(Quantity::viscous_coefficient, "N·m·s/rad", viscous, why, record_runs),
+      judged(Quantity::coulomb_torque, "N·m", headline.coulomb_Nm, record_runs),
+      judged(Quantity::stribeck_speed, "rad/s", headline.stribeck_speed_rad_s,
+             {"record.speeds_about_the_dip"}),
+      judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad, record_runs),
       viscous_curve(c)};
-  // A curve without a dip has none.
+  // A curve without a dip has no Stribeck velocity, and one that follows eq. (6) neither of the
+  // other two.
   verdict_on(Quantity::stribeck_speed, all).decides = false;
+  const bool is_of_waiboer = headline.source == calibration::HeadlineSource::sliding_law &&
+                             !headline.coulomb_Nm.estimate && c.curve_model.carries_five;
+  if (is_of_waiboer) {
+    verdict_on(Quantity::coulomb_torque, all).decides = false;
+    verdict_on(Quantity::viscous_coefficient, all).decides = false;
+  }
   return all;
 }
 

@@ -34,6 +34,8 @@ const Messages& general_messages() {
        text("{interval}, widened by the ripple that the rough sweep shows")},
       {"interval.curve_fit", text("curve fit, scatter of the runs")},
       {"interval.curve_fit_speeds", text("fit of the curve, scatter of the speeds")},
+      {"interval.sliding_law_profile",
+       text("laws that the speeds do not exclude, profile likelihood")},
       {"interval.paired_strokes", text("paired strokes at equal angle, blocks of the angle")},
       {"interval.line_of_direction", text("straight line of one direction, scatter of the runs")},
       {"interval.scatter_of_pairs", text("scatter of the pairs")},

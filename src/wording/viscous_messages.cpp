@@ -82,6 +82,35 @@ const Messages& viscous_messages() {
        text("{law} with {parameters} parameters has {error_Nm:.3g} N·m, a gain within its standard "
             "error")},
       {"curve_model.next_simpler", text("the next simpler one, {law}, has {error_Nm:.3g} N·m")},
+
+      // The sliding law: what of the headline is not sure.
+      {"cause.stribeck_not_shown",
+       text(
+           "the curve shows no Stribeck dip: friction follows a straight line from "
+           "{slowest_rad_s:.3g} rad/s on (motor side); a dip below that speed, or one so wide that "
+           "it reaches beyond a third of the fastest, would not be seen")},
+      {"cause.stribeck_at_the_edge",
+       text("the Stribeck dip, at {stribeck_rad_s:.3g} rad/s (motor side), lies at the edge of the "
+            "recorded speeds: {below} of them lie below it and {beyond} beyond twice that speed; "
+            "{needed} of each would show the law on both sides")},
+      {"cause.outliers_of_speeds",
+       text("{speeds} of {all} speeds do not belong to the others' curve and were left out; the "
+            "farthest, {speed_rad_s:.3g} rad/s (motor side), is off by {off_Nm:.3g} N·m")},
+      {"cause.outliers_between_directions",
+       text("the difference of the two directions jumps from speed to speed, by {scatter_Nm:.2g} "
+            "N·m or {percent:.2g} % of the Coulomb torque, more than the runs themselves scatter: "
+            "single runs are wrong, or something other than friction acts in them")},
+      {"check.torque_saturation_of_runs",
+       text("{runs} runs of different speeds have the same largest torque, {torque_Nm:.4g} N·m at "
+            "the motor, where those of the other direction differ: the drive's limit sets it, not "
+            "the joint")},
+      {"curve_model.no_coulomb_torque",
+       text(
+           "the curve follows Waiboer's eq. (6), which has no Coulomb torque: without its Stribeck "
+           "term friction goes to zero with the speed")},
+      {"curve_model.viscous_not_linear",
+       text("friction does not grow in proportion to speed but with its power {exponent:.2g}: the "
+            "viscous coefficient is the slope at the fastest speed alone")},
       {"waiboer_five.carried", text("the curve supports Waiboer's five parameters")},
       {"waiboer_five.not_carried",
        text("the curve does not support Waiboer's five parameters: {why}")},

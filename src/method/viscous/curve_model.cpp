@@ -105,7 +105,9 @@ std::vector<CurveSample> curve_samples(const ViscousCurvesResult& curves,
       group += samples.empty() ? 0 : 1;
       first = key(order[place]);
     }
-    samples.push_back({std::abs(run.speed_rad_s), friction, direction, run.mean_load, group});
+    samples.push_back({std::abs(run.speed_rad_s), friction, direction, run.mean_load, group,
+                       run.torque_standard_error_Nm, static_cast<double>(run.samples),
+                       order[place]});
   }
   return samples;
 }

@@ -61,6 +61,10 @@ struct CurveSample {
   double direction{};    ///< +1: joint angle rising, -1: falling.
   double load{};         ///< Share of the gravity torque that loads the joint, 0 to 1.
   std::size_t group{};   ///< Held out together: all runs of one speed, or neighbouring angles.
+  /// Standard error of the friction from the scatter within the run; 0: not known.
+  double standard_error_Nm{};
+  double count{};     ///< Samples of the log in it.
+  std::size_t run{};  ///< Of ViscousCurvesResult::runs.
 };
 
 /// Sorted by group, groups counting from 0. Runs within 3 % of the same speed are one group, the

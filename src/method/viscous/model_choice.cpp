@@ -9,6 +9,7 @@
 
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
+#include "method/viscous/torque_ceiling.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -286,6 +287,33 @@ CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, boo
   return Chooser(samples, sweep).choose();
 }
 
+namespace {
+
+/// Where eq. (6) alone describes the curve, there is no Coulomb torque to state: without its
+/// Stribeck term it goes to zero with the speed. The Stribeck velocity is its own.
+void follow_waiboer(const CurveModelChoice& choice, SlidingLaw& law) {
+  constexpr double clearly_better = 0.5;  // of the error at held-out speeds
+  if (!choice.carries_five || !law.fitted) return;
+  const CurveModelTrial& five = *choice.find(CurveLaw::waiboer);
+  const CurveModelTrial& stribeck = *choice.find(CurveLaw::stribeck);
+  const bool is_alone = !stribeck.excluded_because.empty() ||
+                        five.held_out_rms_Nm < clearly_better * stribeck.held_out_rms_Nm;
+  if (!is_alone) return;
+  law.coulomb_Nm = {{}, {"curve_model.no_coulomb_torque"}};
+  law.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
+                                 {{"exponent", law.viscous_exponent}}};
+  for (const CurveParameter& p : choice.parameters) {
+    if (p.name == "viscous_exponent") {
+      law.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
+                                     {{"exponent", p.estimate.value}}};
+    }
+    if (p.name == "stribeck_speed_rad_s") law.stribeck_speed_rad_s = {p.estimate, {}};
+  }
+  law.findings.push_back(law.coulomb_Nm.why_not);
+}
+
+}  // namespace
+
 CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
                                     std::optional<hysteresis::Estimator> estimator) {
   const ViscousCurve* curve = curves.find(estimator);
@@ -294,8 +322,18 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
     none.sentence = {"curve_model.no_curve"};
     return none;
   }
-  CurveModelChoice out = choose_curve_model(curve_samples(curves, *curve), curves.from_sweep);
+  const std::vector<CurveSample> samples = curve_samples(curves, *curve);
+  CurveModelChoice out = choose_curve_model(samples, curves.from_sweep);
   out.curve = estimator;
+  if (out.chosen_any && !curves.from_sweep) {
+    out.sliding = fit_sliding_law(samples, out.chosen);
+    follow_waiboer(out, out.sliding);
+    const TorqueCeiling ceiling = torque_ceiling(curves);
+    if (ceiling.runs > 0) {
+      out.sliding.doubt({"check.torque_saturation_of_runs",
+                         {{"runs", ceiling.runs}, {"torque_Nm", ceiling.torque_Nm}}});
+    }
+  }
   return out;
 }
 

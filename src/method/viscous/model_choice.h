@@ -18,6 +18,7 @@
 
 #include "base/statement.h"
 #include "method/viscous/curve_model.h"
+#include "method/viscous/sliding_law.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
@@ -56,6 +57,8 @@ struct CurveModelChoice {
   /// Whether the curve carries Waiboer's five parameters: they were chosen.
   bool carries_five{false};
   Statement five_sentence;  ///< On that; empty if nothing was chosen.
+  /// The headline: not fitted where nothing was chosen, and from a sweep.
+  SlidingLaw sliding;
 
   [[nodiscard]] const CurveModelTrial* find(CurveLaw law) const;
 };

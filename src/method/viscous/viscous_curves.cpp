@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include "joint/degrees.h"
+#include "method/motion/encoder_resolution.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/paired_sweep.h"
+#include "method/viscous/plateau_samples.h"
 #include "statistics/distributions.h"
 
 namespace tribolog::method::viscous {
@@ -18,49 +20,72 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A run with the samples it came from, needed to pair directions over common angles.
 struct RunSource {
   const joint::Recording* recording;
-  std::size_t first, last;
+  PlateauSamples samples;
 };
 
 struct BlockMean {
   double mean{};
   double half_width{};  // 95 %, from the scatter of the blocks
+  double standard_error{};
   std::vector<double> blocks;
 };
 
-/// Mean of a signal over a plateau.
+/// Mean of a signal over the samples that count.
 template <class Signal>
-BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
+BlockMean block_mean(const PlateauSamples& samples, std::size_t first, std::size_t last,
+                     Signal signal) {
   constexpr std::size_t most_blocks = 10;
   const std::size_t n = last - first;
   const std::size_t blocks = std::clamp<std::size_t>(n / 5, 1, most_blocks);
   double mean = 0;
-  std::vector<double> means(blocks, 0.0);
+  double all = 0;
+  std::vector<double> means;
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t from = first + n * b / blocks;
     const std::size_t to = first + n * (b + 1) / blocks;
     double sum = 0;
-    for (std::size_t i = from; i < to; ++i) sum += signal(i);
-    means[b] = sum / static_cast<double>(to - from);
-    mean += sum / static_cast<double>(n);
+    double count = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      if (!samples.has(i)) continue;
+      sum += signal(i);
+      count += 1;
+    }
+    if (count == 0) continue;
+    means.push_back(sum / count);
+    mean += sum;
+    all += count;
   }
-  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity(), {}};
+  mean /= all;
+  if (means.size() < 2) return {mean, std::numeric_limits<double>::infinity(), 0, {}};
   double squares = 0;
   for (double m : means) squares += (m - mean) * (m - mean);
-  const auto b = static_cast<double>(blocks);
-  return {mean, statistics::student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b),
+  const auto b = static_cast<double>(means.size());
+  const double standard_error = std::sqrt(squares / (b - 1) / b);
+  return {mean, statistics::student_t_975(b - 1) * standard_error, standard_error,
           std::move(means)};
 }
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
 /// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
+/// @param torque_step_Nm that the torque is rounded to; 0: it is not.
+/// @param samples receives those of the plateau that count.
 /// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
-                          const gravity::Ripple& ripple, std::vector<double>& blocks_Nm) {
+                          const gravity::Ripple& ripple, double torque_step_Nm,
+                          PlateauSamples& samples, std::vector<double>& blocks_Nm) {
+  const auto friction_at = [&](std::size_t i) {
+    return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+  };
+  std::vector<double> friction_Nm;
+  friction_Nm.reserve(plateau.size());
+  for (std::size_t i = plateau.first; i < plateau.last; ++i) friction_Nm.push_back(friction_at(i));
+  samples = samples_that_count(r, plateau, friction_Nm, torque_step_Nm);
+
   ConstantSpeedRun run;
   run.recording = r.name;
   run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
-  run.samples = plateau.size();
+  run.samples = samples.size();
   double q = 0;
   double cosine = 0;
   double sine = 0;
@@ -68,27 +93,25 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   double torque = 0;
   run.lowest_rad = run.highest_rad = r.q_rad[plateau.first];
   for (std::size_t i = plateau.first; i < plateau.last; ++i) {
+    run.lowest_rad = std::min(run.lowest_rad, r.q_rad[i]);
+    run.highest_rad = std::max(run.highest_rad, r.q_rad[i]);
+    if (!samples.has(i)) continue;
     q += r.q_rad[i];
     cosine += std::cos(r.q_rad[i] - q_peak);
     sine += std::sin(r.q_rad[i] - q_peak);
     load += std::abs(std::cos(r.q_rad[i] - q_peak));
-    run.lowest_rad = std::min(run.lowest_rad, r.q_rad[i]);
-    run.highest_rad = std::max(run.highest_rad, r.q_rad[i]);
     torque += r.torque_Nm[i];
   }
-  const auto n = static_cast<double>(plateau.size());
+  const auto n = static_cast<double>(samples.size());
   run.q_rad = q / n;
   run.mean_cos = cosine / n;
   run.mean_sin = sine / n;
   run.mean_load = load / n;
   run.torque_Nm = torque / n;
-  BlockMean friction = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
-    return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
-  });
+  BlockMean friction = block_mean(samples, plateau.first, plateau.last, friction_at);
   if (!ripple.lines.empty()) {
-    BlockMean without = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
-      return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak) -
-             ripple.torque_Nm(gear_ratio * r.q_rad[i]);
+    BlockMean without = block_mean(samples, plateau.first, plateau.last, [&](std::size_t i) {
+      return friction_at(i) - ripple.torque_Nm(gear_ratio * r.q_rad[i]);
     });
     if (without.half_width < friction.half_width) {
       run.torque_Nm += without.mean - friction.mean;
@@ -96,6 +119,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
     }
   }
   run.torque_half_width_Nm = friction.half_width;
+  run.torque_standard_error_Nm = std::hypot(friction.standard_error, samples.rounding_error_Nm);
   blocks_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
@@ -119,22 +143,26 @@ struct MeanTorque {
 /// Mean torque of a run within [low, high], gravity and all, with the interval that friction and
 /// noise leave it; NaN if it has too few samples there.
 MeanTorque torque_between(const RunSource& s, double low, double high, const GravityShape& shape) {
-  std::size_t from = s.last;
-  std::size_t to = s.first;
-  for (std::size_t i = s.first; i < s.last; ++i) {
+  std::size_t from = s.samples.last;
+  std::size_t to = s.samples.first;
+  for (std::size_t i = s.samples.first; i < s.samples.last; ++i) {
     if (s.recording->q_rad[i] < low || s.recording->q_rad[i] > high) continue;
     from = std::min(from, i);
     to = i + 1;
   }
   if (from + 5 > to) return {nan, nan, nan};
   MeanTorque mean{0, 0, 0};
+  double count = 0;
   for (std::size_t i = from; i < to; ++i) {
+    if (!s.samples.has(i)) continue;
     mean.torque_Nm += s.recording->torque_Nm[i];
     mean.cosine += std::cos(s.recording->q_rad[i] - shape.q_peak_rad);
+    count += 1;
   }
-  mean.torque_Nm /= static_cast<double>(to - from);
-  mean.cosine /= static_cast<double>(to - from);
-  mean.half_width_Nm = block_mean(from, to, [&](std::size_t i) {
+  if (count == 0) return {nan, nan, nan};
+  mean.torque_Nm /= count;
+  mean.cosine /= count;
+  mean.half_width_Nm = block_mean(s.samples, from, to, [&](std::size_t i) {
                          return s.recording->torque_Nm[i] - shape.torque_Nm(s.recording->q_rad[i]);
                        }).half_width;
   return mean;
@@ -259,14 +287,21 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
                          : of_runs != nullptr ? of_runs->gravity_Nm.value
                                               : 0.0;
   std::vector<RunSource> sources;
+  // A slow run may stay on one value all along: the others tell the step.
+  double step_Nm = 0;
+  for (const joint::Recording* r : recordings) {
+    step_Nm = std::max(step_Nm, motion::common_step(r->torque_Nm));
+  }
   for (const joint::Recording* r : recordings) {
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
-      sources.push_back({r, plateau.first, plateau.last});
+      sources.push_back({r, {}});
       made.block_friction_Nm.emplace_back();
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple,
-                                  made.block_friction_Nm.back()));
-      out.samples_used += plateau.size();
+      PlateauSamples& samples = sources.back().samples;
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, step_Nm,
+                                  samples, made.block_friction_Nm.back()));
+      out.samples_used += samples.size();
+      out.samples_left_out += samples.left_out;
     }
     out.samples_left_out += r->size() - motion.samples_on_plateaus;
     if (motion.plateaus.empty()) ++out.recordings_without_plateau;

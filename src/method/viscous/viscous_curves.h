@@ -26,9 +26,10 @@ struct ConstantSpeedRun {
   std::string recording;
   double speed_rad_s{};  ///< Motor side, signed.
   double torque_Nm{};    ///< Mean driving torque T, motor side (inertia and ripple removed).
-  double torque_half_width_Nm{};  ///< 95 % of the mean.
-  double q_rad{};                 ///< Mean joint angle.
-  double mean_cos{};              ///< Mean of cos(q - q_peak) over it.
+  double torque_half_width_Nm{};      ///< 95 % of the mean.
+  double torque_standard_error_Nm{};  ///< Of the mean, from the scatter within; 0: not known.
+  double q_rad{};                     ///< Mean joint angle.
+  double mean_cos{};                  ///< Mean of cos(q - q_peak) over it.
   std::size_t samples{};
   int partner{-1};  ///< Index of the run of opposite direction at the same speed; -1: none.
   /// (T(+v) - T(-v))/2 over the angles that both directions share, with this run's sign;
@@ -71,7 +72,7 @@ struct ViscousCurvesResult {
   DirectionAngles angles;
   bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
-  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling, wild samples.
   std::size_t recordings_without_plateau{};
 
   [[nodiscard]] const ViscousCurve* find(std::optional<hysteresis::Estimator> estimator) const;

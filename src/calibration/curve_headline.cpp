@@ -1,0 +1,28 @@
+#include "calibration/curve_headline.h"
+
+namespace tribolog::calibration {
+
+CurveHeadline curve_headline(const Calibration& c) {
+  CurveHeadline out;
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (law.fitted) {
+    out.source = HeadlineSource::sliding_law;
+    out.coulomb_Nm = law.coulomb_Nm;
+    out.stribeck_speed_rad_s = law.stribeck_speed_rad_s;
+    out.viscous_Nms_rad = law.viscous_Nms_rad;
+    return out;
+  }
+  out.stribeck_speed_rad_s.why_not = {"verdict.no_stribeck_model"};
+  if (const auto& line = c.friction.coulomb_viscous) {
+    out.source = HeadlineSource::line;
+    out.coulomb_Nm.estimate = line->coulomb_Nm;
+    out.viscous_Nms_rad.estimate = line->viscous_Nms_rad;
+  } else if (c.rough.coulomb_Nm || c.rough.viscous_Nms_rad) {
+    out.source = HeadlineSource::sweep;
+    out.coulomb_Nm.estimate = c.rough.coulomb_Nm;
+    out.viscous_Nms_rad.estimate = c.rough.viscous_Nms_rad;
+  }
+  return out;
+}
+
+}  // namespace tribolog::calibration

@@ -1,0 +1,63 @@
+#include "method/viscous/plateau_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "statistics/order_statistics.h"
+#include "statistics/sampled_signal.h"
+
+namespace tribolog::method::viscous {
+namespace {
+
+constexpr double farthest = 5;         // standard deviations
+constexpr double most_left_out = 0.2;  // of the samples
+
+/// Whether two levels hold nearly all samples: the mean is then that of rounded numbers.
+bool is_on_few_levels(const std::vector<double>& torque, double step) {
+  constexpr double nearly_all = 0.95;
+  std::map<long long, std::size_t> levels;
+  for (const double t : torque) ++levels[std::llround(t / step)];
+  std::vector<std::size_t> counts;
+  for (const auto& [level, count] : levels) counts.push_back(count);
+  std::sort(counts.rbegin(), counts.rend());
+  const std::size_t two = counts[0] + (counts.size() > 1 ? counts[1] : 0);
+  return static_cast<double>(two) > nearly_all * static_cast<double>(torque.size());
+}
+
+}  // namespace
+
+PlateauSamples samples_that_count(const joint::Recording& recording, const motion::Plateau& plateau,
+                                  const std::vector<double>& friction_Nm, double step) {
+  PlateauSamples out{plateau.first, plateau.last, std::vector<char>(plateau.size(), 1), 0, 0};
+  const auto at = [&](std::size_t i) {
+    return recording.torque_Nm.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  const std::vector<double> torque(at(plateau.first), at(plateau.last));
+  // Neighbouring speeds and both directions round alike: their mean has the error of one of them,
+  // and the curve bends by it where independent errors would cancel.
+  constexpr double in_common = 2;
+  if (step > 0 && is_on_few_levels(torque, step)) {
+    out.rounding_error_Nm = in_common * step / std::sqrt(12.0);
+  }
+
+  const double middle = statistics::median(friction_Nm);
+  std::vector<double> off(friction_Nm.size());
+  std::transform(friction_Nm.begin(), friction_Nm.end(), off.begin(),
+                 [&](double f) { return std::abs(f - middle); });
+  const double deviation = statistics::normal_sd_by_median_size * statistics::median(off);
+  const double fence = farthest * std::max(deviation, step);
+  if (!(fence > 0)) return out;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    if (off[i] <= fence) continue;
+    out.counts[i] = 0;
+    ++out.left_out;
+  }
+  if (static_cast<double>(out.left_out) > most_left_out * static_cast<double>(off.size())) {
+    std::fill(out.counts.begin(), out.counts.end(), 1);
+    out.left_out = 0;
+  }
+  return out;
+}
+
+}  // namespace tribolog::method::viscous

@@ -1,0 +1,662 @@
+#include "method/viscous/sliding_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "method/viscous/law_scan.h"
+#include "statistics/distributions.h"
+
+namespace tribolog::method::viscous {
+namespace {
+
+constexpr std::size_t fewest_speeds_of_law = 3;
+constexpr double line_parameters = 2;
+constexpr double dip_parameters = 4;
+constexpr double line_excluded = 0.01;   // chance at which the straight line is
+constexpr double shape_excluded = 0.01;  // and d = 2, or a viscous term linear in speed
+constexpr double stray = 0.01;           // after Holm's correction
+constexpr double least_stray = 0.005;    // of the friction: what matters
+constexpr double strays_per_speed = 0.2;
+constexpr double least_error = 2e-4;  // of the friction
+constexpr double least_scale = 0.5;   // of the errors as stated
+constexpr std::size_t speeds_tried = 40;
+
+/// One speed with all of its runs.
+struct Speed {
+  SpeedMean mean;
+  bool has_both{};           ///< Directions.
+  double half_difference{};  ///< Friction of rising less that of falling, halved; if it has both.
+  std::vector<std::size_t> runs;
+};
+
+/// What one direction of a speed has.
+struct DirectionMean {
+  double friction{};
+  double variance{};
+  double count{};
+  void add(const CurveSample& s, double its_variance) {
+    friction = (count * friction + s.friction_Nm) / (count + 1);
+    variance += its_variance;
+    count += 1;
+  }
+  [[nodiscard]] double variance_of_mean() const { return variance / (count * count); }
+};
+
+/// Friction of a rising angle less that of a falling one, halved, as far as speeds with one
+/// direction alone need it: the mean over those with both, or a line where the terms have one.
+class Asymmetries {
+ public:
+  void add(double speed, double half) {
+    ++n_;
+    w_ += speed;
+    h_ += half;
+    ww_ += speed * speed;
+    wh_ += speed * half;
+  }
+  [[nodiscard]] double at(double speed, bool line) const {
+    if (n_ == 0) return 0;
+    const double spread = n_ * ww_ - w_ * w_;
+    if (!line || n_ < 3 || !(spread > 0)) return h_ / n_;
+    const double slope = (n_ * wh_ - w_ * h_) / spread;
+    return (h_ - slope * w_) / n_ + slope * speed;
+  }
+
+ private:
+  double n_{}, w_{}, h_{}, ww_{}, wh_{};
+};
+
+/// Variances of the runs' means, from ten blocks each, are themselves known to a third only, and a
+/// weight must not hang on that: each is drawn to what all have in common for their number of
+/// samples, the more so the less they differ (empirical Bayes, Smyth 2004).
+std::vector<double> variances_of(const std::vector<CurveSample>& samples) {
+  constexpr double freedom = 9;
+  std::vector<double> logs;
+  for (const CurveSample& s : samples) {
+    if (s.standard_error_Nm > 0 && s.count > 0) {
+      logs.push_back(std::log(s.standard_error_Nm * s.standard_error_Nm * s.count));
+    }
+  }
+  std::vector<double> out;
+  if (logs.size() < 3) {
+    for (const CurveSample& s : samples) out.push_back(std::pow(s.standard_error_Nm, 2));
+    return out;
+  }
+  double mean = 0;
+  for (const double l : logs) mean += l / static_cast<double>(logs.size());
+  double spread = 0;
+  for (const double l : logs) {
+    spread += (l - mean) * (l - mean) / static_cast<double>(logs.size() - 1);
+  }
+  // Of the logarithm of a chi-squared number: its variance, and its mean.
+  const double own = 2 / freedom * (1 + 1 / freedom);
+  const double common = std::exp(mean + 1 / freedom);
+  const double weight = spread > own ? 2 / (spread - own) : std::numeric_limits<double>::infinity();
+  for (const CurveSample& s : samples) {
+    const double its = std::pow(s.standard_error_Nm, 2);
+    const double shared = s.count > 0 ? common / s.count : its;
+    if (!(its > 0)) {
+      out.push_back(shared);
+    } else {
+      out.push_back(std::isinf(weight) ? shared
+                                       : (weight * shared + freedom * its) / (weight + freedom));
+    }
+  }
+  return out;
+}
+
+std::vector<Speed> speeds_of(const std::vector<CurveSample>& samples, const CurveModel& terms) {
+  struct Group {
+    DirectionMean rising, falling;
+    double speed{}, load{}, count{};
+    std::vector<std::size_t> runs;
+  };
+  std::vector<Group> groups(group_count(samples));
+  const std::vector<double> variances = variances_of(samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const CurveSample& s = samples[i];
+    Group& g = groups[s.group];
+    (s.direction < 0 ? g.falling : g.rising).add(s, variances[i]);
+    g.speed += s.speed_rad_s;
+    g.load += s.load;
+    g.count += 1;
+    g.runs.push_back(s.run);
+  }
+  Asymmetries halves;
+  for (const Group& g : groups) {
+    if (g.rising.count == 0 || g.falling.count == 0) continue;
+    halves.add(g.speed / g.count, (g.rising.friction - g.falling.friction) / 2);
+  }
+  std::vector<Speed> speeds;
+  for (Group& g : groups) {
+    Speed s;
+    s.mean.speed_rad_s = g.speed / g.count;
+    s.mean.load = g.load / g.count;
+    if (g.rising.count > 0 && g.falling.count > 0) {
+      s.has_both = true;
+      s.half_difference = (g.rising.friction - g.falling.friction) / 2;
+      s.mean.friction_Nm = (g.rising.friction + g.falling.friction) / 2;
+      s.mean.variance = (g.rising.variance_of_mean() + g.falling.variance_of_mean()) / 4;
+    } else {
+      const bool is_rising = g.rising.count > 0;
+      const DirectionMean& one = is_rising ? g.rising : g.falling;
+      const double half =
+          halves.at(s.mean.speed_rad_s, terms.asymmetry == Asymmetry::coulomb_viscous);
+      s.mean.friction_Nm = one.friction - (is_rising ? half : -half);
+      s.mean.variance = one.variance_of_mean();
+    }
+    s.runs = std::move(g.runs);
+    speeds.push_back(std::move(s));
+  }
+  return speeds;
+}
+
+/// No mean is better known than motion and method allow.
+void floor_variances(std::vector<Speed>& speeds) {
+  double largest = 0;
+  for (const Speed& s : speeds) largest = std::max(largest, std::abs(s.mean.friction_Nm));
+  for (Speed& s : speeds) {
+    s.mean.variance +=
+        std::pow(least_error * std::abs(s.mean.friction_Nm), 2) + std::pow(1e-6 * largest, 2);
+  }
+}
+
+const LawPoint* best_of(const std::vector<LawPoint>& points) {
+  const auto at = std::min_element(points.begin(), points.end(),
+                                   [](const auto& a, const auto& b) { return a.chi2 < b.chi2; });
+  return at == points.end() ? nullptr : &*at;
+}
+
+/// The scatter, squared, at which a fit leaves as much as its freedom lets expect.
+/// @param largest friction.
+template <class Leaves>
+double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
+  if (leaves(0) <= freedom) return 0;
+  double low = std::log(1e-14 * largest * largest);
+  double high = std::log(largest * largest);
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    (leaves(std::exp(middle)) > freedom ? low : high) = middle;
+  }
+  return std::exp((low + high) / 2);
+}
+
+/// Scatter of the difference of the directions between speeds, squared, beyond what the runs show
+/// by themselves. A difference that is constant (gravity, offset), a share of the friction or
+/// proportional to the speed is no scatter. 0 if none is significant beyond `scatter2`.
+double direction_scatter2(const std::vector<Speed>& speeds, double scatter2) {
+  constexpr Eigen::Index terms = 3;
+  std::vector<const Speed*> both;
+  double largest = 0;
+  for (const Speed& s : speeds) {
+    if (!s.has_both) continue;
+    both.push_back(&s);
+    largest = std::max(largest, std::abs(s.mean.friction_Nm));
+  }
+  const auto n = static_cast<Eigen::Index>(both.size());
+  const auto freedom = static_cast<double>(n - terms);
+  if (freedom < 2) return 0;
+  const auto leaves = [&](double scatter) {
+    Eigen::MatrixXd x(n, terms);
+    Eigen::VectorXd y(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Speed& s = *both[static_cast<std::size_t>(i)];
+      const double weight = 1 / std::sqrt(s.mean.variance + scatter);
+      x.row(i) << weight, weight * s.mean.friction_Nm / largest, weight * s.mean.speed_rad_s;
+      y(i) = weight * s.half_difference;
+    }
+    const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
+    return (y - x * c).squaredNorm();
+  };
+  constexpr double sure = 1e6;  // degrees of freedom of an error that is known
+  if (statistics::f_upper_tail(leaves(scatter2) / freedom, freedom, sure) > 0.01) return 0;
+  return root_of_scatter(leaves, freedom, largest);
+}
+
+/// Laws against one set of speeds.
+class Laws {
+ public:
+  Laws(std::vector<SpeedMean> means, bool load) : means_(std::move(means)), load_(load) {
+    slowest_ = fastest_ = means_.front().speed_rad_s;
+    for (const SpeedMean& m : means_) {
+      slowest_ = std::min(slowest_, m.speed_rad_s);
+      fastest_ = std::max(fastest_, m.speed_rad_s);
+      largest_ = std::max(largest_, std::abs(m.friction_Nm));
+    }
+  }
+
+  /// All speeds ws, at d and p as they are.
+  [[nodiscard]] LawGrid whole_grid() const {
+    constexpr double below_slowest = 30;
+    constexpr double beyond_fastest = 3;
+    return {{exponent_}, {power_}, load_, slowest_ / below_slowest, beyond_fastest * fastest_};
+  }
+  void set_shape(double exponent, double power) {
+    exponent_ = exponent;
+    power_ = power;
+  }
+  [[nodiscard]] double freedom(double parameters) const {
+    return static_cast<double>(means_.size()) - parameters - (load_ ? 1 : 0);
+  }
+  [[nodiscard]] LawPoint line(double power = 1) const {
+    return line_at(means_, scatter2_, power, load_);
+  }
+  [[nodiscard]] std::vector<LawPoint> scan(const LawGrid& grid) const {
+    return scan_laws(means_, scatter2_, grid, speeds_tried);
+  }
+  /// The best law at d and p; the line where none is better.
+  [[nodiscard]] LawPoint best() const {
+    const LawPoint straight = line(power_);
+    if (!can_dip()) return straight;
+    const std::optional<LawPoint> dip = best_law(whole_grid());
+    return dip && dip->chi2 < straight.chi2 ? *dip : straight;
+  }
+  /// By scans that close in on it.
+  [[nodiscard]] std::optional<LawPoint> best_law(LawGrid grid) const {
+    std::optional<LawPoint> best;
+    constexpr int rounds = 4;
+    for (int k = 0; k < rounds; ++k) {
+      const std::vector<LawPoint> points = scan(grid);
+      const LawPoint* at = best_of(points);
+      if (at == nullptr) break;
+      if (!best || at->chi2 < best->chi2) best = *at;
+      const double step = std::pow(grid.fastest_speed / grid.slowest_speed,
+                                   2.0 / static_cast<double>(speeds_tried - 1));
+      grid.slowest_speed = std::max(grid.slowest_speed, best->speed_rad_s / step);
+      grid.fastest_speed = std::min(grid.fastest_speed, best->speed_rad_s * step);
+    }
+    return best;
+  }
+  [[nodiscard]] bool can_dip() const { return freedom(dip_parameters) >= 2; }
+  [[nodiscard]] double best_freedom() const {
+    return freedom(can_dip() ? dip_parameters : line_parameters);
+  }
+  [[nodiscard]] double scatter2() const { return scatter2_; }
+  [[nodiscard]] double slowest() const { return slowest_; }
+  [[nodiscard]] double fastest() const { return fastest_; }
+  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] const std::vector<SpeedMean>& means() const { return means_; }
+
+  /// Scatter between speeds at which the best law leaves what it should.
+  void find_scatter() {
+    scatter2_ = 0;
+    constexpr int rounds = 3;
+    const double freedom = best_freedom();
+    if (!(freedom > 0)) return;
+    for (int k = 0; k < rounds; ++k) {
+      const LawPoint law = best();
+      const auto leaves = [&](double scatter2) {
+        if (!law.has_excess) return line_at(means_, scatter2, law.power, load_).chi2;
+        const LawGrid one{{law.exponent}, {law.power}, load_, law.speed_rad_s, law.speed_rad_s};
+        const std::vector<LawPoint> at = scan_laws(means_, scatter2, one, 2);
+        return at.empty() ? 0.0 : at.front().chi2;
+      };
+      const double before = scatter2_;
+      scatter2_ = root_of_scatter(leaves, freedom, largest_);
+      if (std::abs(scatter2_ - before) <= 1e-3 * before) break;
+    }
+  }
+  void set_scatter2(double scatter2) { scatter2_ = scatter2; }
+
+ private:
+  std::vector<SpeedMean> means_;
+  bool load_{};
+  double slowest_{}, fastest_{}, largest_{};
+  double exponent_{2}, power_{1};
+  double scatter2_{};
+};
+
+std::vector<SpeedMean> means_of(const std::vector<Speed>& speeds, std::size_t without) {
+  std::vector<SpeedMean> means;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (i != without) means.push_back(speeds[i].mean);
+  }
+  return means;
+}
+
+constexpr std::size_t no_speed = std::numeric_limits<std::size_t>::max();
+
+/// Takes out speeds that the others exclude, the farthest first.
+std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load) {
+  std::vector<StrayFriction> out;
+  const auto most = static_cast<std::size_t>(strays_per_speed * static_cast<double>(speeds.size()));
+  while (out.size() < most) {
+    struct Farthest {
+      std::size_t index{no_speed};
+      double chance{1}, off_Nm{};
+    } farthest;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      Laws others(means_of(speeds, i), load);
+      if (!others.can_dip()) return out;
+      others.find_scatter();
+      const LawPoint law = others.best();
+      Laws all(means_of(speeds, no_speed), load);
+      all.set_scatter2(others.scatter2());
+      const double freedom = others.best_freedom();
+      const double f = (all.best().chi2 - law.chi2) / (law.chi2 / freedom);
+      const double chance = statistics::f_upper_tail(f, 1, freedom);
+      const SpeedMean& m = speeds[i].mean;
+      const double w = m.speed_rad_s;
+      double there = law.coulomb_Nm + law.slope * w + law.load_Nm * m.load;
+      if (law.has_excess) {
+        there += law.excess_Nm * std::exp(-std::pow(w / law.speed_rad_s, law.exponent));
+      }
+      const double off = m.friction_Nm - there;
+      if (std::abs(off) < least_stray * all.largest()) continue;
+      if (chance < farthest.chance) farthest = {i, chance, off};
+    }
+    if (farthest.index == no_speed ||
+        farthest.chance * static_cast<double>(speeds.size()) > stray) {
+      break;
+    }
+    const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(farthest.index);
+    out.push_back({at->mean.speed_rad_s, at->runs, farthest.off_Nm});
+    speeds.erase(at);
+  }
+  return out;
+}
+
+/// From the smallest to the largest value of a parameter in laws that are not excluded.
+struct Hull {
+  double low{std::numeric_limits<double>::infinity()};
+  double high{-std::numeric_limits<double>::infinity()};
+  void add(double value, double reach = 0) {
+    low = std::min(low, value - reach);
+    high = std::max(high, value + reach);
+  }
+  [[nodiscard]] bool any() const { return low <= high; }
+  [[nodiscard]] statistics::Estimate about(double value) const {
+    return {value, std::min(low, value), std::max(high, value), {"interval.sliding_law_profile"}};
+  }
+};
+
+std::vector<double> exponents() {
+  std::vector<double> out;
+  constexpr int per_octave = 8;
+  for (int k = -per_octave; k <= 2 * per_octave; ++k) out.push_back(std::exp2(k / 8.0));
+  return out;
+}
+
+std::vector<double> powers() {
+  std::vector<double> out;
+  for (int k = 4; k <= 32; ++k) out.push_back(k / 20.0);
+  return out;
+}
+
+double chance_of_gain(double simple, double rich, double parameters, double freedom) {
+  return statistics::f_upper_tail(((simple - rich) / parameters) / (rich / freedom), parameters,
+                                  freedom);
+}
+
+struct Hulls {
+  Hull coulomb, slope, speed, exponent;
+};
+
+/// @param limit chi2 up to which a law is not excluded.
+void add_points(const std::vector<LawPoint>& points, double limit, Hulls& hulls) {
+  for (const LawPoint& p : points) {
+    if (!(p.chi2 <= limit)) continue;
+    const double reach = std::sqrt(limit - p.chi2);
+    hulls.coulomb.add(p.coulomb_Nm, reach * p.coulomb_error);
+    hulls.slope.add(p.slope, reach * p.slope_error);
+    if (!p.has_excess) continue;
+    hulls.speed.add(p.speed_rad_s);
+    hulls.exponent.add(p.exponent);
+  }
+}
+
+/// Scans ever closer about the speeds that are not excluded, `law` among them.
+Hulls hulls_of(const Laws& laws, LawGrid grid, const LawPoint& law, double limit) {
+  constexpr int rounds = 6;
+  Hulls hulls;
+  for (int k = 0; k < rounds; ++k) {
+    const std::vector<LawPoint> points = laws.scan(grid);
+    const LawPoint* best = best_of(points);
+    if (best == nullptr) break;
+    hulls = {};
+    add_points({law}, limit, hulls);
+    add_points(points, limit, hulls);
+    // Between coarse speeds there may be better ones.
+    Hull near;
+    const double reached = std::max(limit, best->chi2 + (limit - law.chi2));
+    for (const LawPoint& p : points) {
+      if (p.chi2 <= reached) near.add(p.speed_rad_s);
+    }
+    const double step = std::pow(grid.fastest_speed / grid.slowest_speed,
+                                 1.0 / static_cast<double>(speeds_tried - 1));
+    const double low = std::max(grid.slowest_speed, near.low / step);
+    const double high = std::min(grid.fastest_speed, near.high * step);
+    constexpr double close = 0.6;
+    if (std::log(high / low) > close * std::log(grid.fastest_speed / grid.slowest_speed)) break;
+    grid.slowest_speed = low;
+    grid.fastest_speed = high;
+  }
+  return hulls;
+}
+
+}  // namespace
+
+void SlidingLaw::doubt(const Statement& why) {
+  findings.insert(findings.begin(), why);
+  for (SlidingQuantity* q : {&coulomb_Nm, &stribeck_speed_rad_s, &viscous_Nms_rad}) {
+    if (q->estimate) q->why_not = why;
+  }
+}
+
+double SlidingLaw::friction_Nm(double speed_rad_s) const {
+  const double share = speed_rad_s / fastest_rad_s;
+  double friction = level_Nm + rise_Nm * std::pow(share, viscous_exponent);
+  if (has_dip) {
+    friction += excess_Nm * std::exp(-std::pow(speed_rad_s / dip_rad_s, stribeck_exponent));
+  }
+  return friction;
+}
+
+namespace {
+
+/// Whether the runs show the dip from both sides.
+struct DipCover {
+  std::size_t below{};   ///< Speeds at which more than 1/e of the excess is left.
+  std::size_t beyond{};  ///< Speeds at which next to nothing of it is left.
+};
+
+DipCover cover_of(const std::vector<SpeedMean>& means, double dip_rad_s) {
+  constexpr double gone = 2;  // times ws: exp(-4)
+  DipCover out;
+  for (const SpeedMean& m : means) {
+    if (m.speed_rad_s <= dip_rad_s) ++out.below;
+    if (m.speed_rad_s >= gone * dip_rad_s) ++out.beyond;
+  }
+  return out;
+}
+
+/// The laws that describe the speeds, and the one that is taken.
+struct Choice {
+  LawPoint law;
+  bool has_dip{};
+  double freedom{};
+  double limit{};  ///< chi2 up to which a law is not excluded.
+};
+
+void take_limit(Choice& choice) {
+  // What the runs' own scatter and their rounding let expect is not talked down by a lucky fit.
+  const double scale = std::max(least_scale, choice.law.chi2 / choice.freedom);
+  choice.limit = choice.law.chi2 + scale * std::pow(statistics::student_t_975(choice.freedom), 2);
+}
+
+/// The simplest that is not excluded: line, d = 2, any d; then p = 1, any p.
+Choice choose(Laws& laws, double direction_scatter) {
+  const auto find_scatter = [&] {
+    laws.find_scatter();
+    laws.set_scatter2(std::max(laws.scatter2(), direction_scatter));
+  };
+  find_scatter();
+  Choice out;
+  out.law = laws.line();
+  out.freedom = laws.freedom(line_parameters);
+  const double freedom = laws.freedom(dip_parameters);
+  if (laws.can_dip()) {
+    const std::optional<LawPoint> gauss = laws.best_law(laws.whole_grid());
+    out.has_dip = gauss && chance_of_gain(out.law.chi2, gauss->chi2, 2, freedom) < line_excluded;
+    if (out.has_dip) {
+      out.law = *gauss;
+      out.freedom = freedom;
+    }
+  }
+  const double left = out.freedom - 1;
+  if (left < 2) {
+    take_limit(out);
+    return out;
+  }
+  // Another exponent, of the excess or of the viscous term, where the simple one is excluded.
+  struct Rival {
+    LawPoint law;
+    double chance{1};
+  };
+  const auto rival = [&](const std::vector<double>& exponents_tried,
+                         const std::vector<double>& powers_tried) {
+    std::optional<LawPoint> best;
+    if (out.has_dip) {
+      LawGrid grid = laws.whole_grid();
+      grid.exponents = exponents_tried;
+      grid.powers = powers_tried;
+      best = laws.best_law(grid);
+    } else {
+      for (const double power : powers_tried) {
+        const LawPoint at = laws.line(power);
+        if (!best || at.chi2 < best->chi2) best = at;
+      }
+    }
+    return best ? Rival{*best, chance_of_gain(out.law.chi2, best->chi2, 1, left)} : Rival{};
+  };
+  const Rival sharper = out.has_dip ? rival(exponents(), {1.0}) : Rival{};
+  const Rival curved = rival({2.0}, powers());
+  const Rival& better = sharper.chance < curved.chance ? sharper : curved;
+  if (better.chance < shape_excluded) {
+    out.law = better.law;
+    out.freedom = left;
+    laws.set_shape(out.law.exponent, out.law.power);
+    find_scatter();
+    out.law = out.has_dip ? laws.best() : laws.line(out.law.power);
+  }
+  take_limit(out);
+  return out;
+}
+
+Hulls hulls_about(const Laws& laws, const Choice& choice) {
+  LawGrid grid = laws.whole_grid();
+  grid.exponents = exponents();
+  const bool is_curved = choice.law.power != 1;
+  if (is_curved) grid.powers = powers();
+  // Where no dip shows, friction that falls over the whole range just as a straight line would
+  // have it is no rival: that takes an accident.
+  constexpr double farthest_hidden = 1.0 / 3;
+  if (!choice.has_dip) grid.fastest_speed = farthest_hidden * laws.fastest();
+  Hulls hulls;
+  if (laws.can_dip() && grid.slowest_speed < grid.fastest_speed)
+    hulls = hulls_of(laws, grid, choice.law, choice.limit);
+  for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, hulls);
+  add_points({choice.law}, choice.limit, hulls);
+  return hulls;
+}
+
+void add_findings(const Laws& laws, SlidingLaw& law) {
+  if (!law.left_out.empty()) {
+    double farthest = 0;
+    double its_speed = 0;
+    for (const StrayFriction& s : law.left_out) {
+      if (std::abs(s.off_Nm) <= std::abs(farthest)) continue;
+      farthest = s.off_Nm;
+      its_speed = s.speed_rad_s;
+    }
+    law.findings.push_back({"cause.outliers_of_speeds",
+                            {{"speeds", law.left_out.size()},
+                             {"all", law.left_out.size() + law.speeds},
+                             {"speed_rad_s", its_speed},
+                             {"off_Nm", farthest}}});
+  }
+  if (!law.has_dip) {
+    law.findings.push_back({"cause.stribeck_not_shown", {{"slowest_rad_s", laws.slowest()}}});
+    return;
+  }
+  constexpr std::size_t enough = 3;
+  const DipCover cover = cover_of(laws.means(), law.dip_rad_s);
+  if (cover.below < enough || cover.beyond < enough) {
+    law.findings.push_back({"cause.stribeck_at_the_edge",
+                            {{"stribeck_rad_s", law.dip_rad_s},
+                             {"below", cover.below},
+                             {"beyond", cover.beyond},
+                             {"needed", enough}}});
+  }
+}
+
+double residual_of(const SlidingLaw& law, const std::vector<SpeedMean>& means, double load_Nm) {
+  double squares = 0;
+  for (const SpeedMean& m : means) {
+    squares += std::pow(m.friction_Nm - law.friction_Nm(m.speed_rad_s) - load_Nm * m.load, 2);
+  }
+  return std::sqrt(squares / static_cast<double>(means.size()));
+}
+
+}  // namespace
+
+SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveModel& terms) {
+  SlidingLaw out;
+  if (group_count(samples) < fewest_speeds_of_law) return out;
+  std::vector<Speed> speeds = speeds_of(samples, terms);
+  floor_variances(speeds);
+  out.left_out = without_strays(speeds, terms.load);
+  Laws laws(means_of(speeds, no_speed), terms.load);
+  const bool can_fit = laws.largest() > 0 && laws.freedom(line_parameters) >= 1;
+  if (!can_fit || !std::isfinite(laws.line().chi2)) return out;
+  laws.find_scatter();
+  const double direction_scatter = direction_scatter2(speeds, laws.scatter2());
+  const Choice choice = choose(laws, direction_scatter);
+  const Hulls hulls = hulls_about(laws, choice);
+
+  out.fitted = true;
+  out.speeds = speeds.size();
+  out.has_dip = choice.has_dip;
+  out.scatter_Nm = std::sqrt(laws.scatter2());
+  out.level_Nm = choice.law.coulomb_Nm;
+  out.excess_Nm = choice.law.excess_Nm;
+  out.dip_rad_s = choice.law.speed_rad_s;
+  out.fastest_rad_s = laws.fastest();
+  out.rise_Nm = choice.law.slope * laws.fastest() / choice.law.power;
+  out.stribeck_exponent = choice.law.exponent;
+  out.viscous_exponent = choice.law.power;
+  if (hulls.exponent.any()) {
+    out.lowest_exponent = hulls.exponent.low;
+    out.highest_exponent = hulls.exponent.high;
+  }
+  out.residual_Nm = residual_of(out, laws.means(), choice.law.load_Nm);
+  out.coulomb_Nm.estimate = hulls.coulomb.about(choice.law.coulomb_Nm);
+  out.viscous_Nms_rad.estimate = hulls.slope.about(choice.law.slope);
+  add_findings(laws, out);
+  out.direction_scatter_Nm = std::sqrt(direction_scatter);
+  if (out.has_dip) {
+    out.stribeck_speed_rad_s.estimate = hulls.speed.about(choice.law.speed_rad_s);
+  } else {
+    out.stribeck_speed_rad_s.why_not = out.findings.back();
+  }
+  if (out.viscous_exponent != 1) {
+    out.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
+                                   {{"exponent", out.viscous_exponent}}};
+    out.findings.push_back(out.viscous_Nms_rad.why_not);
+  }
+  // The mean of the directions is friction only where both tell of the same.
+  constexpr double matters = 0.005;
+  if (out.direction_scatter_Nm > matters * out.level_Nm) {
+    const Statement disagree{"cause.outliers_between_directions",
+                             {{"scatter_Nm", out.direction_scatter_Nm},
+                              {"percent", 100 * out.direction_scatter_Nm / out.level_Nm}}};
+    out.doubt(disagree);
+  }
+  return out;
+}
+
+}  // namespace tribolog::method::viscous
