@@ -11,6 +11,7 @@
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
 #include "method/selection/independent_gravity.h"
+#include "method/session/session_friction.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -123,6 +124,12 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        p.c.run_gravity =
            method::gravity::identify_run_gravity(p.recordings(Role::constant_speed), p.n);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.session = method::session::examine_session_friction({p.dataset.recordings, p.rough_sweep,
+                                                                p.c.rough, p.precise_sweep,
+                                                                p.c.precise, p.c.run_gravity, p.n});
      }},
     {"", [](Progress& p) { choose_gravity_peak(p.c); }},
     {"hysteresis loop",
