@@ -81,6 +81,7 @@ struct Judgement {
   Statement sentence;                       ///< For the top of the report.
   std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
+  std::vector<RuleOutcome> rules;           ///< All that were applied, in the table's order.
 
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
