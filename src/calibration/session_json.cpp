@@ -35,7 +35,10 @@ Json direction(const method::session::DirectionEffect& d) {
 
 Json shift(const std::optional<method::session::SweepShift>& s) {
   if (!s) return nullptr;
-  return {{"q_peak_rad", number(s->q_peak_rad)}, {"gravity_Nm", number(s->gravity_Nm)}};
+  return {{"q_peak_rad", number(s->q_peak_rad)},
+          {"q_peak_slack_rad", number(s->q_peak_slack_rad)},
+          {"gravity_Nm", number(s->gravity_Nm)},
+          {"gravity_slack_Nm", number(s->gravity_slack_Nm)}};
 }
 
 Json drift(const SessionFriction& s) {

@@ -50,19 +50,9 @@ class Columns {
 
   [[nodiscard]] Eigen::Index count() const { return count_; }
 
-  [[nodiscard]] std::vector<Law> laws() const {
-    if (!has_law_) return {{1, 1, 1}};
-    constexpr int steps = 20;
-    std::vector<Law> all;
-    const double low = 0.7 * distinct_.front();
-    for (int k = 0; k < steps; ++k) {
-      const double ws = low * std::pow(0.7 * distinct_.back() / low, k / (steps - 1.0));
-      for (const double d : {1.0, 2.0}) {
-        for (const double p : {1.0, 0.6}) all.push_back({ws, d, p});
-      }
-    }
-    return all;
-  }
+  [[nodiscard]] bool has_law() const { return has_law_; }
+  [[nodiscard]] double slowest() const { return distinct_.front(); }
+  [[nodiscard]] double fastest() const { return distinct_.back(); }
 
   void fill(const Law& law, Eigen::MatrixXd& x) const {
     x.leftCols(count_).setZero();
@@ -96,8 +86,7 @@ struct Trial {
 
 class Fitter {
  public:
-  explicit Fitter(const std::vector<FrictionLevel>& levels)
-      : levels_(levels), columns_(levels), laws_(columns_.laws()) {
+  explicit Fitter(const std::vector<FrictionLevel>& levels) : levels_(levels), columns_(levels) {
     const auto n = static_cast<Eigen::Index>(levels.size());
     y_.resize(n);
     weight_.resize(n);
@@ -110,51 +99,93 @@ class Fitter {
 
   /// Degrees of freedom left with the change; the law's own search and the time constant count.
   [[nodiscard]] double freedom() const {
-    return static_cast<double>(y_.size() - columns_.count() - 1) - (laws_.size() > 1 ? 2 : 0);
+    return static_cast<double>(y_.size() - columns_.count() - 1) - (columns_.has_law() ? 2 : 0);
   }
 
   double chi2_without() const {
-    double best = std::numeric_limits<double>::infinity();
     Eigen::MatrixXd x(y_.size(), columns_.count());
-    for (const Law& law : laws_) {
-      columns_.fill(law, x);
-      best = std::min(best, solve(x).first);
+    double best = std::numeric_limits<double>::infinity();
+    for (const Trial& trial : over_laws([&](const Law& law) {
+           columns_.fill(law, x);
+           return Trial{solve(x).first, 0, 0, 0};
+         })) {
+      best = std::min(best, trial.chi2);
     }
     return best;
   }
 
+  /// Every law with every time constant.
   std::vector<Trial> trials() const {
     std::vector<Trial> all;
     Eigen::MatrixXd x(y_.size(), columns_.count() + 1);
     for (const double tau : time_constants) {
-      Eigen::VectorXd change(y_.size());
+      Eigen::VectorXd passed(y_.size());
       for (Eigen::Index i = 0; i < y_.size(); ++i) {
         const FrictionLevel& l = levels_[static_cast<std::size_t>(i)];
         double g = 0;
         for (const double share : l.session_share) g += progress(share, tau);
-        change(i) = g / static_cast<double>(l.session_share.size());
+        passed(i) = g / static_cast<double>(l.session_share.size());
       }
-      for (const Law& law : laws_) {
+      const std::vector<Trial> of_tau = over_laws([&](const Law& law) {
         columns_.fill(law, x);
-        // The change is one of the friction at the begin, of which the level is an estimate: once
-        // more with that of the first round.
-        double w = 0;
-        Trial trial{};
-        for (int round = 0; round < 2; ++round) {
-          x.col(columns_.count()) =
-              change.cwiseProduct(y_.cwiseQuotient((1 + w * change.array()).matrix()));
-          const auto [chi2, c] = solve(x);
-          w = std::clamp(c(columns_.count()), -0.9, 9.0);
-          trial = {chi2, w, 0, tau};
-        }
-        trial.standard_error = error_of_last(x);
-        all.push_back(trial);
-      }
+        return with_change(passed, tau, x);
+      });
+      all.insert(all.end(), of_tau.begin(), of_tau.end());
     }
     return all;
   }
 
  private:
+  /// One trial for each law of a grid, which is finer about the best speed of the dip.
+  template <class Try>
+  std::vector<Trial> over_laws(Try attempt) const {
+    if (!columns_.has_law()) return {attempt(Law{1, 1, 1})};
+    constexpr int coarse = 10;
+    constexpr int halvings = 4;
+    std::vector<Trial> all;
+    const double low = std::log(0.7 * columns_.slowest());
+    const double high = std::log(0.7 * columns_.fastest());
+    for (const double d : {1.0, 2.0}) {
+      for (const double p : {1.0, 0.6}) {
+        double best_at = low;
+        double least = std::numeric_limits<double>::infinity();
+        const auto at = [&](double log_speed) {
+          all.push_back(attempt(Law{std::exp(log_speed), d, p}));
+          if (all.back().chi2 < least) {
+            least = all.back().chi2;
+            best_at = log_speed;
+          }
+        };
+        double step = (high - low) / (coarse - 1);
+        for (int k = 0; k < coarse; ++k) at(low + k * step);
+        for (int k = 0; k < halvings; ++k) {
+          step /= 2;
+          const double middle = best_at;
+          at(middle - step);
+          at(middle + step);
+        }
+      }
+    }
+    return all;
+  }
+
+  /// The change is one of the friction at the begin, of which the level is an estimate: once more
+  /// with that of the first round.
+  Trial with_change(const Eigen::VectorXd& passed, double tau, Eigen::MatrixXd& x) const {
+    Trial trial{};
+    for (int round = 0; round < 2; ++round) {
+      x.col(columns_.count()) =
+          passed.cwiseProduct(y_.cwiseQuotient((1 + trial.change * passed.array()).matrix()));
+      const auto [chi2, c] = solve(x);
+      // The first round took the level for the friction at the begin.
+      const double w = round == 0 ? c(columns_.count()) / (1 - std::min(c(columns_.count()), 0.9))
+                                  : c(columns_.count());
+      trial = {chi2, std::clamp(w, -0.9, 9.0), 0, tau};
+    }
+    trial.standard_error = error_of_last(x);
+    return trial;
+  }
+
   [[nodiscard]] std::pair<double, Eigen::VectorXd> solve(const Eigen::MatrixXd& x) const {
     const Eigen::MatrixXd weighted = weight_.asDiagonal() * x;
     const Eigen::VectorXd y = weight_.cwiseProduct(y_);
@@ -174,7 +205,6 @@ class Fitter {
 
   const std::vector<FrictionLevel>& levels_;
   Columns columns_;
-  std::vector<Law> laws_;
   Eigen::VectorXd y_, weight_;
 };
 

@@ -296,30 +296,43 @@ class Examination {
                                                    bool amplitude_known,
                                                    const SessionFriction& out) const {
     if (!found.found) return std::nullopt;
-    double friction = out.mean_friction_Nm;
-    if (found.coulomb_Nm) friction = found.coulomb_Nm->value;
-    SweepShift worst;
-    for (std::size_t k = 0; k < out.drift.other_time_constants.size(); ++k) {
-      Eigen::VectorXd extra(static_cast<Eigen::Index>(sweep.samples.size()));
-      for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
-        const std::size_t r = sweep.samples.recording[i];
-        const joint::Recording& recording = *sweep.recordings[r];
-        const auto number = static_cast<std::size_t>(&recording - in_.recordings.data());
-        const double share = times_.share(number, recording, recording.t_s[sweep.samples.index[i]]);
-        extra(static_cast<Eigen::Index>(i)) = sweep.samples.direction[i] * friction *
-                                              out.drift.other_changes[k] *
-                                              progress(share, out.drift.other_time_constants[k]);
-      }
-      const gravity::GravityShift shift =
-          gravity::effect_on_gravity(sweep, found, amplitude_known, extra);
-      if (std::abs(shift.q_peak_rad) > std::abs(worst.q_peak_rad)) {
-        worst.q_peak_rad = shift.q_peak_rad;
-      }
-      if (std::abs(shift.gravity_Nm) > std::abs(worst.gravity_Nm)) {
-        worst.gravity_Nm = shift.gravity_Nm;
-      }
+    const FrictionDrift& drift = out.drift;
+    const double friction = found.coulomb_Nm ? found.coulomb_Nm->value : out.mean_friction_Nm;
+    SweepShift shift;
+    const gravity::GravityShift best =
+        effect_of(sweep, found, amplitude_known, friction, drift.change, drift.time_constant);
+    shift.q_peak_rad = best.q_peak_rad;
+    shift.gravity_Nm = best.gravity_Nm;
+    for (std::size_t k = 0; k < drift.other_time_constants.size(); ++k) {
+      const gravity::GravityShift other =
+          effect_of(sweep, found, amplitude_known, friction, drift.other_changes[k],
+                    drift.other_time_constants[k]);
+      shift.q_peak_slack_rad =
+          std::max(shift.q_peak_slack_rad, std::abs(other.q_peak_rad - best.q_peak_rad));
+      shift.gravity_slack_Nm =
+          std::max(shift.gravity_slack_Nm, std::abs(other.gravity_Nm - best.gravity_Nm));
     }
-    return worst;
+    return shift;
+  }
+
+  [[nodiscard]] gravity::GravityShift effect_of(const motion::Sweep& sweep,
+                                                const gravity::CogSweepResult& found,
+                                                bool amplitude_known, double friction_Nm,
+                                                double change, double time_constant) const {
+    const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
+    Eigen::VectorXd passed(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      const joint::Recording& recording = *sweep.recordings[sweep.samples.recording[i]];
+      const auto number = static_cast<std::size_t>(&recording - in_.recordings.data());
+      passed(row) = progress(times_.share(number, recording, recording.t_s[sweep.samples.index[i]]),
+                             time_constant);
+    }
+    const double at_begin = friction_Nm / (1 + change * passed.mean());
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      passed(row) *= sweep.samples.direction[static_cast<std::size_t>(row)] * at_begin * change;
+    }
+    return gravity::effect_on_gravity(sweep, found, amplitude_known, passed);
   }
 
   const SessionInput& in_;

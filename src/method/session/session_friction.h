@@ -64,8 +64,11 @@ struct OffsetDrift {
 
 /// What a change of friction within a sweep does to what was read from it.
 struct SweepShift {
-  double q_peak_rad{};  ///< Largest over the changes that describe the levels about equally well.
+  double q_peak_rad{};        ///< With the change that describes the levels best.
+  double q_peak_slack_rad{};  ///< How far those that do it about equally well are from it, and the
+                              ///< interval of the change.
   double gravity_Nm{};
+  double gravity_slack_Nm{};
 };
 
 struct SessionFriction {
