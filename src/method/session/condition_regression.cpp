@@ -120,13 +120,14 @@ ConditionFit fit_conditions(const StrokePairs& strokes, const GravityGuess& grav
     squares[pair] += std::pow(fit.regression.residuals(row) / weight(row), 2);
     count[pair] += 1;
   }
+  const Eigen::VectorXd common = level.leftCols(next).colwise().mean().transpose();
   for (Eigen::Index p = 0; p < pairs; ++p) {
     const Eigen::VectorXd gradient = level.row(p).head(next).transpose();
     fit.level_Nm.push_back(level(p, next) - gradient.dot(fit.regression.coefficients));
     const double n = count[static_cast<std::size_t>(p)];
     const double own = squares[static_cast<std::size_t>(p)] / std::max(1.0, n - 1) / n;
     fit.level_error_Nm.push_back(
-        std::sqrt(own + std::pow(fit.regression.standard_error_along(gradient), 2)));
+        std::sqrt(own + std::pow(fit.regression.standard_error_along(gradient - common), 2)));
   }
   return fit;
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr double repeatability = 0.0015;
 constexpr double one_speed = 0.03;
 constexpr std::size_t fewest_levels_of_law = 8;
-constexpr double largest_chance_of_drift = 0.002;
+constexpr double largest_chance_of_drift = 0.01;
 constexpr double least_change = 0.01;
 constexpr std::array time_constants{0.0, 1.0, 0.5, 0.33, 0.2, 0.1};
 
