@@ -35,6 +35,7 @@ struct Progress {
   const double n = dataset.manifest.drive.gear_ratio();
   method::motion::Sweep rough_sweep;
   method::motion::Sweep precise_sweep;
+  std::vector<joint::Recording> aligned;  ///< Oscillations without the lag of their torque.
   method::gravity::CogSweep rough;
   method::gravity::CogSweep precise;
   method::hysteresis::Hysteresis loop;
@@ -132,10 +133,27 @@ constexpr Step papers_chain[] = {
                                                                 p.c.precise, p.c.run_gravity, p.n});
      }},
     {"", [](Progress& p) { choose_gravity_peak(p.c); }},
+    {"",
+     [](Progress& p) {
+       std::vector<const joint::Recording*> moved = p.recordings(Role::rough_sweep);
+       for (const joint::Recording* r : p.recordings(Role::constant_speed)) moved.push_back(r);
+       p.c.torque_lag = method::motion::find_torque_lag(moved, p.n);
+     }},
     {"hysteresis loop",
      [](Progress& p) {
-       p.loop = method::hysteresis::identify_hysteresis(
-           p.recordings(Role::oscillation), p.rough_sweep, p.c.rough, p.n, p.c.q_peak_rad);
+       const method::motion::TorqueLag& lag = p.c.torque_lag;
+       p.aligned.clear();
+       std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
+       if (lag.is_clear()) {
+         p.aligned.reserve(loops.size());
+         for (const joint::Recording*& r : loops) {
+           p.aligned.push_back(method::motion::aligned(*r, lag.lag_s->value));
+           r = &p.aligned.back();
+         }
+       }
+       p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
+                                                        p.c.q_peak_rad,
+                                                        lag.lag_s ? lag.lag_s->half_width() : 0);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",

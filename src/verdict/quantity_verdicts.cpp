@@ -106,6 +106,15 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   return q;
 }
 
+/// Where the whole joint speeds up and slows down its inertia shows best: of starts and stops and
+/// of a sweep of varying speed the one with the narrower interval. Slow small loops hardly show it.
+std::optional<statistics::Estimate> inertia_of_motion(const calibration::Calibration& c) {
+  const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
+  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
+  if (!sweep || !starts) return sweep ? sweep : starts;
+  return starts->half_width() < sweep->half_width() ? starts : sweep;
+}
+
 }  // namespace
 
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
@@ -130,7 +139,7 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
                  why_no_fit(c)),
       of_fit(Quantity::bristle_stiffness, "N·m/rad", LuGreParameterName::bristle_stiffness, {}),
       of_fit(Quantity::bristle_damping, "N·m·s/rad", LuGreParameterName::bristle_damping, {}),
-      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, c.rough.inertia_kgm2)};
+      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, inertia_of_motion(c))};
   // The method does not rest on these two, and slow loops hardly show them.
   verdict_on(Quantity::bristle_damping, all).decides = false;
   verdict_on(Quantity::inertia, all).decides = false;

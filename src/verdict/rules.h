@@ -24,11 +24,13 @@ struct Rule {
   const char* name;  ///< Stable: "torque_lag".
   const char* unit;  ///< Of value and threshold; "" without.
   double threshold;  ///< A larger value breaks the rule.
-  calibration::Verdict lowers_to;
+  calibration::Verdict lowers_to;  ///< usable: what was found is told, and was corrected.
   std::vector<joint::Quantity> quantities;
   Code experiment;  ///< What to record next.
   /// nullopt: the data do not show it.
   std::optional<Measured> (*measure)(const calibration::Calibration& calibration);
+  /// Why the quantities are doubtful where the data do not show it; empty: they are not.
+  Code unknown{};
 };
 
 /// In the order of weight in which their findings are told.
