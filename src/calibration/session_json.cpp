@@ -58,7 +58,8 @@ Json drift(const SessionFriction& s) {
 Json offset_drift(const method::session::OffsetDrift& d) {
   return {{"examined", d.examined},
           {"found", d.found},
-          {"change_Nm", interval_if(d.examined, d.change_Nm)}};
+          {"change_Nm", interval_if(d.examined, d.change_Nm)},
+          {"to_oscillations_Nm", d.examined ? number(d.to_oscillations_Nm) : Json(nullptr)}};
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct ConditionFit {
   Eigen::Index load{-1};
   Eigen::Index angle{-1};  ///< Three: sin x, cos 2x, sin 2x with x = q - q_peak.
   Eigen::Index lag{-1};
-  std::vector<double> level_Nm;  ///< Of each pair, at the reference load.
+  std::vector<double> level_Nm;        ///< Of each pair, at the reference load.
   std::vector<double> level_error_Nm;  ///< Standard errors, beside what all levels share.
 
   /// Chance of coefficients [first, first + count) as large as these without any effect.

@@ -288,6 +288,23 @@ class Examination {
     drift.change_Nm = estimate(used, used.offset_drift, 1);
     drift.found = used.chance_of(used.offset_drift, 1) < largest_chance &&
                   std::abs(drift.change_Nm.value) > matters_of_gravity * gravity_.gravity_Nm;
+    const std::optional<double> sweep = mean_time(joint::Role::rough_sweep);
+    const std::optional<double> loops = mean_time(joint::Role::oscillation);
+    if (sweep && loops) drift.to_oscillations_Nm = drift.change_Nm.value * (*loops - *sweep);
+  }
+
+  /// Of all recordings of a role, as a share of the session.
+  [[nodiscard]] std::optional<double> mean_time(joint::Role role) const {
+    double sum = 0;
+    double n = 0;
+    for (std::size_t i = 0; i < in_.recordings.size(); ++i) {
+      const joint::Recording& r = in_.recordings[i];
+      if (r.role != role || r.size() < 2) continue;
+      sum += times_.share(i, r, (r.t_s.front() + r.t_s.back()) / 2);
+      n += 1;
+    }
+    if (n == 0) return std::nullopt;
+    return sum / n;
   }
 
   /// What friction's change does to a sweep that does not know of it.
@@ -298,11 +315,15 @@ class Examination {
     if (!found.found) return std::nullopt;
     const FrictionDrift& drift = out.drift;
     const double friction = found.coulomb_Nm ? found.coulomb_Nm->value : out.mean_friction_Nm;
+    // Friction follows no curve of ours exactly.
+    constexpr double least_slack = 0.2;
     SweepShift shift;
     const gravity::GravityShift best =
         effect_of(sweep, found, amplitude_known, friction, drift.change, drift.time_constant);
     shift.q_peak_rad = best.q_peak_rad;
     shift.gravity_Nm = best.gravity_Nm;
+    shift.q_peak_slack_rad = least_slack * std::abs(best.q_peak_rad);
+    shift.gravity_slack_Nm = least_slack * std::abs(best.gravity_Nm);
     for (std::size_t k = 0; k < drift.other_time_constants.size(); ++k) {
       const gravity::GravityShift other =
           effect_of(sweep, found, amplitude_known, friction, drift.other_changes[k],

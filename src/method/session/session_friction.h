@@ -60,6 +60,9 @@ struct OffsetDrift {
   bool examined{};
   bool found{};
   statistics::Estimate change_Nm;  ///< From the session's begin to its end, motor side.
+  /// From the rough sweep to the oscillations: what the mid-line's offset differs by from the
+  /// sweep's. 0 without either.
+  double to_oscillations_Nm{};
 };
 
 /// What a change of friction within a sweep does to what was read from it.
