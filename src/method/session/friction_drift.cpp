@@ -20,7 +20,7 @@ constexpr double one_speed = 0.03;
 constexpr std::size_t fewest_levels_of_law = 8;
 constexpr double largest_chance_of_drift = 0.01;
 constexpr double least_change = 0.01;
-constexpr std::array time_constants{0.0, 1.0, 0.5, 0.33, 0.2, 0.1};
+constexpr std::array time_constants{0.0, 1.0, 0.6, 0.4, 0.3, 0.22, 0.15, 0.1};
 
 struct Law {
   double stribeck_rad_s, exponent, power;
@@ -235,17 +235,25 @@ FrictionDrift fit_friction_drift(const std::vector<FrictionLevel>& levels) {
   out.change = out.low = out.high = best->change;
   out.time_constant = best->time_constant;
   std::map<double, const Trial*> best_of;
+  std::map<double, bool> is_as_good;
   for (const Trial& trial : trials) {
+    const Trial*& one = best_of[trial.time_constant];
+    if (one == nullptr || trial.chi2 < one->chi2) one = &trial;
     if (trial.chi2 > best->chi2 + t * t * scale) continue;
     const double half_width = t * std::sqrt(scale) * trial.standard_error;
     out.low = std::min(out.low, trial.change - half_width);
     out.high = std::max(out.high, trial.change + half_width);
-    const Trial*& one = best_of[trial.time_constant];
-    if (one == nullptr || trial.chi2 < one->chi2) one = &trial;
+    is_as_good[trial.time_constant] = true;
   }
-  for (const auto& [tau, trial] : best_of) {
+  for (std::size_t k = 0; k < time_constants.size(); ++k) {
+    const double tau = time_constants[k];
+    // The next ones of the grid too: what lies between was not tried.
+    const bool is_next =
+        (k > 0 && time_constants[k - 1] == best->time_constant) ||
+        (k + 1 < time_constants.size() && time_constants[k + 1] == best->time_constant);
+    if (!is_next && !is_as_good[tau]) continue;
     out.other_time_constants.push_back(tau);
-    out.other_changes.push_back(trial->change);
+    out.other_changes.push_back(best_of[tau]->change);
   }
   out.found = out.chance < largest_chance_of_drift && std::abs(out.change) > least_change &&
               out.low * out.high > 0;

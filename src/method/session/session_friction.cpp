@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -109,19 +110,19 @@ class AnglePattern {
 class Examination {
  public:
   Examination(const SessionInput& in, const GravityGuess& gravity, const SessionTimes& times,
-              const StrokePairs& strokes)
+              StrokePairs strokes)
       : in_(in),
         gravity_(gravity),
         times_(times),
-        strokes_(strokes),
-        range_(range_of(strokes, gravity.q_peak_rad)) {
-    double slowest = strokes.pairs.front().speed_rad_s;
+        strokes_(std::move(strokes)),
+        range_(range_of(strokes_, gravity.q_peak_rad)) {
+    double slowest = strokes_.pairs.front().speed_rad_s;
     double fastest = slowest;
-    for (const StrokePair& p : strokes.pairs) {
+    for (const StrokePair& p : strokes_.pairs) {
       slowest = std::min(slowest, p.speed_rad_s);
       fastest = std::max(fastest, p.speed_rad_s);
     }
-    const bool several = strokes.pairs.size() >= fewest_pairs_of_offsets;
+    const bool several = strokes_.pairs.size() >= fewest_pairs_of_offsets;
     can_load_ = range_.largest_load - range_.least_load > least_change_of_load;
     can_angle_ = range_.high_rad - range_.low_rad > least_travel_rad;
     terms_.load = can_load_;
@@ -133,6 +134,15 @@ class Examination {
     terms_.second_of_angle = can_angle_;
     terms_.second_of_angle = can_angle_ && fit({}).chance_second < 0.01;
     ConditionFit first = full_fit({});
+    // Friction that changes with the angle is a share of the level, not of the mean over what each
+    // pair covers.
+    constexpr int rounds = 2;
+    for (int k = 0; k < rounds && chance_of_angle(first) < largest_chance; ++k) {
+      for (std::size_t p = 0; p < strokes_.pairs.size(); ++p) {
+        strokes_.pairs[p].friction_Nm = first.level_Nm[p];
+      }
+      first = full_fit({});
+    }
     find_drift(first, out);
     std::vector<double> taken_off;
     if (out.drift.found) taken_off = torque_of_drift(first, out.drift);
@@ -143,6 +153,8 @@ class Examination {
   }
 
  private:
+  static double chance_of_angle(const ConditionFit& fit) { return fit.chance_of(fit.angle, 3); }
+
   struct Tested {
     ConditionFit fit;
     double chance_second{1};
@@ -198,8 +210,8 @@ class Examination {
     if (can_angle_) {
       out.angle.examined = true;
       AnglePattern(range_).read(with_angle, out.angle);
-      out.angle.found = with_angle.chance_of(with_angle.angle, 3) < largest_chance &&
-                        out.angle.amplitude.value > matters;
+      out.angle.found =
+          chance_of_angle(with_angle) < largest_chance && out.angle.amplitude.value > matters;
     }
     const ConditionFit& used = out.angle.found ? with_angle : plain;
     double mean = 0;
@@ -286,8 +298,13 @@ class Examination {
     OffsetDrift& drift = out.offset_drift;
     drift.examined = true;
     drift.change_Nm = estimate(used, used.offset_drift, 1);
+    // What a slightly wrong course of friction's change leaves looks like one of the offset.
+    constexpr double imitated = 0.15;
+    const double by_friction =
+        out.drift.found ? imitated * std::abs(out.drift.change) * out.mean_friction_Nm : 0;
     drift.found = used.chance_of(used.offset_drift, 1) < largest_chance &&
-                  std::abs(drift.change_Nm.value) > matters_of_gravity * gravity_.gravity_Nm;
+                  std::abs(drift.change_Nm.value) >
+                      std::max(by_friction, matters_of_gravity * gravity_.gravity_Nm);
     const std::optional<double> sweep = mean_time(joint::Role::rough_sweep);
     const std::optional<double> loops = mean_time(joint::Role::oscillation);
     if (sweep && loops) drift.to_oscillations_Nm = drift.change_Nm.value * (*loops - *sweep);
@@ -316,7 +333,7 @@ class Examination {
     const FrictionDrift& drift = out.drift;
     const double friction = found.coulomb_Nm ? found.coulomb_Nm->value : out.mean_friction_Nm;
     // Friction follows no curve of ours exactly.
-    constexpr double least_slack = 0.2;
+    constexpr double least_slack = 0.25;
     SweepShift shift;
     const gravity::GravityShift best =
         effect_of(sweep, found, amplitude_known, friction, drift.change, drift.time_constant);
@@ -359,7 +376,7 @@ class Examination {
   const SessionInput& in_;
   GravityGuess gravity_;
   const SessionTimes& times_;
-  const StrokePairs& strokes_;
+  StrokePairs strokes_;
   Range range_;
   ConditionTerms terms_;
   bool can_load_{};
@@ -378,8 +395,7 @@ SessionFriction examine_session_friction(const SessionInput& in) {
   const SessionTimes times = session_times(in.recordings);
   out.by_clock = times.by_clock;
   out.whole_s = times.whole_s;
-  const StrokePairs strokes =
-      find_stroke_pairs(in.recordings, times, in.gear_ratio, in.rough.ripple);
+  StrokePairs strokes = find_stroke_pairs(in.recordings, times, in.gear_ratio, in.rough.ripple);
   out.pairs = strokes.pairs.size();
   constexpr std::size_t fewest_cells = 24;
   if (strokes.cells.size() < fewest_cells) {
@@ -388,7 +404,7 @@ SessionFriction examine_session_friction(const SessionInput& in) {
   }
   out.examined = true;
   out.gravity_Nm = gravity->gravity_Nm;
-  Examination(in, *gravity, times, strokes).run(out);
+  Examination(in, *gravity, times, std::move(strokes)).run(out);
   out.sentence = {"session.examined", {{"pairs", out.pairs}}};
   return out;
 }
