@@ -21,10 +21,23 @@ double percent_if(bool found, double share) { return found ? 100 * std::abs(shar
 
 // The load.
 
+/// Of a sweep of varying speed, where there are no strokes of constant speed to compare.
+std::optional<Measured> by_load_of_sweep(const method::viscous::LoadDependenceResult& l) {
+  if (!l.examined) return std::nullopt;
+  const double load = (l.lowest_load_Nm + l.highest_load_Nm) / 2;
+  return Measured{percent_if(l.found, l.per_load.value * load / l.unloaded_Nm.value),
+                  {"cause.load",
+                   {{"share_percent", 100 * l.per_load.value},
+                    {"low_percent", 100 * l.per_load.low},
+                    {"high_percent", 100 * l.per_load.high},
+                    {"at_peak_Nm", l.unloaded_Nm.value + l.per_load.value * l.highest_load_Nm},
+                    {"unloaded_Nm", l.unloaded_Nm.value}}}};
+}
+
 /// What it adds to the friction that was recorded, as a share of what is there without load.
 std::optional<Measured> by_load(const Calibration& c) {
   const auto& l = c.session.load;
-  if (!l.examined) return std::nullopt;
+  if (!l.examined) return by_load_of_sweep(c.load_dependence);
   return Measured{percent_if(l.found, (l.friction_Nm - l.unloaded_Nm) / l.unloaded_Nm),
                   {"cause.load",
                    {{"share_percent", 100 * l.per_load.value},
@@ -38,7 +51,8 @@ std::optional<Measured> by_load(const Calibration& c) {
 std::optional<Measured> by_load_on_slope(const Calibration& c) {
   std::optional<Measured> found = by_load(c);
   const auto& line = c.friction.coulomb_viscous;
-  if (!found || !line || !(line->viscous_Nms_rad.value > 0)) return std::nullopt;
+  if (!found || !c.session.load.examined || !line || !(line->viscous_Nms_rad.value > 0))
+    return std::nullopt;
   found->value = percent_if(c.session.load.found,
                             c.session.load.viscous_Nms_rad / line->viscous_Nms_rad.value);
   return found;

@@ -52,8 +52,10 @@ double ConditionFit::chance_of(Eigen::Index first, Eigen::Index count) const {
       static_cast<double>(count), below);
 }
 
+Eigen::RowVector3d angle_terms(double x) { return {std::sin(x), std::cos(2 * x), std::sin(2 * x)}; }
+
 ConditionFit fit_conditions(const StrokePairs& strokes, const GravityGuess& gravity,
-                            double reference_load, const ConditionTerms& terms,
+                            const ReferenceCondition& reference, const ConditionTerms& terms,
                             const std::vector<double>& taken_off) {
   ConditionFit fit;
   Eigen::Index next = 0;
@@ -94,12 +96,10 @@ ConditionFit fit_conditions(const StrokePairs& strokes, const GravityGuess& grav
     if (fit.offset_drift >= 0) x(row, fit.offset_drift) = cell.session_share - 0.5;
     if (fit.asymmetry >= 0) x(row, fit.asymmetry) = pair.friction_Nm - mean_level;
     if (fit.load >= 0) {
-      x(row, fit.load) = sign * gravity.gravity_Nm * (std::abs(std::cos(q)) - reference_load);
+      x(row, fit.load) = sign * gravity.gravity_Nm * (std::abs(std::cos(q)) - reference.load);
     }
     if (fit.angle >= 0) {
-      x(row, fit.angle) = sign * pair.friction_Nm * std::sin(q);
-      x(row, fit.angle + 1) = sign * pair.friction_Nm * std::cos(2 * q);
-      x(row, fit.angle + 2) = sign * pair.friction_Nm * std::sin(2 * q);
+      x.block<1, 3>(row, fit.angle) = sign * pair.friction_Nm * (angle_terms(q) - reference.angle);
     }
     if (fit.lag >= 0) {
       x(row, fit.lag) = sign * gravity.gravity_Nm * pair.speed_rad_s * std::sin(q);

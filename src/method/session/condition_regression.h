@@ -52,10 +52,18 @@ struct GravityGuess {
   double gravity_Nm{};  ///< Amplitude, motor side.
 };
 
-/// @param reference_load of |cos(q - q_peak)|: the levels hold there.
+/// What load and angle count from: means over angles at which friction was recorded.
+struct ReferenceCondition {
+  double load{};                      ///< |cos x|, x = q - q_peak.
+  Eigen::RowVector3d angle{0, 0, 0};  ///< sin x, cos 2x, sin 2x.
+};
+
+/// sin x, cos 2x, sin 2x.
+Eigen::RowVector3d angle_terms(double from_peak_rad);
+
 /// @param taken_off one per cell: subtracted from its torque; may be empty.
 ConditionFit fit_conditions(const StrokePairs& strokes, const GravityGuess& gravity,
-                            double reference_load, const ConditionTerms& terms,
+                            const ReferenceCondition& reference, const ConditionTerms& terms,
                             const std::vector<double>& taken_off = {});
 
 }  // namespace tribolog::method::session

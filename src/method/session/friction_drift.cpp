@@ -17,9 +17,12 @@ namespace {
 // No level of friction repeats better: what no block of a recording shows.
 constexpr double repeatability = 0.0015;
 constexpr double one_speed = 0.03;
-constexpr std::size_t fewest_levels_of_law = 8;
+constexpr std::size_t fewest_levels_of_law = 9;
+constexpr Eigen::Index law_columns = 5;
 constexpr double largest_chance_of_drift = 0.01;
 constexpr double least_change = 0.01;
+// A larger one is no warming up, but a law that does not describe the levels.
+constexpr double largest_change = 1;
 constexpr std::array time_constants{0.0, 1.0, 0.6, 0.4, 0.3, 0.22, 0.15, 0.1};
 
 struct Law {
@@ -43,7 +46,7 @@ class Columns {
       if (distinct_.empty() || v > (1 + one_speed) * distinct_.back()) distinct_.push_back(v);
     }
     has_law_ = distinct_.size() >= fewest_levels_of_law;
-    Eigen::Index next = has_law_ ? 3 : static_cast<Eigen::Index>(distinct_.size());
+    Eigen::Index next = has_law_ ? law_columns : static_cast<Eigen::Index>(distinct_.size());
     for (auto& [family, column] : families_) column = next++;
     count_ = next;
   }
@@ -65,6 +68,10 @@ class Columns {
         x(row, 0) = 1;
         x(row, 1) = std::exp(-std::pow(l.speed_rad_s / law.stribeck_rad_s, law.exponent));
         x(row, 2) = std::pow(l.speed_rad_s / distinct_.back(), law.power);
+        const double decades = std::log(l.speed_rad_s / distinct_.front()) /
+                               std::log(distinct_.back() / distinct_.front());
+        x(row, 3) = 2 * decades - 1;
+        x(row, 4) = std::pow(2 * decades - 1, 2);
       } else {
         const auto at = std::upper_bound(distinct_.begin(), distinct_.end(), l.speed_rad_s);
         x(row, std::max<std::ptrdiff_t>(0, at - distinct_.begin() - 1)) = 1;
@@ -145,7 +152,7 @@ class Fitter {
     std::vector<Trial> all;
     const double low = std::log(0.7 * columns_.slowest());
     const double high = std::log(0.7 * columns_.fastest());
-    for (const double d : {1.0, 2.0}) {
+    for (const double d : {0.7, 1.0, 2.0}) {
       for (const double p : {1.0, 0.6}) {
         double best_at = low;
         double least = std::numeric_limits<double>::infinity();
@@ -256,7 +263,7 @@ FrictionDrift fit_friction_drift(const std::vector<FrictionLevel>& levels) {
     out.other_changes.push_back(best_of[tau]->change);
   }
   out.found = out.chance < largest_chance_of_drift && std::abs(out.change) > least_change &&
-              out.low * out.high > 0;
+              std::abs(out.change) < largest_change && out.low * out.high > 0;
   return out;
 }
 

@@ -1,15 +1,18 @@
 #pragma once
 // Does friction change over the session, as in a gear that warms up?
 //
-//   friction = law(speed) (1 + change g(time)),   law = a + b exp(-(w/ws)^d) + c w^p
+//   friction = law(speed) (1 + change g(time))
+//   law = a + b exp(-(w/ws)^d) + c w^p + e log w + f log^2 w
 //
 // over all levels of friction that were recorded: of each pair of strokes of equal speed, and of
 // each oscillation's first and second half, whose law is one number for all of the same amplitude
 // and frequency. g is 0 at the session's begin and 1 at its end: a straight line, or an exponential
 // of one of several time constants. The law's ws, d and p are searched over a grid, as the time
 // constant is; what all combinations that describe the levels about equally well say of the change
-// is its interval. Speeds recorded in ascending order and nothing else cannot tell time from speed:
-// the interval says so. Where speeds are too few for a law, only repeats of a speed count.
+// is its interval. The logarithms stand for what no law of friction describes: in runs of ascending
+// speed time is a smooth function of the speed, and must not make up for a law that does not fit.
+// What shows a change is then a speed or an oscillation that comes again, and the sweep against the
+// runs at nearly its speed. Where speeds are too few for a law, only repeats of a speed count.
 
 #include <cstddef>
 #include <vector>

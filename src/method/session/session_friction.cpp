@@ -39,16 +39,17 @@ std::optional<GravityGuess> guess_of(const SessionInput& in) {
 }
 
 struct Range {
-  double low_rad{}, high_rad{}, least_load{1}, largest_load{0}, mean_load{};
+  double low_rad{}, high_rad{}, least_load{1}, largest_load{0};
+  ReferenceCondition reference;  ///< Of the runs; without any, of the sweep.
 };
 
 /// Angles, about the peak, and loads that the cells cover.
 Range range_of(const StrokePairs& strokes, double q_peak) {
   Range range;
   range.low_rad = range.high_rad = strokes.cells.front().q_rad - q_peak;
-  double runs = 0;
-  double in_runs = 0;
-  double all = 0;
+  double counted = 0;
+  const bool has_runs = std::any_of(strokes.pairs.begin(), strokes.pairs.end(),
+                                    [](const StrokePair& p) { return !p.of_sweep; });
   for (const StrokeCell& cell : strokes.cells) {
     const double x = cell.q_rad - q_peak;
     const double load = std::abs(std::cos(x));
@@ -56,12 +57,13 @@ Range range_of(const StrokePairs& strokes, double q_peak) {
     range.high_rad = std::max(range.high_rad, x);
     range.least_load = std::min(range.least_load, load);
     range.largest_load = std::max(range.largest_load, load);
-    all += load / static_cast<double>(strokes.cells.size());
-    if (strokes.pairs[cell.pair].of_sweep) continue;
-    in_runs += load;
-    runs += 1;
+    if (has_runs && strokes.pairs[cell.pair].of_sweep) continue;
+    range.reference.load += load;
+    range.reference.angle += angle_terms(x);
+    counted += 1;
   }
-  range.mean_load = runs > 0 ? in_runs / runs : all;
+  range.reference.load /= counted;
+  range.reference.angle /= counted;
   return range;
 }
 
@@ -81,7 +83,7 @@ class AnglePattern {
     rows_.resize(points, 3);
     for (Eigen::Index i = 0; i < points; ++i) {
       other.row(i) << 1, std::abs(std::cos(x_(i)));
-      rows_.row(i) << std::sin(x_(i)), std::cos(2 * x_(i)), std::sin(2 * x_(i));
+      rows_.row(i) = angle_terms(x_(i));
     }
     // Where the load hardly changes it is as good as the constant.
     if (range.largest_load - range.least_load < least_change_of_load) other.col(1).setZero();
@@ -137,7 +139,7 @@ class Examination {
     // Friction that changes with the angle is a share of the level, not of the mean over what each
     // pair covers.
     constexpr int rounds = 2;
-    for (int k = 0; k < rounds && chance_of_angle(first) < largest_chance; ++k) {
+    for (int k = 0; k < rounds && shows_angle(first); ++k) {
       for (std::size_t p = 0; p < strokes_.pairs.size(); ++p) {
         strokes_.pairs[p].friction_Nm = first.level_Nm[p];
       }
@@ -153,7 +155,12 @@ class Examination {
   }
 
  private:
-  static double chance_of_angle(const ConditionFit& fit) { return fit.chance_of(fit.angle, 3); }
+  [[nodiscard]] bool shows_angle(const ConditionFit& fit) const {
+    if (fit.angle < 0 || fit.chance_of(fit.angle, 3) >= largest_chance) return false;
+    AngleEffect effect;
+    AnglePattern(range_).read(fit, effect);
+    return effect.amplitude.value > matters;
+  }
 
   struct Tested {
     ConditionFit fit;
@@ -161,7 +168,7 @@ class Examination {
   };
 
   [[nodiscard]] Tested fit(const std::vector<double>& taken_off) const {
-    Tested t{fit_conditions(strokes_, gravity_, range_.mean_load, terms_, taken_off)};
+    Tested t{fit_conditions(strokes_, gravity_, range_.reference, terms_, taken_off)};
     if (t.fit.second >= 0) t.chance_second = t.fit.chance_of(t.fit.second, 2);
     return t;
   }
@@ -170,7 +177,7 @@ class Examination {
   [[nodiscard]] ConditionFit full_fit(const std::vector<double>& taken_off) const {
     ConditionTerms all = terms_;
     all.angle = can_angle_;
-    return fit_conditions(strokes_, gravity_, range_.mean_load, all, taken_off);
+    return fit_conditions(strokes_, gravity_, range_.reference, all, taken_off);
   }
 
   void find_drift(const ConditionFit& fit, SessionFriction& out) const {
@@ -210,8 +217,7 @@ class Examination {
     if (can_angle_) {
       out.angle.examined = true;
       AnglePattern(range_).read(with_angle, out.angle);
-      out.angle.found =
-          chance_of_angle(with_angle) < largest_chance && out.angle.amplitude.value > matters;
+      out.angle.found = shows_angle(with_angle);
     }
     const ConditionFit& used = out.angle.found ? with_angle : plain;
     double mean = 0;
@@ -227,13 +233,14 @@ class Examination {
     load.examined = true;
     load.per_load = estimate(used, used.load, 1);
     load.friction_Nm = out.mean_friction_Nm;
-    load.reference_load = range_.mean_load;
+    load.reference_load = range_.reference.load;
     const double per_load = load.per_load.value;
-    load.unloaded_Nm = out.mean_friction_Nm - per_load * gravity_.gravity_Nm * range_.mean_load;
+    load.unloaded_Nm =
+        out.mean_friction_Nm - per_load * gravity_.gravity_Nm * range_.reference.load;
     load.at_peak_Nm = load.unloaded_Nm + per_load * gravity_.gravity_Nm;
     const double change = range_.largest_load - range_.least_load;
     const auto is_large = [&](double coefficient) {
-      return std::abs(coefficient) * gravity_.gravity_Nm * std::max(change, range_.mean_load) >
+      return std::abs(coefficient) * gravity_.gravity_Nm * std::max(change, range_.reference.load) >
              matters * out.mean_friction_Nm;
     };
     const double alone = plain.regression.coefficients(plain.load);
