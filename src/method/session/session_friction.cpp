@@ -136,10 +136,9 @@ class Examination {
     terms_.second_of_angle = can_angle_;
     terms_.second_of_angle = can_angle_ && fit({}).chance_second < 0.01;
     ConditionFit first = full_fit({});
-    // Friction that changes with the angle is a share of the level, not of the mean over what each
-    // pair covers.
+    // What is a share of friction is one of the level, not of the mean over what each pair covers.
     constexpr int rounds = 2;
-    for (int k = 0; k < rounds && shows_angle(first); ++k) {
+    for (int k = 0; k == 0 || (k < rounds && shows_angle(first)); ++k) {
       for (std::size_t p = 0; p < strokes_.pairs.size(); ++p) {
         strokes_.pairs[p].friction_Nm = first.level_Nm[p];
       }
@@ -394,19 +393,18 @@ class Examination {
 
 SessionFriction examine_session_friction(const SessionInput& in) {
   SessionFriction out;
-  const std::optional<GravityGuess> gravity = guess_of(in);
-  if (!gravity) {
-    out.sentence = {"session.gravity_not_known"};
-    return out;
-  }
   const SessionTimes times = session_times(in.recordings);
   out.by_clock = times.by_clock;
   out.whole_s = times.whole_s;
-  StrokePairs strokes = find_stroke_pairs(in.recordings, times, in.gear_ratio, in.rough.ripple);
+  const std::optional<GravityGuess> gravity = guess_of(in);
+  StrokePairs strokes;
+  if (gravity) strokes = find_stroke_pairs(in.recordings, times, in.gear_ratio, in.rough.ripple);
   out.pairs = strokes.pairs.size();
   constexpr std::size_t fewest_cells = 24;
   if (strokes.cells.size() < fewest_cells) {
-    out.sentence = {"session.too_few_strokes", {{"pairs", strokes.pairs.size()}}};
+    out.drift = fit_friction_drift(oscillation_levels(in.recordings, times));
+    out.sentence = gravity ? Statement{"session.too_few_strokes", {{"pairs", out.pairs}}}
+                           : Statement{"session.gravity_not_known"};
     return out;
   }
   out.examined = true;
