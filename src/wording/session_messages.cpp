@@ -22,6 +22,8 @@ const Messages& session_messages() {
       {"rule.friction_by_angle_slope",
        text("Change of friction with the joint's angle, for the slope over the speed")},
       {"rule.friction_by_direction", text("Asymmetry of friction")},
+      {"rule.friction_by_direction_large",
+       text("Asymmetry of friction at which the mean of both directions is no joint's")},
       {"rule.torque_offset", text("Offset of the torque, by the gravity torque")},
       {"rule.friction_drift", text("Change of friction over the session")},
       {"rule.friction_drift_angle",

@@ -339,7 +339,7 @@ class Examination {
     const FrictionDrift& drift = out.drift;
     const double friction = found.coulomb_Nm ? found.coulomb_Nm->value : out.mean_friction_Nm;
     // Friction follows no curve of ours exactly.
-    constexpr double least_slack = 0.25;
+    constexpr double least_slack = 0.4;
     SweepShift shift;
     const gravity::GravityShift best =
         effect_of(sweep, found, amplitude_known, friction, drift.change, drift.time_constant);
@@ -356,6 +356,10 @@ class Examination {
       shift.gravity_slack_Nm =
           std::max(shift.gravity_slack_Nm, std::abs(other.gravity_Nm - best.gravity_Nm));
     }
+    // The size of the change is no more certain than its interval.
+    const double share = (drift.high - drift.low) / 2 / std::abs(drift.change);
+    shift.q_peak_slack_rad = std::hypot(shift.q_peak_slack_rad, share * best.q_peak_rad);
+    shift.gravity_slack_Nm = std::hypot(shift.gravity_slack_Nm, share * best.gravity_Nm);
     return shift;
   }
 
