@@ -26,6 +26,7 @@
 #include "method/selection/friction_parameters.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
+#include "method/session/session_friction.h"
 #include "method/viscous/direction_lines.h"
 #include "method/viscous/load_dependence.h"
 #include "method/viscous/model_choice.h"
@@ -104,6 +105,7 @@ struct Calibration {
   method::hysteresis::HysteresisResult hysteresis;
   std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
   method::gravity::RunGravityResult run_gravity;
+  method::session::SessionFriction session;
   method::hysteresis::SurrogateMassesResult masses;
   method::viscous::ViscousCurvesResult viscous;
   method::selection::QualityErrorsResult quality;

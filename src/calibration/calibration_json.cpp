@@ -166,6 +166,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["direction_lines"] = direction_lines(c.direction_lines, n);
   all["direction_asymmetry"] = direction_asymmetry(c.direction_asymmetry);
   all["load_dependence"] = load_dependence(c.load_dependence);
+  all["session"] = session(c.session);
   all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);

@@ -34,6 +34,7 @@ Json curve_model(const method::viscous::CurveModelChoice& c);
 Json direction_lines(const method::viscous::DirectionLinesResult& r, double gear_ratio);
 Json direction_asymmetry(const method::viscous::DirectionAsymmetryResult& a);
 Json load_dependence(const method::viscous::LoadDependenceResult& l);
+Json session(const method::session::SessionFriction& s);
 Json run_gravity(const method::gravity::RunGravityResult& r, double gear_ratio);
 Json known_loads(const std::vector<joint::KnownLoad>& loads);
 Json known_gravity(const std::optional<joint::StatedGravity>& g);

@@ -1,6 +1,7 @@
 #include "identify/identify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
 #include "method/selection/independent_gravity.h"
+#include "method/session/session_friction.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -63,6 +65,15 @@ struct Step {
   void (*run)(Progress& p);
 };
 
+/// Of a sweep, with what friction's change on the way has done to it taken off.
+statistics::Estimate without_drift(const statistics::Estimate& q_peak,
+                                   const std::optional<method::session::SweepShift>& shift) {
+  if (!shift) return q_peak;
+  return statistics::symmetric_estimate(
+      q_peak.value - shift->q_peak_rad, std::hypot(q_peak.half_width(), shift->q_peak_slack_rad),
+      {"interval.without_drift_of_friction", {{"interval", q_peak.method}}});
+}
+
 /// The gravity peak: of the sweeps the one with the narrower interval; without any, the runs'.
 void choose_gravity_peak(Calibration& c) {
   using method::gravity::PeakSource;
@@ -70,8 +81,11 @@ void choose_gravity_peak(Calibration& c) {
     const method::gravity::CogSweepResult& sweep =
         source == PeakSource::rough_sweep ? c.rough : c.precise;
     if (!sweep.found) continue;
-    if (!c.q_peak_rad || sweep.q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
-      c.q_peak_rad = sweep.q_peak_rad;
+    const statistics::Estimate angle = without_drift(
+        sweep.q_peak_rad,
+        source == PeakSource::rough_sweep ? c.session.rough_shift : c.session.precise_shift);
+    if (!c.q_peak_rad || angle.half_width() < c.q_peak_rad->half_width()) {
+      c.q_peak_rad = angle;
       c.q_peak_source = source;
     }
   }
@@ -131,6 +145,12 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        p.c.run_gravity =
            method::gravity::identify_run_gravity(p.recordings(Role::constant_speed), p.n);
+     }},
+    {"",
+     [](Progress& p) {
+       p.c.session = method::session::examine_session_friction({p.dataset.recordings, p.rough_sweep,
+                                                                p.c.rough, p.precise_sweep,
+                                                                p.c.precise, p.c.run_gravity, p.n});
      }},
     {"", [](Progress& p) { choose_gravity_peak(p.c); }},
     {"",

@@ -5,6 +5,7 @@
 
 #include "method/hysteresis/lugre_fit.h"
 #include "verdict/quantity_rooms.h"
+#include "verdict/session_rules.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -56,10 +57,16 @@ std::optional<Measured> torque_outliers(const Calibration& c) {
                     {"largest_Nm", found.largest_Nm}}}};
 }
 
+std::vector<Rule> with_those_of_session(std::vector<Rule> all) {
+  const std::vector<Rule> more = session_rules();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 }  // namespace
 
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all{
+  static const std::vector<Rule> all = with_those_of_session({
       // A lag of the torque looks like bristle damping that is smaller by stiffness times lag:
       // known,
       // it is taken off; unknown, no loop can tell them apart.
@@ -94,7 +101,7 @@ const std::vector<Rule>& rules() {
        loop_misfit_without_ramps},
       {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
        "record.compare_reversals", loop_misfit},
-  };
+  });
   return all;
 }
 

@@ -21,9 +21,9 @@ struct Measured {
 };
 
 struct Rule {
-  const char* name;  ///< Stable: "torque_lag".
-  const char* unit;  ///< Of value and threshold; "" without.
-  double threshold;  ///< A larger value breaks the rule.
+  const char* name;                ///< Stable: "torque_lag".
+  const char* unit;                ///< Of value and threshold; "" without.
+  double threshold;                ///< A larger value breaks the rule.
   calibration::Verdict lowers_to;  ///< usable: what was found is told, and was corrected.
   std::vector<joint::Quantity> quantities;
   Code experiment;  ///< What to record next.

@@ -150,6 +150,21 @@ Eigen::VectorXd effect_on_coefficients(const SweepDesign& d, const Eigen::Vector
   return scale.asDiagonal() * normal.ldlt().solve(right);
 }
 
+GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult& found,
+                               bool amplitude_known, const Eigen::VectorXd& extra_Nm) {
+  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2);
+  const double g = found.gravity_Nm.value;
+  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+    const double q = sweep.q_rad(i) - found.q_peak_rad.value;
+    const auto row = static_cast<Eigen::Index>(i);
+    design.x(row, 0) = amplitude_known ? g * std::sin(q) : std::cos(q);
+    if (!amplitude_known) design.x(row, 1) = std::sin(q);
+  }
+  const Eigen::VectorXd effect = effect_on_coefficients(design, extra_Nm);
+  if (amplitude_known) return {effect(0), 0};
+  return {effect(1) / g, effect(0)};
+}
+
 namespace {
 
 constexpr std::size_t fewest_strokes = 4;

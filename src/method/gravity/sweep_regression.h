@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "method/gravity/cog_sweep.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
 #include "statistics/estimate.h"
@@ -68,6 +69,18 @@ SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, doubl
 /// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted
 /// coefficients.
 Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::VectorXd& extra_Nm);
+
+/// A change of what a sweep gave.
+struct GravityShift {
+  double q_peak_rad{};
+  double gravity_Nm{};
+};
+
+/// What a torque `extra_Nm` (one value per sample) in a sweep's log has done to its angle of the
+/// peak and its gravity torque.
+/// @param amplitude_known the sweep's fit took the gravity torque from elsewhere.
+GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult& found,
+                               bool amplitude_known, const Eigen::VectorXd& extra_Nm);
 
 // Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
 // the regression of a sweep of varying speed.
