@@ -112,11 +112,13 @@ constexpr Step papers_chain[] = {
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
-       std::optional<statistics::Estimate> amplitude;
-       if (p.c.rough.found) amplitude = p.c.rough.gravity_Nm;
+       method::gravity::KnownOfSweep known;
+       if (p.c.rough.found) {
+         known = {p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.ripple};
+       }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
-       p.precise = method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n,
-                                                       amplitude, p.c.rough.ripple);
+       p.precise =
+           method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n, known);
        p.c.precise = p.precise.result;
      }},
     {"",

@@ -30,6 +30,8 @@ const Messages& general_messages() {
       {"interval.runs_blocks", text("runs at constant speed, blocks of the angle and of the runs")},
       {"interval.widened_by_sweep_ripple",
        text("{interval}, widened by the ripple that the sweep shows")},
+      {"interval.widened_by_twist",
+       text("{interval}, and the error of the gear's twist, which the rough sweep shows")},
       {"interval.widened_by_rough_sweep_ripple",
        text("{interval}, widened by the ripple that the rough sweep shows")},
       {"interval.curve_fit", text("curve fit, scatter of the runs")},

@@ -75,7 +75,29 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
   }
   out.coulomb_Nm = statistics::symmetric_estimate(
       contrast.dot(c), statistics::student_t_975(freedom) * error, method);
-  out.offset_Nm = contrast.cwiseAbs().dot(c);
+}
+
+/// As a sum over coefficients: what of a mean torque of both directions is not gravity. The offsets
+/// were fitted against cos q - 1, from which the first coefficient has been taken out.
+Eigen::VectorXd offset_gradient(const SweepDesign& d, const motion::SweepSamples& samples) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
+  if (d.direction >= 0) {
+    gradient(d.offsets) = 1;
+  } else {
+    gradient = direction_contrast(d, samples).cwiseAbs();
+  }
+  return gradient;
+}
+
+/// Of that sum over coefficients.
+void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
+                 const SweepGravityFit& fit, CogSweepResult& out) {
+  if (!samples.both_directions()) return;
+  Eigen::VectorXd gradient = offset_gradient(d, samples);
+  out.offset_Nm = gradient.dot(fit.regression.coefficients);
+  gradient(0) = -1;
+  out.torque_offset_Nm = statistics::symmetric_estimate(
+      out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
 }
 
 /// The ripple that the residual shows, and the fit without it.
@@ -103,6 +125,24 @@ SweepGravityFit fit_without_ripple(const motion::Sweep& sweep, double gear_ratio
   SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
   fit.regression.residuals += torque;  // what the smooth fit leaves
   return fit;
+}
+
+/// How far the error of a twist taken from another sweep moves the angle.
+void widen_by_twist(const motion::Sweep& sweep, const SweepDesign& design,
+                    const statistics::Estimate& twist_rad, CogSweepResult& out, SweepBlocks& kept) {
+  const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
+  Eigen::VectorXd slope(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double x = sweep.q_rad(static_cast<std::size_t>(i)) - out.q_peak_rad.value;
+    const double link = link_from_peak_rad(x, twist_rad.value);
+    slope(i) = out.gravity_Nm.value * std::sin(link) * std::cos(link) /
+               (1 - twist_rad.value * std::sin(link));
+  }
+  kept.twist_lever = -effect_on_coefficients(design, slope)(0);
+  out.q_peak_rad = statistics::symmetric_estimate(
+      out.q_peak_rad.value,
+      std::hypot(out.q_peak_rad.half_width(), kept.twist_lever * twist_rad.half_width()),
+      {"interval.widened_by_twist", {{"interval", out.q_peak_rad.method}}});
 }
 
 /// How far the ripple of another sweep moves the angle, each line at any phase.
@@ -137,8 +177,11 @@ SweepBlocks blocks_of(const SweepDesign& design, const motion::SweepSamples& sam
   const Eigen::MatrixXd& shifts = fit.block_shifts;
   const Eigen::RowVectorXd coulomb =
       direction_contrast(design, samples).transpose() * fit.regression.block_shifts;
+  Eigen::VectorXd gradient = offset_gradient(design, samples);
+  if (design.offsets > 1) gradient(0) = -1;
+  const Eigen::RowVectorXd offset = gradient.transpose() * fit.regression.block_shifts;
   for (Eigen::Index b = 0; b < shifts.cols(); ++b) {
-    kept.shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
+    kept.shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b), shifts(2, b), offset(b)});
   }
   kept.freedom = fit.freedom;
   return kept;
@@ -183,6 +226,7 @@ SweepCurves curves_without_fit(const motion::Sweep& sweep) {
 }
 
 /// The equation whose coefficients were fitted.
+/// The twist, where it is a term, shows in CogSweepResult::twist_rad.
 Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_known) {
   if (constant_speed) {
     return amplitude_known ? Code{"sweep_fit.constant_speed_known_gravity"}
@@ -213,8 +257,8 @@ std::string to_string(PeakSource source) {
 }
 
 CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double gear_ratio,
-                            const std::optional<statistics::Estimate>& gravity_Nm,
-                            const Ripple& known_ripple) {
+                            const KnownOfSweep& known) {
+  const std::optional<statistics::Estimate>& gravity_Nm = known.gravity_Nm;
   const bool precise = kind == SweepKind::precise;
   CogSweep made;
   CogSweepResult& out = made.result;
@@ -249,12 +293,15 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
 
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
-  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2);
+  const bool tells_twist = !amplitude_known && range >= least_range_for_twist_rad;
+  const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
+  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  SweepGravityFit fit = amplitude_known ? fit_angle(sweep, design, middle, *gravity_Nm, blocks)
-                                        : fit_amplitude_and_angle(sweep, design, middle, blocks);
+  SweepGravityFit fit = amplitude_known
+                            ? fit_angle(sweep, design, middle, *gravity_Nm, known_twist, blocks)
+                            : fit_amplitude_and_angle(sweep, design, middle, blocks);
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
@@ -270,13 +317,16 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
+  out.twist_rad = fit.twist_rad;
   made.blocks = blocks_of(design, samples, fit);
   if (amplitude_known) {
     made.blocks.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
-    widen_by_ripple(sweep, design, gear_ratio, known_ripple, out, made.blocks);
+    if (known.twist_rad) widen_by_twist(sweep, design, *known.twist_rad, out, made.blocks);
+    widen_by_ripple(sweep, design, gear_ratio, known.ripple, out, made.blocks);
   }
   out.method = equation_of(design, samples.constant_speed, amplitude_known);
   read_friction(design, samples, fit, gear_ratio, out);
+  read_offset(design, samples, fit, out);
 
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
   // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.

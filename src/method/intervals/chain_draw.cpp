@@ -89,9 +89,9 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
 
 ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   ChainDraw draw;
-  const SweepShift rough = resample_sweep(random, results_.rough_sweep);
-  const SweepShift precise = resample_precise_sweep(random, results_.precise_sweep,
-                                                    results_.rough.ripple, rough.gravity_Nm);
+  const gravity::SweepShift rough = resample_sweep(random, results_.rough_sweep);
+  const gravity::SweepShift precise =
+      resample_precise_sweep(random, results_.precise_sweep, results_.rough.ripple, rough);
   draw.q_rough_rad = results_.rough.q_peak_rad.value + rough.q_peak_rad;
   draw.q_precise_rad = results_.precise.q_peak_rad.value + precise.q_peak_rad;
   const double q_shift = results_.q_peak_source == gravity::PeakSource::precise_sweep
