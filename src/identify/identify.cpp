@@ -217,6 +217,11 @@ constexpr Step further_steps[] = {
      }},
     {"",
      [](Progress& p) {
+       method::hysteresis::widen_mass(p.c.selection.recommended,
+                                      p.c.cross_checks.widened_gravity_Nm, p.c.masses);
+     }},
+    {"",
+     [](Progress& p) {
        p.c.position_plan = method::hysteresis::plan_positions(p.c.rough, p.c.hysteresis,
                                                               p.loop.cycles.means_Nm.size(), p.n);
      }},

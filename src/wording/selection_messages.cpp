@@ -38,6 +38,10 @@ const Messages& selection_messages() {
       {"selection.midline",
        text("The mid-line averages the whole steady loop, in which friction cancels whatever its "
             "model; a single point still contains the friction at its instant.")},
+      {"selection.sweep_is_surer",
+       text("The rough sweep tells gravity from an offset of the torque and from friction that "
+            "differs between the directions; the mid-line of the loop cannot, and is less certain "
+            "for it.")},
       {"selection.sweep_alone",
        text("No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the "
             "rough sweep is the only estimate of the mass.")},

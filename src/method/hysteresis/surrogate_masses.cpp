@@ -18,9 +18,37 @@ struct Context {
   double gravity_m_s2{};
 };
 
+/// The sweep's offset, where it is known well enough to be taken off.
+struct SweepOffset {
+  double value_Nm{}, half_width_Nm{};
+  double friction_Nm{};  ///< Of the sweep.
+  bool is_known{};
+
+  explicit SweepOffset(const gravity::CogSweepResult& rough) {
+    // A short sweep cannot tell an offset from gravity: taking off its error would do harm.
+    constexpr double widest_share = 0.02;
+    if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
+    value_Nm = rough.torque_offset_Nm->value;
+    half_width_Nm = rough.torque_offset_Nm->half_width();
+    friction_Nm = rough.coulomb_Nm->value;
+    is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
+  }
+
+  /// @param friction_Nm mean of what friction the reading holds, there and back.
+  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm) const {
+    if (!is_known) return {};
+    constexpr double largest_ratio = 3;
+    const double ratio = std::clamp(friction_of_reading_Nm / friction_Nm, 0.0, largest_ratio);
+    const double share = (1 + ratio) / 2;
+    return {share * value_Nm, share, std::abs(value_Nm * (1 - ratio)) / 2};
+  }
+};
+
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
+/// @param offset taken off it; @param offset_half_width of the sweep's.
 SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double q_rad,
-                        double cosine, const Context& c) {
+                        double cosine, const Context& c, const OffsetTaken& offset = {},
+                        double offset_half_width = 0) {
   SurrogateMass m;
   m.estimator = estimator;
   m.torque_Nm = torque;
@@ -30,8 +58,15 @@ SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double
   // 1/cos grows with the distance from the peak: the angle's error can only widen the interval.
   const double by_angle =
       torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
-  const double half_width = std::hypot(torque.half_width() / cosine, by_angle);
-  m.gravity_Nm = statistics::symmetric_estimate(torque.value / cosine, half_width, torque.method);
+  const double by_offset =
+      std::hypot(offset.share * offset_half_width, offset.ambiguity_Nm) / cosine;
+  const double half_width = std::hypot(torque.half_width() / cosine, by_angle, by_offset);
+  m.mean_cosine = cosine;
+  m.offset = offset;
+  m.gravity_Nm = statistics::symmetric_estimate(
+      (torque.value - offset.value_Nm) / cosine, half_width,
+      offset.share > 0 ? Statement{"interval.less_offset_of_sweep", {{"interval", torque.method}}}
+                       : torque.method);
   m.mass_kg = statistics::scaled(
       m.gravity_Nm, joint::surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
   return m;
@@ -59,6 +94,8 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
                      const std::optional<statistics::Estimate>& fit_Nm, const Context& context,
                      SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
+  const SweepOffset offset(rough);
+  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm);
   for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -78,20 +115,22 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const statistics::Estimate torque = statistics::symmetric_estimate(
         (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
-    out.masses.push_back(
-        make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine, context));
+    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2);
+    out.masses.push_back(make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine,
+                                   context, of_pair, offset.half_width_Nm));
   }
   if (hysteresis.midline_Nm) {
     const statistics::Estimate torque = hysteresis.positions_hold_ripple
                                             ? *hysteresis.midline_Nm
                                             : gravity::with_ripple(*hysteresis.midline_Nm, ripple);
     out.masses.push_back(make_mass(Estimator::midline, torque, hysteresis.midline_q_rad,
-                                   hysteresis.midline_mean_cos, context));
+                                   hysteresis.midline_mean_cos, context, of_loop,
+                                   offset.half_width_Nm));
   }
   if (fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(
-        make_mass(Estimator::fit, *fit_Nm, hysteresis.midline_q_rad, 1.0, context));
+    out.masses.push_back(make_mass(Estimator::fit, *fit_Nm, hysteresis.midline_q_rad, 1.0, context,
+                                   of_loop, offset.half_width_Nm));
   }
 }
 
@@ -161,6 +200,17 @@ SurrogateMassesResult identify_surrogate_masses(
     out.stage.state = statistics::StageState::done;
   }
   return out;
+}
+
+void widen_mass(std::optional<Estimator> estimator,
+                const std::optional<statistics::Estimate>& gravity_Nm,
+                SurrogateMassesResult& masses) {
+  const auto it = std::find_if(masses.masses.begin(), masses.masses.end(),
+                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
+  if (it == masses.masses.end() || !gravity_Nm) return;
+  const double kg_per_Nm = it->mass_kg.value / it->gravity_Nm.value;
+  it->gravity_Nm = *gravity_Nm;
+  it->mass_kg = statistics::scaled(*gravity_Nm, kg_per_Nm);
 }
 
 }  // namespace tribolog::method::hysteresis
