@@ -79,6 +79,14 @@ void choose_gravity_peak(Calibration& c) {
   }
 }
 
+/// Where the motor stands when the link is at the gravity peak: what a loop there needs.
+std::optional<statistics::Estimate> motor_peak(const Calibration& c) {
+  if (!c.q_peak_rad || !c.rough.twist_rad) return c.q_peak_rad;
+  const double turned = c.rough.twist_rad->value;
+  return statistics::Estimate{c.q_peak_rad->value + turned, c.q_peak_rad->low + turned,
+                              c.q_peak_rad->high + turned, c.q_peak_rad->method};
+}
+
 std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
   return p.loop.lugre ? p.loop.lugre->fit.gravity_Nm : std::nullopt;
 }
@@ -130,14 +138,14 @@ constexpr Step papers_chain[] = {
     {"hysteresis loop",
      [](Progress& p) {
        p.loop = method::hysteresis::identify_hysteresis(
-           p.recordings(Role::oscillation), p.rough_sweep, p.c.rough, p.n, p.c.q_peak_rad);
+           p.recordings(Role::oscillation), p.rough_sweep, p.c.rough, p.n, motor_peak(p.c));
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",
      [](Progress& p) {
        const joint::Manifest& m = p.dataset.manifest;
        p.c.masses = method::hysteresis::identify_surrogate_masses(
-           p.c.rough, p.c.hysteresis, p.c.q_peak_rad, p.n, m.surrogate_distance_m, m.gravity_m_s2,
+           p.c.rough, p.c.hysteresis, motor_peak(p.c), p.n, m.surrogate_distance_m, m.gravity_m_s2,
            {gravity_of_loop_fit(p), &p.c.run_gravity, m.known_gravity});
      }},
     {"viscous curves",

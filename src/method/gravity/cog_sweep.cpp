@@ -98,6 +98,10 @@ void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
   gradient(0) = -1;
   out.torque_offset_Nm = statistics::symmetric_estimate(
       out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
+  if (d.drift < 0) return;
+  out.offset_drift_Nm = statistics::symmetric_estimate(2 * fit.regression.coefficients(d.drift),
+                                                       2 * fit.regression.half_width(d.drift),
+                                                       {"interval.least_squares_blocks"});
 }
 
 /// The ripple that the residual shows, and the fit without it.

@@ -55,6 +55,8 @@ struct CogSweepResult {
   /// The same with its interval, where both directions were recorded: an offset of the torque, or
   /// half the difference of friction in both directions.
   std::optional<statistics::Estimate> torque_offset_Nm;
+  /// What it grows by from beginning to end of a recording.
+  std::optional<statistics::Estimate> offset_drift_Nm;
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.
   /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
   /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it

@@ -60,6 +60,7 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
   } else {
     extra = both ? 3 : 2;  // direction (with both), speed, acceleration
   }
+  if (both) d.drift = gravity_columns + d.offset_count + extra++;
   if (with_twist) d.twist = gravity_columns + d.offset_count + extra++;
   d.offsets = gravity_columns;
   d.x = Eigen::MatrixXd::Zero(rows, gravity_columns + d.offset_count + extra);
@@ -74,6 +75,11 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
     const auto i = static_cast<std::size_t>(row);
     d.y(row) = sweep.torque_Nm(i);
     d.x(row, d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = 1;
+    if (d.drift >= 0) {
+      const std::vector<double>& t_s = sweep.recordings[samples.recording[i]]->t_s;
+      const double half_s = (t_s.back() - t_s.front()) / 2;
+      d.x(row, d.drift) = (t_s[samples.index[i]] - t_s.front()) / half_s - 1;
+    }
     if (d.direction >= 0) d.x(row, d.direction) = samples.direction[i];
     if (d.speed >= 0) d.x(row, d.speed) = samples.speed_rad_s[i];
     if (d.acceleration >= 0) d.x(row, d.acceleration) = samples.acceleration_rad_s2[i];

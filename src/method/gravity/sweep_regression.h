@@ -33,6 +33,10 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance);
 //   G cos(q_link - q_peak) = G cos(q - q_peak) + G twist / 2 sin 2(q - q_peak) + ...
 // Near the peak that is a turned peak and nothing else; over a long way the two differ. There the
 // twist is always free, so that the interval of the angle holds what the gear may give.
+//
+// An offset that drifts with the time has the angle's shape in each direction, but the opposite one
+// there and back: with both directions recorded it is a column of its own, -1 at the beginning of a
+// recording and 1 at its end.
 
 /// Columns of the regression T = X c. Those of gravity are the first.
 struct SweepDesign {
@@ -43,6 +47,7 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
+  Eigen::Index drift{-1};  // of the offset with the time, where both directions were recorded
   Eigen::Index twist{-1};  // of the gear; where the range tells it
   Eigen::Index load{-1};   // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;

@@ -18,10 +18,16 @@ struct Context {
   double gravity_m_s2{};
 };
 
+/// The value where its interval leaves out zero, else none.
+double beyond_interval(const statistics::Estimate& e) {
+  return e.low > 0 || e.high < 0 ? e.value : 0.0;
+}
+
 /// The sweep's offset, where it is known well enough to be taken off.
 struct SweepOffset {
   double value_Nm{}, half_width_Nm{};
   double friction_Nm{};  ///< Of the sweep.
+  double drift_Nm{};     ///< Within the sweep; 0 where none shows.
   bool is_known{};
 
   explicit SweepOffset(const gravity::CogSweepResult& rough) {
@@ -31,6 +37,7 @@ struct SweepOffset {
     value_Nm = rough.torque_offset_Nm->value;
     half_width_Nm = rough.torque_offset_Nm->half_width();
     friction_Nm = rough.coulomb_Nm->value;
+    if (rough.offset_drift_Nm) drift_Nm = beyond_interval(*rough.offset_drift_Nm);
     is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
   }
 
@@ -40,7 +47,11 @@ struct SweepOffset {
     constexpr double largest_ratio = 3;
     const double ratio = std::clamp(friction_of_reading_Nm / friction_Nm, 0.0, largest_ratio);
     const double share = (1 + ratio) / 2;
-    return {share * value_Nm, share, std::abs(value_Nm * (1 - ratio)) / 2};
+    // From the sweep to the loop it may drift on as far as it did within the sweep, and as far
+    // again.
+    constexpr double as_far_again = 2;
+    return {share * value_Nm, share,
+            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm)};
   }
 };
 
@@ -58,9 +69,10 @@ SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double
   // 1/cos grows with the distance from the peak: the angle's error can only widen the interval.
   const double by_angle =
       torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
-  const double by_offset =
-      std::hypot(offset.share * offset_half_width, offset.ambiguity_Nm) / cosine;
-  const double half_width = std::hypot(torque.half_width() / cosine, by_angle, by_offset);
+  const double by_offset = offset.share * offset_half_width / cosine;
+  // The truth lies at one end of what is ambiguous as a rule, not in its middle.
+  const double half_width = std::hypot(torque.half_width() / cosine, by_angle, by_offset) +
+                            offset.ambiguity_Nm / std::abs(cosine);
   m.mean_cosine = cosine;
   m.offset = offset;
   m.gravity_Nm = statistics::symmetric_estimate(

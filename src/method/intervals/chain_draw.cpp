@@ -38,7 +38,7 @@ void ChainResampler::draw_masses(statistics::RandomStream& random, const gravity
                                  const LoopShift& loop, ChainDraw& draw) const {
   const double q_peak = results_.q_peak_rad ? results_.q_peak_rad->value : 0.0;
   // Whether an offset is the torque's or the friction's is the same for all.
-  const double ambiguity = random.normal() / statistics::normal_975;
+  const double ambiguity = random.normal() < 0 ? -1.0 : 1.0;
   for (const hysteresis::SurrogateMass& mass : results_.masses.masses) {
     if (mass.estimator == Estimator::sweep) {
       draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough.gravity_Nm);

@@ -41,6 +41,11 @@ const statistics::Estimate* gravity_by(const GravityMethod& method, const ChainR
   return way == nullptr ? nullptr : &way->gravity_Nm;
 }
 
+bool is_pair_mean(const GravityMethod& method) {
+  const auto* estimator = std::get_if<Estimator>(&method);
+  return estimator != nullptr && hysteresis::points_of_pair(*estimator);
+}
+
 /// The methods at hand, in the order of the table above.
 std::vector<CrossCheck> collect(const ChainResults& r) {
   std::vector<CrossCheck> checks;
@@ -50,6 +55,7 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
     CrossCheck check;
     check.method = one.method;
     check.gravity_Nm = *gravity;
+    check.is_biased = r.hysteresis.midline_by_angle && is_pair_mean(one.method);
     checks.push_back(std::move(check));
   }
   return checks;
@@ -81,7 +87,8 @@ Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
            {"other_kg", check.mass_kg.value},
            {"difference_percent", check.difference_percent},
            {"interval_percent", check.difference_half_width_percent},
-           {"cause", cause_of(check.method)}}};
+           {"cause", check.is_biased ? Statement{"cross_check.motion_has_harmonics"}
+                                     : cause_of(check.method)}}};
 }
 
 /// Chance of a difference as large between estimates of the same.
@@ -122,7 +129,7 @@ statistics::Estimate widened(const CrossCheck& recommended, const std::vector<Cr
 }  // namespace
 
 bool CrossCheck::counts() const {
-  return !is_recommended && method != GravityMethod(IndependentMethod::classical);
+  return !is_recommended && !is_biased && method != GravityMethod(IndependentMethod::classical);
 }
 
 CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& intervals) {

@@ -18,6 +18,7 @@ struct CrossCheck {
   statistics::Estimate mass_kg;     ///< The same, as a surrogate mass.
   std::optional<statistics::Estimate> resampled_kg;  ///< With the interval of the bootstrap.
   bool is_recommended{};
+  bool is_biased{};             ///< A pair mean of a loop whose motion has even harmonics.
   double difference_percent{};  ///< Of the recommended mass.
   double difference_half_width_percent{};
   /// |difference| in units of its 95 % half width; above 1 the two disagree. 0 if both are exact.
@@ -25,7 +26,7 @@ struct CrossCheck {
   bool disagrees{};  ///< More than chance among all methods, and by more than a tenth of a percent.
 
   /// Whether it should agree with the recommended one: not the classical regression, whose model
-  /// the method knows to be wrong.
+  /// the method knows to be wrong, nor what the motion biases.
   [[nodiscard]] bool counts() const;
 };
 
