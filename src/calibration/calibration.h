@@ -21,6 +21,7 @@
 #include "method/intervals/bootstrap.h"
 #include "method/intervals/cross_checks.h"
 #include "method/motion/plateaus.h"
+#include "method/motion/torque_lag.h"
 #include "method/selection/friction_parameters.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
@@ -80,6 +81,7 @@ struct Judgement {
   Statement sentence;                       ///< For the top of the report.
   std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
+  std::vector<RuleOutcome> rules;           ///< All that were applied, in the table's order.
 
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
@@ -90,6 +92,7 @@ struct Calibration {
   std::vector<Statement> notes;  ///< From reading the input.
   std::vector<method::motion::SpeedSource> speed_sources;
 
+  method::motion::TorqueLag torque_lag;
   method::checks::DataChecksResult data_checks;
   method::gravity::CogSweepResult rough;
   method::gravity::CogSweepResult precise;

@@ -91,6 +91,29 @@ Json limits(const std::vector<LimitOutcome>& outcomes) {
 
 }  // namespace
 
+namespace {
+
+Json rules(const std::vector<RuleOutcome>& outcomes) {
+  Json all = Json::array();
+  for (const RuleOutcome& o : outcomes) {
+    Json quantities = Json::array();
+    for (const joint::Quantity quantity : o.quantities) quantities.push_back(to_string(quantity));
+    all.push_back({{"rule", o.rule},
+                   {"words", wording::words_for("rule", o.rule)},
+                   {"state", to_string(o.state)},
+                   {"value", o.value ? number(*o.value) : Json(nullptr)},
+                   {"threshold", number(o.threshold)},
+                   {"unit", text_or_null(o.unit)},
+                   {"quantities", std::move(quantities)},
+                   {"lowers_to", to_string(o.lowers_to)},
+                   {"finding", words_or_null(o.finding)},
+                   {"finding_code", code_of(o.finding)}});
+  }
+  return all;
+}
+
+}  // namespace
+
 Json verdict(const Judgement& judgement) {
   Json quantities = Json::array();
   for (const QuantityVerdict& q : judgement.quantities) {
@@ -112,6 +135,7 @@ Json verdict(const Judgement& judgement) {
           {"sentence_code", code_of(judgement.sentence)},
           {"findings", wording::words(judgement.findings)},
           {"findings_code", code_of(judgement.findings)},
+          {"rules", rules(judgement.rules)},
           {"quantities", std::move(quantities)}};
 }
 

@@ -54,4 +54,16 @@ void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,
   if (is_worse || quantity.experiment.empty()) quantity.experiment = experiment;
 }
 
+std::string to_string(RuleState state) {
+  switch (state) {
+    case RuleState::kept:
+      return "kept";
+    case RuleState::broken:
+      return "broken";
+    case RuleState::not_computed:
+      break;
+  }
+  return "not_computed";
+}
+
 }  // namespace tribolog::calibration

@@ -54,6 +54,26 @@ struct QuantityVerdict {
   std::vector<LimitOutcome> limits;
 };
 
+enum class RuleState {
+  kept,
+  broken,
+  not_computed,  ///< The data do not show what it asks for: that is no pass.
+};
+
+std::string to_string(RuleState state);
+
+/// What came of one rule of the verdict: a number found in the data, held against a threshold.
+struct RuleOutcome {
+  std::string rule;  ///< Stable: "torque_lag".
+  RuleState state{RuleState::not_computed};
+  std::optional<double> value;
+  double threshold{};                       ///< Broken above it.
+  std::string unit;                         ///< Of both; empty: none.
+  std::vector<joint::Quantity> quantities;  ///< That a broken one lowers.
+  Verdict lowers_to{Verdict::doubtful};
+  Statement finding;  ///< What it is that was found; empty unless broken.
+};
+
 /// Lowers the verdict to `to` if it is better, and adds the reason, which goes in front if it is
 /// what the verdict now rests on. The experiment is taken from the weightiest reason.
 void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,

@@ -34,6 +34,7 @@ struct Progress {
   const double n = dataset.manifest.drive.gear_ratio();
   method::motion::Sweep rough_sweep;
   method::motion::Sweep precise_sweep;
+  std::vector<joint::Recording> aligned;  ///< Oscillations without the lag of their torque.
   method::gravity::CogSweep rough;
   method::gravity::CogSweep precise;
   method::hysteresis::Hysteresis loop;
@@ -135,10 +136,27 @@ constexpr Step papers_chain[] = {
            method::gravity::identify_run_gravity(p.recordings(Role::constant_speed), p.n);
      }},
     {"", [](Progress& p) { choose_gravity_peak(p.c); }},
+    {"",
+     [](Progress& p) {
+       std::vector<const joint::Recording*> moved = p.recordings(Role::rough_sweep);
+       for (const joint::Recording* r : p.recordings(Role::constant_speed)) moved.push_back(r);
+       p.c.torque_lag = method::motion::find_torque_lag(moved, p.n);
+     }},
     {"hysteresis loop",
      [](Progress& p) {
-       p.loop = method::hysteresis::identify_hysteresis(
-           p.recordings(Role::oscillation), p.rough_sweep, p.c.rough, p.n, motor_peak(p.c));
+       const method::motion::TorqueLag& lag = p.c.torque_lag;
+       p.aligned.clear();
+       std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
+       if (lag.is_clear()) {
+         p.aligned.reserve(loops.size());
+         for (const joint::Recording*& r : loops) {
+           p.aligned.push_back(method::motion::aligned(*r, lag.lag_s->value));
+           r = &p.aligned.back();
+         }
+       }
+       p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
+                                                        motor_peak(p.c),
+                                                        lag.lag_s ? lag.lag_s->half_width() : 0);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",

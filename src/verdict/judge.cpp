@@ -13,6 +13,7 @@
 #include "verdict/acceptance.h"
 #include "verdict/curve_findings.h"
 #include "verdict/quantity_rooms.h"
+#include "verdict/rules.h"
 
 namespace tribolog::verdict {
 
@@ -184,7 +185,6 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
                         c.break_away.mean_Nm.has_value()};
   apply_data_checks(c.data_checks, sources, all);
   apply_truth_check(c.truth_check, c.selection.recommended, all);
-  apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), all);
   return all;
 }
 
@@ -209,6 +209,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::fails)) {
     add(finding_of(*check));
   }
+  for (const calibration::RuleOutcome& rule : judgement.rules) add(rule.finding);
   if (c.position_plan)
     add(method::hysteresis::why_more_positions(*c.position_plan, c.rough.ripple));
   for (const Statement& one : disagreements) add(one);
@@ -258,6 +259,8 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   calibration::Judgement out;
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
+  out.rules = apply_rules(c, out.quantities);
+  apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);
   const auto is_known = [&](Quantity quantity) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;
   };

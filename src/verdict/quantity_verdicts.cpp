@@ -106,25 +106,13 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   return q;
 }
 
-/// A number of a model is one of the joint as far as the model describes the joint.
-void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::QuantityVerdict& q) {
-  // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or softer
-  // (tests/identify/other_friction_test.cpp).
-  constexpr double doubtful_share = 0.005;
-  constexpr double hopeless_share = 0.1;
-  const method::hysteresis::LuGreLoop* worst = fit.worst_described();
-  if (worst == nullptr || !(worst->height_Nm > 0)) return;
-  const double share = worst->systematic_Nm / worst->height_Nm;
-  if (share <= doubtful_share) return;
-  calibration::lower(q,
-                     share > hopeless_share ? calibration::Verdict::not_identifiable
-                                            : calibration::Verdict::doubtful,
-                     {"verdict.lugre_misfit",
-                      {{"recording", worst->recording},
-                       {"misfit_Nm", worst->systematic_Nm},
-                       {"percent", 100 * share},
-                       {"limit_percent", 100 * doubtful_share}}},
-                     {"record.compare_reversals"});
+/// Where the whole joint speeds up and slows down its inertia shows best: of starts and stops and
+/// of a sweep of varying speed the one with the narrower interval. Slow small loops hardly show it.
+std::optional<statistics::Estimate> inertia_of_motion(const calibration::Calibration& c) {
+  const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
+  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
+  if (!sweep || !starts) return sweep ? sweep : starts;
+  return starts->half_width() < sweep->half_width() ? starts : sweep;
 }
 
 }  // namespace
@@ -151,11 +139,7 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
                  why_no_fit(c)),
       of_fit(Quantity::bristle_stiffness, "N·m/rad", LuGreParameterName::bristle_stiffness, {}),
       of_fit(Quantity::bristle_damping, "N·m·s/rad", LuGreParameterName::bristle_damping, {}),
-      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, c.rough.inertia_kgm2)};
-  if (fit && fit->converged) {
-    judge_by_misfit(*fit, verdict_on(Quantity::bristle_stiffness, all));
-    judge_by_misfit(*fit, verdict_on(Quantity::bristle_damping, all));
-  }
+      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, inertia_of_motion(c))};
   // The method does not rest on these two, and slow loops hardly show them.
   verdict_on(Quantity::bristle_damping, all).decides = false;
   verdict_on(Quantity::inertia, all).decides = false;

@@ -29,6 +29,27 @@ const Messages& verdict_messages() {
       {"quantity_at_joint.stribeck_speed", text("Stribeck velocity at the joint")},
       {"quantity_at_joint.viscous_coefficient", text("Viscous coefficient at the joint")},
 
+      // The verdict's rules, each by what it measures.
+      {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
+      {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
+      {"rule.loop_unlike_model", text("Misfit at which nothing of the LuGre model is left")},
+
+      // What was found to be wrong with the joint or the log.
+      {"cause.other_contact",
+       text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
+            "loop's height, that noise does not explain: the contact follows another law, and the "
+            "numbers are those of the closest LuGre model, not the joint's")},
+
+      {"cause.lag", text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than "
+                         "the angle; it was "
+                         "moved back by that before the loops were fitted")},
+      {"cause.lag_of_angle",
+       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque; the "
+            "torque was moved by that before the loops were fitted")},
+      {"verdict.lag_unknown",
+       text("the recordings do not show how late the torque is logged against the angle, and a lag "
+            "looks like bristle damping")},
+
       // The numbers that a simulation reads back.
       {"reading.A", text("point A")},
       {"reading.B", text("point B")},
@@ -94,10 +115,6 @@ const Messages& verdict_messages() {
       {"verdict.never_broke_away",
        text("the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
             "the break-away torque is only known to be larger")},
-      {"verdict.lugre_misfit",
-       text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
-            "loop's height, that noise does not explain (limit {limit_percent:.1f} %): the number "
-            "is that of the closest LuGre model, not the joint's")},
       {"verdict.nothing_checks_curve", text("nothing checks the curve: {why}")},
       {"verdict.no_stribeck_model",
        text("no model with a Stribeck velocity was fitted to the curve")},

@@ -168,7 +168,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
 
 /// LuGre fitted to all loops together; it observes the bristle of those that hold none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
-                     const gravity::Ripple& ripple, Hysteresis& made) {
+                     const gravity::Ripple& ripple, double lag_half_width_s, Hysteresis& made) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
   Statement not_followed;
@@ -182,7 +182,7 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;
-  if (!inputs.empty()) lugre = fit_lugre(inputs, gear_ratio, q_peak, ripple);
+  if (!inputs.empty()) lugre = fit_lugre(inputs, gear_ratio, q_peak, ripple, lag_half_width_s);
   lugre.fit.reason.add(not_followed);
   if (!loops.front().trace.z_rad.empty()) {
     made.result.bristle_source = {"loop.bristle_recorded"};
@@ -205,7 +205,8 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
 Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,
-                               const std::optional<statistics::Estimate>& q_peak_rad) {
+                               const std::optional<statistics::Estimate>& q_peak_rad,
+                               double lag_half_width_s) {
   Hysteresis made;
   HysteresisResult& out = made.result;
   out.stage.name = "hysteresis";
@@ -262,7 +263,7 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
   }
 
   const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().oscillation.centre_rad;
-  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, made);
+  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, lag_half_width_s, made);
 
   out.found = true;
   out.stage.state =

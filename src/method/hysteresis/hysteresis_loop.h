@@ -108,10 +108,12 @@ struct Hysteresis {
 /// @param oscillations recordings of that role; may be empty.
 /// @param sweep the rough sweep, and what was found in it: its reversals tell about pre-sliding
 /// where no oscillation does.
+/// @param lag_half_width_s of the torque against the angle, behind what was taken off.
 /// @param q_peak_rad from the sweeps, or nullopt: the arm is then taken to swing about its peak.
 Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,
-                               const std::optional<statistics::Estimate>& q_peak_rad);
+                               const std::optional<statistics::Estimate>& q_peak_rad,
+                               double lag_half_width_s = 0);
 
 }  // namespace tribolog::method::hysteresis

@@ -12,6 +12,7 @@
 #include "method/hysteresis/lugre_identifiability.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/traced_loop.h"
+#include "statistics/distributions.h"
 #include "statistics/levenberg_marquardt.h"
 
 namespace tribolog::method::hysteresis {
@@ -164,6 +165,9 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     }
     loop.height_Nm = problem.models()[r].height_Nm();
     loop.misfit = loop_misfit(recording, signals.torque_Nm, problem.models()[r].speed_rad_s());
+    if (inputs[r].traced == nullptr) {
+      loop.cycle_misfit = cycle_misfit(recording, signals.torque_Nm, inputs[r].frequency_Hz());
+    }
     if (climb.free.starts) {
       loop.gravity_Nm = statistics::symmetric_estimate(
           climb.point.locals[r].gravity_Nm, half_width(column), {"interval.lugre_fit_blocks"});
@@ -180,7 +184,8 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     loop.systematic_Nm = loop.traced
                              ? std::sqrt(std::max(0.0, std::pow(loop.residual_Nm, 2) -
                                                            std::pow(loop.traced->explained_Nm, 2)))
-                             : loop.misfit.systematic_Nm;
+                         : loop.cycle_misfit.is_known() ? loop.cycle_misfit.systematic_Nm
+                                                        : loop.misfit.systematic_Nm;
     top += rows;
     fit.loops.push_back(std::move(loop));
     made.signals.push_back(std::move(signals));
@@ -197,6 +202,25 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
   }
   return mean_over_positions(each, angle, ripple,
                              {"interval.scatter_of_half_cycles_and_recordings"});
+}
+
+/// What a second of lag between torque and angle does to the fit's parameters.
+Eigen::VectorXd shift_by_lag(const LuGreClimb& climb, const LuGreProblem& problem) {
+  Eigen::VectorXd late(problem.rows());
+  Eigen::Index top = 0;
+  for (const LuGreLoopModel& model : problem.models()) {
+    const std::vector<double> t = model.row_times_s();
+    const Eigen::VectorXd torque =
+        model.measured() + climb.linear.fit.residuals.segment(top, model.rows());
+    for (Eigen::Index i = 0; i < model.rows(); ++i) {
+      const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
+      const Eigen::Index b = std::min(model.rows() - 1, i + 1);
+      const double span = t[static_cast<std::size_t>(b)] - t[static_cast<std::size_t>(a)];
+      late(top + i) = span > 0 ? -(torque(b) - torque(a)) / span : 0;
+    }
+    top += model.rows();
+  }
+  return climb.linear.fit.jacobian.colPivHouseholderQr().solve(late);
 }
 
 /// All that resampling needs.
@@ -300,7 +324,7 @@ std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) con
 }
 
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple) {
+                      const gravity::Ripple& ripple, double lag_half_width_s) {
   if (loops.empty()) throw std::invalid_argument("no loops");
   FittedLuGre made;
   LuGreFit& fit = made.fit;
@@ -320,6 +344,11 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   fit.converged = true;
   Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
   by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
+  if (lag_half_width_s > 0) {
+    by_motion.conservativeResize(Eigen::NoChange, by_motion.cols() + 1);
+    by_motion.rightCols<1>() =
+        shift_by_lag(climb, problem) * (lag_half_width_s / statistics::normal_975);
+  }
   climb.around.covariance += by_motion * by_motion.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
   LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);

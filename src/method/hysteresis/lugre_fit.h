@@ -22,6 +22,7 @@
 
 #include "base/statement.h"
 #include "joint/recording.h"
+#include "method/hysteresis/cycle_misfit.h"
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
@@ -99,7 +100,8 @@ struct LuGreLoop {
   double start_deflection_rad{};
   double residual_Nm{};  ///< Standard deviation of T - model.
   LoopMisfit misfit;
-  double height_Nm{};  ///< Largest less smallest torque.
+  CycleMisfit cycle_misfit;  ///< Of a loop with a period.
+  double height_Nm{};        ///< Largest less smallest torque.
   /// What the model leaves and noise does not explain, root mean square.
   double systematic_Nm{};
   LoopMotion motion{};               ///< What drove the model.
@@ -153,7 +155,9 @@ struct FittedLuGre {
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
 /// @throw std::invalid_argument if there is no loop.
+/// @param lag_half_width_s how far the torque may still be late or early against the angle (95 %):
+/// it looks like bristle damping, and widens what rests on that.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple = {});
+                      const gravity::Ripple& ripple = {}, double lag_half_width_s = 0);
 
 }  // namespace tribolog::method::hysteresis

@@ -73,6 +73,8 @@ LuGreParameter judged(LuGreParameterName name, const char* unit, const Reading& 
                    {{"effect_Nm", *out.effect_Nm},
                     {"smallest_Nm", smallest},
                     {"smallest_share", smallest_effect}}};
+  } else if (r.value + half < 0) {
+    out.why_not = {"lugre.negative", {{"value", r.value}, {"unit", unit}}};
   } else if (relative < widest_shown) {
     out.estimate = estimate_of(r, half);
   } else {
@@ -150,15 +152,6 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
   const double share = std::exp(p(Shared::log_share));
   const double fall = p(Shared::fall);
   LuGreReadings out;
-  /// Why a parameter that could have been fitted was not: `otherwise`, or what came of it.
-  const auto why_held = [&](Shared::Index parameter, const char* unit,
-                            const Statement& otherwise) -> Statement {
-    for (const NegativeOutcome& n : climb.negative) {
-      if (n.parameter != parameter) continue;
-      return {"lugre.negative", {{"value", n.value}, {"unit", unit}}};
-    }
-    return otherwise;
-  };
   const auto judge = [&](LuGreParameterName name, const char* unit, Reading r) {
     out.parameters.push_back(judged(name, unit, r, reader, climb));
     if (!out.parameters.back().estimate) return;
@@ -170,15 +163,13 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
   if (climb.column(Shared::damping) >= 0) {
     judge(LuGreParameterName::bristle_damping, "N·m·s/rad", reader.plain(Shared::damping));
   } else {
-    out.parameters.push_back(
-        held(LuGreParameterName::bristle_damping, 0.0, why_held(Shared::damping, "N·m·s/rad", {})));
+    out.parameters.push_back(held(LuGreParameterName::bristle_damping, 0.0, Statement{}));
   }
   if (climb.column(Shared::viscous) >= 0) {
     judge(LuGreParameterName::viscous, "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
     out.parameters.push_back(
-        held(LuGreParameterName::viscous, 0.0,
-             why_held(Shared::viscous, "N·m·s/rad", {"lugre.viscous_looks_like_damping"})));
+        held(LuGreParameterName::viscous, 0.0, {"lugre.viscous_looks_like_damping"}));
   }
   if (climb.column(Shared::log_static) >= 0) {
     judge(LuGreParameterName::static_torque, "N·m", reader.product(ts, {{Shared::log_static, 1}}));
@@ -212,8 +203,7 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
     judge(LuGreParameterName::inertia, "kg·m²", reader.plain(Shared::inertia));
   } else {
     out.parameters.push_back(
-        held(LuGreParameterName::inertia, 0.0,
-             why_held(Shared::inertia, "kg·m²", {"lugre.inertia_looks_elastic"})));
+        held(LuGreParameterName::inertia, 0.0, {"lugre.inertia_looks_elastic"}));
   }
   return out;
 }

@@ -34,11 +34,6 @@ std::vector<Shared::Index> with(std::vector<Shared::Index> some,
   return some;
 }
 
-std::vector<Shared::Index> without(std::vector<Shared::Index> some, Shared::Index one) {
-  some.erase(std::remove(some.begin(), some.end(), one), some.end());
-  return some;
-}
-
 class Climber {
  public:
   Climber(const LuGreProblems& problems, const std::vector<std::size_t>& blocks)
@@ -64,19 +59,17 @@ class Climber {
       if (bends(fewer) || !level.converged) level = std::move(fewer);
     }
     if (!level.converged) return elastic();
-    if (!fall_shows_at(level)) return bends(level) ? counted(possible(level)) : elastic();
+    if (!fall_shows_at(level)) return bends(level) ? counted(level) : elastic();
     LuGreClimb whole = with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole);
     if (whole.stands(Shared::log_share, widest_climbed) &&
-        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole) &&
-        !first_negative(whole)) {
+        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole)) {
       return counted(whole);
     }
     LuGreClimb curved = with_fall(level, {Shared::fall}, LuGreRung::curvature);
-    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved) &&
-        !first_negative(curved)) {
+    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved)) {
       return counted(curved);
     }
-    return bends(level) ? counted(possible(level)) : elastic();
+    return bends(level) ? counted(level) : elastic();
   }
 
  private:
@@ -191,27 +184,6 @@ class Climber {
     const LuGreProblem::Solution s = best_thinned(free, guesses);
     if (!s.converged) return {};
     return polished(rung, free, s.point);
-  }
-
-  /// The first parameter that is negative beyond doubt.
-  static std::optional<Shared::Index> first_negative(const LuGreClimb& c) {
-    for (const Shared::Index one : {Shared::inertia, Shared::viscous, Shared::damping}) {
-      if (c.stands(one, widest_shown) && c.point.shared(one) < 0) return one;
-    }
-    return std::nullopt;
-  }
-
-  /// Fitted again without what is negative beyond doubt, one after the other.
-  LuGreClimb possible(LuGreClimb climb) {
-    while (const auto one = first_negative(climb)) {
-      std::vector<NegativeOutcome> negative = climb.negative;
-      negative.push_back({*one, climb.point.shared(*one)});
-      LuGrePoint guess = climb.point;
-      guess.shared(*one) = 0;
-      climb = polished(climb.rung, {without(climb.free.shared, *one), climb.free.starts}, guess);
-      climb.negative = std::move(negative);
-    }
-    return climb;
   }
 
   LuGreClimb elastic() {

@@ -7,9 +7,9 @@
 //   curvature  + (Ts - Tc)/ws^2               friction falls with speed, only the start of it
 //   whole      + Tc and ws apart              the speed passes the Stribeck velocity
 //
-// Damping, viscous coefficient or inertia below zero is what no joint has: where one of them is
-// sure to be negative, the fall is not climbed for, and the level is fitted again with that one at
-// zero.
+// Damping, viscous coefficient or inertia may come out below zero, which no joint has: a torque
+// that is logged late makes s1 smaller by s0 times the lag. Such a parameter is not held at zero,
+// where it would bend the others; it is not shown, and says why (lugre_identifiability.cpp).
 //
 // G and the deflection at the start are each recording's own on all rungs (on the first the start
 // cannot be told from G, and neither is found).
@@ -21,12 +21,6 @@
 #include "statistics/block_regression.h"
 
 namespace tribolog::method::hysteresis {
-
-/// A parameter that came out negative beyond doubt, and was held at zero instead.
-struct NegativeOutcome {
-  LuGreShared::Index parameter{};
-  double value{};
-};
 
 enum class LuGreRung { elastic, level, curvature, whole };
 
@@ -57,7 +51,6 @@ struct LuGreClimb {
       around;          ///< The next step of the fit, which is none, and its covariance.
   double height_Nm{};  ///< Largest height of a loop.
   int evaluations{};
-  std::vector<NegativeOutcome> negative;
 
   /// Column of a shared parameter, or -1 where it is held.
   [[nodiscard]] Eigen::Index column(LuGreShared::Index parameter) const;

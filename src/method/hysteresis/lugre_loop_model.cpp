@@ -158,6 +158,7 @@ LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
 void LuGreLoopModel::add_instants(const std::vector<double>& times_s, double gear_ratio,
                                   double q_peak_rad) {
   for (auto* values : {&angle_, &speed_, &acceleration_, &cosine_}) values->reserve(times_s.size());
+  time_s_ = times_s;
   for (const double t : times_s) {
     angle_.push_back(motion_->angle(t));
     speed_.push_back(motion_->speed(t));
@@ -181,6 +182,17 @@ void LuGreLoopModel::add_ways(const std::vector<double>& instants) {
 
 Eigen::Index LuGreLoopModel::row_of(Eigen::Index instant) const {
   return samples_in_row_ == 1 ? instant : row_of_instant_[static_cast<std::size_t>(instant)];
+}
+
+std::vector<double> LuGreLoopModel::row_times_s() const {
+  if (samples_in_row_ == 1) return time_s_;
+  std::vector<double> out;
+  for (const Row& row : row_) out.push_back(row.time_s);
+  return out;
+}
+
+Eigen::VectorXd LuGreLoopModel::measured() const {
+  return Eigen::Map<const Eigen::VectorXd>(measured_Nm_.data(), rows());
 }
 
 /// Two pieces where the motion turns on the way.

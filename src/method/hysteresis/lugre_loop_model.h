@@ -59,6 +59,9 @@ class LuGreLoopModel {
   /// One for each of the samples, or for so many of them together.
   [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(measured_Nm_.size()); }
   [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
+  /// Times of the rows since the first sample, and the torque measured there.
+  [[nodiscard]] std::vector<double> row_times_s() const;
+  [[nodiscard]] Eigen::VectorXd measured() const;
   /// Residuals T_model - T_measured, and their derivatives.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
   /// level of micro-speed is integrated at half the work.
@@ -115,6 +118,7 @@ class LuGreLoopModel {
   std::vector<double> acceleration_;
   std::vector<double> cosine_;
   std::vector<double> measured_Nm_;  // of each row
+  std::vector<double> time_s_;       // of each instant
   bool starts_at_instant_{true};     // the first is that of the first sample
   double start_speed_{};             // at the first sample
   // Only where rows hold several samples:

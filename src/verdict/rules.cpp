@@ -1,0 +1,100 @@
+#include "verdict/rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "method/hysteresis/lugre_fit.h"
+#include "verdict/quantity_rooms.h"
+
+namespace tribolog::verdict {
+namespace {
+
+using calibration::Calibration;
+using calibration::Verdict;
+using joint::Quantity;
+
+const std::vector<Quantity> of_loop_fit{Quantity::break_away_torque, Quantity::bristle_stiffness,
+                                        Quantity::bristle_damping};
+
+/// A number of a model is one of the joint as far as the model describes the joint: what LuGre
+/// leaves of the loop that it describes worst, as a share of that loop's height.
+std::optional<Measured> loop_misfit(const Calibration& c) {
+  if (!c.lugre || !c.lugre->converged) return std::nullopt;
+  const method::hysteresis::LuGreLoop* worst = c.lugre->worst_described();
+  if (worst == nullptr || !(worst->height_Nm > 0)) return std::nullopt;
+  const double percent = 100 * worst->systematic_Nm / worst->height_Nm;
+  return Measured{percent,
+                  {"cause.other_contact",
+                   {{"recording", worst->recording},
+                    {"misfit_Nm", worst->systematic_Nm},
+                    {"percent", percent}}}};
+}
+
+/// Lag of the torque against the angle, as far as it is sure.
+std::optional<Measured> torque_lag(const Calibration& c) {
+  const std::optional<statistics::Estimate>& lag = c.torque_lag.lag_s;
+  if (!lag) return std::nullopt;
+  const double sure_s = std::max({0.0, lag->low, -lag->high});
+  return Measured{
+      1e3 * sure_s,
+      {lag->value > 0 ? Code{"cause.lag"} : Code{"cause.lag_of_angle"},
+       {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
+}
+
+}  // namespace
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all{
+      // A lag of the torque looks like bristle damping that is smaller by stiffness times lag:
+      // known,
+      // it is taken off; unknown, no loop can tell them apart.
+      {"torque_lag",
+       "ms",
+       0,
+       Verdict::usable,
+       {Quantity::bristle_damping},
+       "record.runs",
+       torque_lag,
+       "verdict.lag_unknown"},
+      // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or
+      // softer (tests/identify/other_friction_test.cpp).
+      {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
+       loop_misfit},
+      {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
+       "record.compare_reversals", loop_misfit},
+  };
+  return all;
+}
+
+std::vector<calibration::RuleOutcome> apply_rules(
+    const Calibration& c, std::vector<calibration::QuantityVerdict>& quantities) {
+  std::vector<calibration::RuleOutcome> outcomes;
+  for (const Rule& rule : rules()) {
+    calibration::RuleOutcome o{rule.name,
+                               calibration::RuleState::not_computed,
+                               {},
+                               rule.threshold,
+                               rule.unit,
+                               rule.quantities,
+                               rule.lowers_to,
+                               {}};
+    if (const std::optional<Measured> found = rule.measure(c)) {
+      o.value = found->value;
+      o.state = found->value > rule.threshold ? calibration::RuleState::broken
+                                              : calibration::RuleState::kept;
+      if (o.state == calibration::RuleState::broken) o.finding = found->finding;
+    }
+    for (const Quantity touched : rule.quantities) {
+      calibration::QuantityVerdict& q = verdict_on(touched, quantities);
+      if (o.state == calibration::RuleState::broken && rule.lowers_to != Verdict::usable) {
+        calibration::lower(q, rule.lowers_to, o.finding, rule.experiment);
+      } else if (o.state == calibration::RuleState::not_computed && !rule.unknown.empty()) {
+        calibration::lower(q, Verdict::doubtful, rule.unknown, rule.experiment);
+      }
+    }
+    outcomes.push_back(std::move(o));
+  }
+  return outcomes;
+}
+
+}  // namespace tribolog::verdict
