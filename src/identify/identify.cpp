@@ -110,6 +110,17 @@ std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p)
   return method::hysteresis::KnownGravity{mass->gravity_Nm, p.c.q_peak_rad->value};
 }
 
+/// The manifest's; none at all where the sweep shows that there is none to speak of, and nothing
+/// else gave one: friction is then the torque as it is.
+std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
+  constexpr double most_of_friction = 0.05;
+  const std::optional<joint::StatedGravity>& stated = c.manifest.known_gravity;
+  const bool shows_none = !c.rough.found && c.rough.coulomb_Nm && c.rough.samples_used > 0 &&
+                          c.rough.gravity_Nm.high < most_of_friction * c.rough.coulomb_Nm->value;
+  if (stated || !shows_none || c.hysteresis.midline_Nm || c.run_gravity.found) return stated;
+  return joint::StatedGravity(0, 0);
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be held
 /// against a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
@@ -164,13 +175,13 @@ constexpr Step papers_chain[] = {
        const joint::Manifest& m = p.dataset.manifest;
        p.c.masses = method::hysteresis::identify_surrogate_masses(
            p.c.rough, p.c.hysteresis, motor_peak(p.c), p.n, m.surrogate_distance_m, m.gravity_m_s2,
-           {gravity_of_loop_fit(p), &p.c.run_gravity, m.known_gravity});
+           {gravity_of_loop_fit(p), &p.c.run_gravity, stated_gravity(p.c)});
      }},
     {"viscous curves",
      [](Progress& p) {
        p.curves = method::viscous::identify_viscous_curves(
            p.recordings(Role::constant_speed), p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
-           p.n, p.dataset.manifest.known_gravity);
+           p.n, stated_gravity(p.c));
        p.c.viscous = p.curves.result;
      }},
     {"quality errors",
@@ -205,6 +216,7 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        p.c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
            p.c.viscous, p.recommended_mass(), p.c.rough.offset_Nm);
+       p.c.torque_balance = method::viscous::balance_directions(p.c.viscous, p.c.rough);
      }},
     {"",
      [](Progress& p) {

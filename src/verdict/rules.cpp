@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "method/hysteresis/lugre_fit.h"
+#include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
@@ -44,25 +45,30 @@ std::optional<Measured> torque_lag(const Calibration& c) {
 }  // namespace
 
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all{
-      // A lag of the torque looks like bristle damping that is smaller by stiffness times lag:
-      // known,
-      // it is taken off; unknown, no loop can tell them apart.
-      {"torque_lag",
-       "ms",
-       0,
-       Verdict::usable,
-       {Quantity::bristle_damping},
-       "record.runs",
-       torque_lag,
-       "verdict.lag_unknown"},
-      // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or
-      // softer (tests/identify/other_friction_test.cpp).
-      {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
-       loop_misfit},
-      {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
-       "record.compare_reversals", loop_misfit},
-  };
+  static const std::vector<Rule> all = [] {
+    std::vector<Rule> rows = gravity_rules();
+    const std::vector<Rule> of_friction{
+        // A lag of the torque looks like bristle damping that is smaller by stiffness times lag:
+        // known,
+        // it is taken off; unknown, no loop can tell them apart.
+        {"torque_lag",
+         "ms",
+         0,
+         Verdict::usable,
+         {Quantity::bristle_damping},
+         "record.runs",
+         torque_lag,
+         "verdict.lag_unknown"},
+        // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or
+        // softer (tests/identify/other_friction_test.cpp).
+        {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
+         loop_misfit},
+        {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
+         "record.compare_reversals", loop_misfit},
+    };
+    rows.insert(rows.end(), of_friction.begin(), of_friction.end());
+    return rows;
+  }();
   return all;
 }
 

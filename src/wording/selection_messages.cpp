@@ -38,6 +38,8 @@ const Messages& selection_messages() {
       {"selection.midline",
        text("The mid-line averages the whole steady loop, in which friction cancels whatever its "
             "model; a single point still contains the friction at its instant.")},
+      {"selection.no_gravity",
+       text("The joint has no gravity torque: friction is all that there is.")},
       {"selection.sweep_is_surer",
        text("The rough sweep tells gravity from an offset of the torque and from friction that "
             "differs between the directions; the mid-line of the loop cannot, and is less certain "

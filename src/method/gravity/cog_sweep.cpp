@@ -104,31 +104,45 @@ void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
                                                        {"interval.least_squares_blocks"});
 }
 
-/// The ripple that the residual shows, and the fit without it.
-SweepGravityFit fit_without_ripple(const motion::Sweep& sweep, double gear_ratio, double middle,
-                                   const std::vector<std::size_t>& blocks,
-                                   const SweepGravityFit& first, SweepDesign& design,
-                                   CogSweepResult& out) {
-  const motion::SweepSamples& samples = sweep.samples;
+/// What the residual shows of ripple and vibration, and the fit without them.
+SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
+                                  const std::vector<std::size_t>& blocks,
+                                  const SweepGravityFit& first, SweepDesign& design,
+                                  CogSweepResult& out) {
   const double white = white_torque_variance(sweep);
-  out.ripple_Nm = torque_ripple_Nm(first.regression.residual_sd, white);
-  if (!(out.ripple_Nm > 0)) return first;
-  std::vector<double> angle(samples.size());
-  std::vector<double> residual(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    angle[i] = gear_ratio * sweep.q_rad(i);
-    residual[i] = first.regression.residuals(static_cast<Eigen::Index>(i));
-  }
-  out.ripple = find_ripple(angle, residual, out.ripple_Nm, white);
-  if (out.ripple.lines.empty()) return first;
-  Eigen::VectorXd torque(design.y.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    torque(static_cast<Eigen::Index>(i)) = out.ripple.torque_Nm(angle[i]);
-  }
+  const double beyond_white = torque_ripple_Nm(first.regression.residual_sd, white);
+  out.white_Nm = std::sqrt(white);
+  if (!(beyond_white > 0)) return first;
+  const Eigen::VectorXd& left = first.regression.residuals;
+  ResidualCauses causes = find_residual_causes(sweep, std::vector<double>(left.begin(), left.end()),
+                                               gear_ratio, beyond_white, white);
+  out.ripple_Nm = causes.ripple_Nm();
+  out.ripple = std::move(causes.ripple);
+  out.vibration = std::move(causes.vibration);
+  out.coloured_Nm = causes.coloured_Nm;
+  out.friction_by_angle_Nm = causes.friction_Nm;
+  const Eigen::Map<const Eigen::VectorXd> torque(causes.lines_Nm.data(),
+                                                 static_cast<Eigen::Index>(causes.lines_Nm.size()));
+  if (torque.isZero(0)) return first;
   design.y -= torque;
   SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
   fit.regression.residuals += torque;  // what the smooth fit leaves
   return fit;
+}
+
+/// Ripple of one period of the motor looks like gravity where the motor turns less than that.
+void widen_by_slow_ripple(double gear_ratio, const CogSweepResult& out, SweepGravityFit& fit) {
+  constexpr double fewest_turns = 3;
+  const double turns = gear_ratio * (out.highest_rad - out.lowest_rad) / (2 * std::numbers::pi);
+  if (turns >= fewest_turns || out.ripple.lines.empty()) return;
+  const double unseen = out.ripple.half_width_Nm();
+  const auto widened = [&](const statistics::Estimate& e, double by) {
+    return statistics::symmetric_estimate(
+        e.value, std::hypot(e.half_width(), by),
+        {"interval.widened_by_sweep_ripple", {{"interval", e.method}}});
+  };
+  fit.q_peak_rad = widened(fit.q_peak_rad, unseen / std::max(fit.gravity_Nm.value, unseen));
+  fit.gravity_Nm = widened(fit.gravity_Nm, unseen);
 }
 
 /// How far the error of a twist taken from another sweep moves the angle.
@@ -229,6 +243,13 @@ SweepCurves curves_without_fit(const motion::Sweep& sweep) {
   return curves;
 }
 
+/// The trough, half a turn from the peak, tells its place as well as the peak does.
+bool crosses_peak_or_trough(const CogSweepResult& sweep) {
+  const double middle = (sweep.lowest_rad + sweep.highest_rad) / 2;
+  const double away = std::remainder(sweep.q_peak_rad.value - middle, std::numbers::pi);
+  return std::abs(away) <= (sweep.highest_rad - sweep.lowest_rad) / 2;
+}
+
 /// The equation whose coefficients were fitted.
 /// The twist, where it is a term, shows in CogSweepResult::twist_rad.
 Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_known) {
@@ -312,11 +333,12 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   } else {
     fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
-    fit = fit_without_ripple(sweep, gear_ratio, middle, blocks, fit, design, out);
+    fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out);
     if (!samples.constant_speed && strokes > 2) {
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
   }
+  if (!amplitude_known) widen_by_slow_ripple(gear_ratio, out, fit);
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
@@ -349,8 +371,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   if (!out.both_directions) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = {"gravity.one_direction"};
-  } else if (!precise &&
-             (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
+  } else if (!precise && !crosses_peak_or_trough(out)) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = {"gravity.peak_not_crossed",
                         {{"lowest_deg", out.lowest_rad * joint::degrees_per_rad},

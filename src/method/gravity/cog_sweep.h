@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/statement.h"
+#include "method/gravity/residual_causes.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/estimate.h"
@@ -58,12 +59,16 @@ struct CogSweepResult {
   /// What it grows by from beginning to end of a recording.
   std::optional<statistics::Estimate> offset_drift_Nm;
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.
-  /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
-  /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
-  /// out.
+  /// Standard deviation of the part of the residual that is torque ripple: it repeats with the
+  /// motor's angle, in both directions alike. 0 if none is visible. A loop at one position cannot
+  /// average it out.
   double ripple_Nm{};
-  Ripple ripple;        ///< Its periods, where the sweep is long enough to show them.
-  double lowest_rad{};  ///< Range of the samples used.
+  Ripple ripple;  ///< Its periods, where the sweep is long enough to show them.
+  std::vector<VibrationLine> vibration;  ///< What of the residual is periodic in time.
+  double coloured_Nm{};  ///< Standard deviation of what hangs together in time without a period.
+  double white_Nm{};     ///< That of white noise.
+  double friction_by_angle_Nm{};  ///< Of what repeats with the angle, but turns with the direction.
+  double lowest_rad{};            ///< Range of the samples used.
   double highest_rad{};
   bool both_directions{};
   bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.

@@ -123,6 +123,13 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
     made.cycles.positions =
         mean_over_positions(at_peak, angle, ripple, {"interval.scatter_of_cycles_and_recordings"});
     out.midline_Nm = made.cycles.positions->gravity_Nm;
+    const auto first = std::find_if(loops.begin(), loops.end(),
+                                    [](const LoopResult& loop) { return bool(loop.midline); });
+    if (first->midline->mean_cos < 0) {
+      // At the trough: the torque as it is there.
+      out.midline_mean_cos = -1;
+      out.midline_Nm = statistics::scaled(*out.midline_Nm, -1);
+    }
     out.positions_hold_ripple = made.cycles.positions->freedom > 0;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
@@ -65,14 +66,17 @@ SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double
   m.torque_Nm = torque;
   m.q_rad = q_rad;
   const double from_peak = c.q_peak_rad ? q_rad - *c.q_peak_rad : 0.0;
-  const double reach = std::abs(from_peak) + c.q_peak_half_width;
+  // The trough, half a turn on, is as good as the peak.
+  const double away = std::remainder(from_peak, std::numbers::pi);
+  const double reach = std::abs(away) + c.q_peak_half_width;
   // 1/cos grows with the distance from the peak: the angle's error can only widen the interval.
   const double by_angle =
-      torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
+      torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(away));
   const double by_offset = offset.share * offset_half_width / cosine;
   // The truth lies at one end of what is ambiguous as a rule, not in its middle.
-  const double half_width = std::hypot(torque.half_width() / cosine, by_angle, by_offset) +
-                            offset.ambiguity_Nm / std::abs(cosine);
+  const double half_width =
+      std::hypot(torque.half_width() / std::abs(cosine), by_angle, by_offset) +
+      offset.ambiguity_Nm / std::abs(cosine);
   m.mean_cosine = cosine;
   m.offset = offset;
   m.gravity_Nm = statistics::symmetric_estimate(
@@ -107,6 +111,8 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
                      SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
   const SweepOffset offset(rough);
+  // At the trough the amplitude stands in the torque with a minus.
+  const double side = cosine_at(context, hysteresis.midline_q_rad) < 0 ? -1.0 : 1.0;
   const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm);
   for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
@@ -141,8 +147,9 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
   }
   if (fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(make_mass(Estimator::fit, *fit_Nm, hysteresis.midline_q_rad, 1.0, context,
-                                   of_loop, offset.half_width_Nm));
+    out.masses.push_back(make_mass(Estimator::fit, statistics::scaled(*fit_Nm, side),
+                                   hysteresis.midline_q_rad, side, context, of_loop,
+                                   offset.half_width_Nm));
   }
 }
 
@@ -167,7 +174,7 @@ SurrogateMassesResult identify_surrogate_masses(
     context.q_peak_half_width = q_peak_rad->half_width();
   }
   const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
-  const bool is_near_peak = !hysteresis.found || loop_cosine >= least_loop_cosine;
+  const bool is_near_peak = !hysteresis.found || std::abs(loop_cosine) >= least_loop_cosine;
   if (is_near_peak) add_loop_masses(rough, hysteresis, other.loop_fit_Nm, context, out);
   if (rough.found) {
     Context at_peak = context;
@@ -199,9 +206,10 @@ SurrogateMassesResult identify_surrogate_masses(
     out.stage.reason = {"masses.no_gravity_torque"};
   } else if (!is_near_peak) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = {"masses.loop_far_from_peak",
-                        {{"distance_deg", joint::degrees_per_rad * std::acos(loop_cosine)},
-                         {"share_percent", 100 * std::abs(loop_cosine)}}};
+    out.stage.reason = {
+        "masses.loop_far_from_peak",
+        {{"distance_deg", joint::degrees_per_rad * std::acos(std::abs(loop_cosine))},
+         {"share_percent", 100 * std::abs(loop_cosine)}}};
   } else if (!hysteresis.found) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = mass_without_loop(rough, out);

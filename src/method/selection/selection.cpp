@@ -50,6 +50,10 @@ bool sweep_is_surer(const hysteresis::SurrogateMassesResult& masses) {
 }
 
 std::optional<Recommendation> recommend(const hysteresis::SurrogateMassesResult& masses) {
+  const hysteresis::SurrogateMass* stated = masses.find(Estimator::stated);
+  if (stated != nullptr && stated->gravity_Nm.value == 0) {
+    return Recommendation{Estimator::stated, "selection.no_gravity"};
+  }
   if (sweep_is_surer(masses)) return Recommendation{Estimator::sweep, "selection.sweep_is_surer"};
   for (const Recommendation& one : in_order_of_trust) {
     if (masses.find(one.estimator) != nullptr) return one;
