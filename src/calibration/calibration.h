@@ -30,6 +30,7 @@
 #include "method/viscous/direction_lines.h"
 #include "method/viscous/load_dependence.h"
 #include "method/viscous/model_choice.h"
+#include "method/viscous/torque_balance.h"
 #include "method/viscous/viscous_curves.h"
 
 namespace tribolog::calibration {
@@ -114,6 +115,7 @@ struct Calibration {
   method::viscous::DirectionLinesResult direction_lines;
   method::viscous::LoadDependenceResult load_dependence;
   method::viscous::DirectionAsymmetryResult direction_asymmetry;
+  method::viscous::TorqueBalance torque_balance;
   method::viscous::CurveModelChoice curve_model;
   std::vector<method::hysteresis::LoopShape>
       loop_shapes;  ///< Of the oscillations, without any model.

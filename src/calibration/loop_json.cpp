@@ -82,7 +82,9 @@ Json surrogate_masses(const method::hysteresis::SurrogateMassesResult& result) {
                     {"torque_Nm", interval(m.torque_Nm)},
                     {"q_rad", number(m.q_rad)},
                     {"mass_kg", interval(m.mass_kg)},
-                    {"gravity_Nm", interval(m.gravity_Nm)}});
+                    {"gravity_Nm", interval(m.gravity_Nm)},
+                    {"offset_taken_Nm", number(m.offset.value_Nm)},
+                    {"offset_ambiguity_Nm", number(m.offset.ambiguity_Nm)}});
   }
   return list;
 }

@@ -95,6 +95,14 @@ void choose_gravity_peak(Calibration& c) {
   }
 }
 
+/// Where the motor stands when the link is at the gravity peak: what a loop there needs.
+std::optional<statistics::Estimate> motor_peak(const Calibration& c) {
+  if (!c.q_peak_rad || !c.rough.twist_rad) return c.q_peak_rad;
+  const double turned = c.rough.twist_rad->value;
+  return statistics::Estimate{c.q_peak_rad->value + turned, c.q_peak_rad->low + turned,
+                              c.q_peak_rad->high + turned, c.q_peak_rad->method};
+}
+
 std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
   return p.loop.lugre ? p.loop.lugre->fit.gravity_Nm : std::nullopt;
 }
@@ -117,6 +125,17 @@ std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p)
   return method::hysteresis::KnownGravity{mass->gravity_Nm, p.c.q_peak_rad->value};
 }
 
+/// The manifest's; none at all where the sweep shows that there is none to speak of, and nothing
+/// else gave one: friction is then the torque as it is.
+std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
+  constexpr double most_of_friction = 0.05;
+  const std::optional<joint::StatedGravity>& stated = c.manifest.known_gravity;
+  const bool shows_none = !c.rough.found && c.rough.coulomb_Nm && c.rough.samples_used > 0 &&
+                          c.rough.gravity_Nm.high < most_of_friction * c.rough.coulomb_Nm->value;
+  if (stated || !shows_none || c.hysteresis.midline_Nm || c.run_gravity.found) return stated;
+  return joint::StatedGravity(0, 0);
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be held
 /// against a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
@@ -134,11 +153,13 @@ constexpr Step papers_chain[] = {
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
-       std::optional<statistics::Estimate> amplitude;
-       if (p.c.rough.found) amplitude = p.c.rough.gravity_Nm;
+       method::gravity::KnownOfSweep known;
+       if (p.c.rough.found) {
+         known = {p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.ripple};
+       }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
-       p.precise = method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n,
-                                                       amplitude, p.c.rough.ripple);
+       p.precise =
+           method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n, known);
        p.c.precise = p.precise.result;
      }},
     {"",
@@ -175,21 +196,21 @@ constexpr Step papers_chain[] = {
          }
        }
        p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
-                                                        p.c.q_peak_rad, of_loops);
+                                                        motor_peak(p.c), of_loops);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",
      [](Progress& p) {
        const joint::Manifest& m = p.dataset.manifest;
        p.c.masses = method::hysteresis::identify_surrogate_masses(
-           p.c.rough, p.c.hysteresis, p.c.q_peak_rad, p.n, m.surrogate_distance_m, m.gravity_m_s2,
-           {gravity_of_loop_fit(p), &p.c.run_gravity, m.known_gravity});
+           p.c.rough, p.c.hysteresis, motor_peak(p.c), p.n, m.surrogate_distance_m, m.gravity_m_s2,
+           {gravity_of_loop_fit(p), &p.c.run_gravity, stated_gravity(p.c)});
      }},
     {"viscous curves",
      [](Progress& p) {
        p.curves = method::viscous::identify_viscous_curves(
            p.recordings(Role::constant_speed), p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
-           p.n, p.dataset.manifest.known_gravity);
+           p.n, stated_gravity(p.c));
        p.c.viscous = p.curves.result;
      }},
     {"quality errors",
@@ -229,6 +250,7 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        p.c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
            p.c.viscous, p.recommended_mass(), p.c.rough.offset_Nm);
+       p.c.torque_balance = method::viscous::balance_directions(p.c.viscous, p.c.rough);
      }},
     {"",
      [](Progress& p) {
@@ -260,6 +282,11 @@ constexpr Step further_steps[] = {
     {"",
      [](Progress& p) {
        p.c.cross_checks = method::intervals::cross_check(p.chain(), p.c.intervals);
+     }},
+    {"",
+     [](Progress& p) {
+       method::hysteresis::widen_mass(p.c.selection.recommended,
+                                      p.c.cross_checks.widened_gravity_Nm, p.c.masses);
      }},
     {"",
      [](Progress& p) {

@@ -65,7 +65,8 @@ struct KnownLoad {
 /// by which nothing is identified; a check holds the found one against it.
 class StatedGravity {
  public:
-  /// @param amplitude_Nm > 0, joint side. @param q_peak_rad joint angle at which it is largest.
+  /// @param amplitude_Nm >= 0, joint side; 0: the joint has none. @param q_peak_rad joint angle at
+  /// which it is largest.
   /// @throw Refusal stating the value and the rule.
   StatedGravity(double amplitude_Nm, double q_peak_rad);
 

@@ -319,6 +319,10 @@ std::map<Quantity, double> truths_of(const Scenario& undisturbed, const Scenario
   const LuGre& p = lugre_of(undisturbed);
   double q_peak = laid.load.q_peak_rad();
   if (laid.noise.effects.mirrored_angle) q_peak = -q_peak;
+  // With the torque mirrored too the joint is one whose peak lies where the trough was.
+  if (laid.noise.effects.mirrored_angle && laid.noise.effects.mirrored_torque) {
+    q_peak += std::numbers::pi;
+  }
   const double n = laid.gear_ratio;
   std::map<Quantity, double> t{
       {Quantity::cog_angle, q_peak},

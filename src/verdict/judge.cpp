@@ -12,6 +12,7 @@
 #include "method/checks/data_check.h"
 #include "verdict/acceptance.h"
 #include "verdict/curve_findings.h"
+#include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
 
@@ -244,7 +245,8 @@ Statement sentence_of(const calibration::Calibration& c, calibration::Verdict ov
     return has_mass ? Statement{"verdict.no_angle"} : Statement{"verdict.neither_angle_nor_mass"};
   }
   if (overall == calibration::Verdict::usable) {
-    return {"verdict.usable"};
+    return is_without_gravity(c) ? Statement{"verdict.usable_without_gravity"}
+                                 : Statement{"verdict.usable"};
   }
   if (!failing.empty()) return {"verdict.checks_fail"};
   if (has_disagreement) return {"verdict.estimates_disagree"};
@@ -260,6 +262,11 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
   out.rules = apply_rules(c, out.quantities);
+  const bool without_gravity = is_without_gravity(c);
+  if (without_gravity) {
+    // Friction is a job of its own: nothing is missing.
+    for (const Quantity quantity : gravity) verdict_on(quantity, out.quantities).decides = false;
+  }
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);
   const auto is_known = [&](Quantity quantity) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;
@@ -275,7 +282,8 @@ calibration::Judgement judge(const calibration::Calibration& c) {
       limit_broken |= limit.state != calibration::LimitState::inside;
     }
   }
-  if (!has_angle || !has_mass) out.verdict = calibration::Verdict::not_identifiable;
+  if ((!has_angle || !has_mass) && !without_gravity)
+    out.verdict = calibration::Verdict::not_identifiable;
   out.sentence =
       sentence_of(c, out.verdict, has_angle, has_mass, c.cross_checks.doubtful, limit_broken);
   out.findings = collect_findings(c, out, disagreements);

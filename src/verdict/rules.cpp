@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "method/hysteresis/lugre_fit.h"
+#include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/session_rules.h"
 
@@ -57,19 +58,20 @@ std::optional<Measured> torque_outliers(const Calibration& c) {
                     {"largest_Nm", found.largest_Nm}}}};
 }
 
-std::vector<Rule> with_those_of_session(std::vector<Rule> all) {
-  const std::vector<Rule> more = session_rules();
-  all.insert(all.end(), more.begin(), more.end());
+std::vector<Rule> with_those_of_gravity_and_session(const std::vector<Rule>& of_friction) {
+  std::vector<Rule> all = gravity_rules();
+  for (const std::vector<Rule>& more : {of_friction, session_rules()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   return all;
 }
 
 }  // namespace
 
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all = with_those_of_session({
-      // A lag of the torque looks like bristle damping that is smaller by stiffness times lag:
-      // known,
-      // it is taken off; unknown, no loop can tell them apart.
+  static const std::vector<Rule> all = with_those_of_gravity_and_session({
+      // A lag of the torque looks like bristle damping that is smaller by stiffness times
+      // lag: known, it is taken off; unknown, no loop can tell them apart.
       {"torque_lag",
        "ms",
        0,

@@ -38,6 +38,12 @@ const Messages& selection_messages() {
       {"selection.midline",
        text("The mid-line averages the whole steady loop, in which friction cancels whatever its "
             "model; a single point still contains the friction at its instant.")},
+      {"selection.no_gravity",
+       text("The joint has no gravity torque: friction is all that there is.")},
+      {"selection.sweep_is_surer",
+       text("The rough sweep tells gravity from an offset of the torque and from friction that "
+            "differs between the directions; the mid-line of the loop cannot, and is less certain "
+            "for it.")},
       {"selection.sweep_alone",
        text("No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the "
             "rough sweep is the only estimate of the mass.")},
@@ -99,6 +105,8 @@ const Messages& selection_messages() {
             "would be within its interval; {cause}")},
       {"cross_check.ripple_at_position",
        text("ripple at the position of the oscillation would explain it")},
+      {"cross_check.motion_has_harmonics",
+       text("the second harmonic of the motion would explain it")},
       {"cross_check.loop_not_steady", text("a loop that is not yet steady would explain it")},
       {"cross_check.friction_beyond_lugre",
        text("friction that LuGre does not describe would explain it")},

@@ -38,7 +38,56 @@ const Messages& verdict_messages() {
        text("The same, where the break-away torque is read from the loops")},
       {"rule.loop_unlike_model", text("Misfit at which nothing of the LuGre model is left")},
 
+      {"rule.friction_over_gravity", text("Friction as a share of the gravity torque")},
+      {"rule.gravity_in_time", text("Slow waves of the torque in time, of the gravity torque")},
+      {"rule.gear_twist", text("Twist of the gear under gravity, as far as it is sure")},
+      {"rule.direction_asymmetry",
+       text("Asymmetry of friction between the directions, as far as it is sure")},
+      {"rule.torque_offset", text("Offset of the torque, as far as it is sure")},
+      {"rule.offset_drift", text("Drift of that offset over the sweep, as far as it is sure")},
+      {"rule.motion_harmonics", text("Largest harmonic of an oscillation's motion")},
+      {"rule.ripple", text("Torque ripple, of the gravity torque")},
+      {"rule.vibration", text("Vibration of the torque, of the gravity torque")},
+      {"rule.coloured_noise", text("Noise that hangs together in time, of the white noise")},
+
       // What was found to be wrong with the joint or the log.
+      {"cause.no_gravity",
+       text("the gravity torque of {gravity_Nm:.2g} N·m is too small beside friction of "
+            "{friction_Nm:.2g} N·m to be told from friction that changes with the angle: angle "
+            "and mass cannot be known from this joint; friction can")},
+      {"cause.other_joint",
+       text("the torque swings by {amplitude_Nm:.2g} N·m ({percent:.1f} % of gravity) with a "
+            "period of {period_s:.1f} s, whatever the angle: gravity changes in time, as when "
+            "another joint moves")},
+      {"cause.elastic_gear",
+       text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
+            "and the encoder sees the motor; the angle stated is the link's")},
+      {"cause.asymmetry",
+       text("friction is larger by {percent:.1f} ± {half_width:.1f} % when the angle rises, and "
+            "smaller by as much when it falls")},
+      {"cause.offset",
+       text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m; it was taken "
+            "off the loops")},
+      {"cause.offset_or_direction",
+       text("the sweep's torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m, or "
+            "friction differs between the directions: runs of several speeds in both directions "
+            "would tell which")},
+      {"cause.offset_drifts",
+       text("the torque's offset drifts by {drift_Nm:.2g} ± {half_width_Nm:.1g} N·m over the "
+            "sweep")},
+      {"cause.motion",
+       text("the oscillation is no sine: its motion has {second_percent:.1f} % of a second and "
+            "{third_percent:.1f} % of a third harmonic; mid-lines are taken over the angle, and "
+            "single points and pairs of the loop do not count")},
+      {"cause.ripple",
+       text("the torque has ripple of {ripple_Nm:.2g} N·m (standard deviation) that repeats with "
+            "the motor's angle, in {lines} lines")},
+      {"cause.vibration",
+       text("the torque vibrates by {amplitude_Nm:.2g} N·m at {frequency_Hz:.2f} Hz, whatever the "
+            "angle")},
+      {"cause.coloured_noise",
+       text("noise of {coloured_Nm:.2g} N·m hangs together in time, beside white noise of "
+            "{white_Nm:.2g} N·m; the intervals hold it")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "
@@ -86,6 +135,8 @@ const Messages& verdict_messages() {
       {"reading.viscous_power", text("viscous power δ_v")},
 
       // The sentence at the top of the report.
+      {"verdict.usable_without_gravity",
+       text("The joint's friction is known; it has no gravity torque to speak of.")},
       {"verdict.no_torque",
        text("No torque was recorded: the motion alone shows neither gravity nor friction.")},
       {"verdict.data_cannot_carry", text("The data do not support an identification: {found}.")},
@@ -164,6 +215,8 @@ const Messages& verdict_messages() {
             "the gravity peak")},
       {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
                                     "check shows how far off the recovered value is")},
+      {"record.with_load", text("a load on the arm, or another posture, gives the joint gravity")},
+      {"record.other_joints_at_rest", text("the same again with all other joints at rest")},
       {"record.eight_positions",
        text("the micro-oscillation at eight positions spread over one turn of the motor")},
       {"record.ramps",

@@ -121,14 +121,14 @@ double largest_possible(log::Quantity quantity) {
 
 void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
                              const log::LogTable& table, std::size_t row) {
-  throw InputError(
-      {table.file, table.line_of(row), 0},
-      {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
-                   log::to_string(column.quantity)),
-       fmt::format("{:.6g} {}", value, printable(column.unit)),
-       fmt::format("at most {:.6g} {}", largest_possible(column.quantity) / column.si_factor,
-                   printable(column.unit)),
-       "another unit? where only this row is damaged, write nan"});
+  throw InputError({table.file, table.line_of(row), 0},
+                   {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
+                                log::to_string(column.quantity)),
+                    fmt::format("{:.6g} {}", value, printable(column.unit)),
+                    fmt::format("at most {:.6g} {}",
+                                largest_possible(column.quantity) / std::abs(column.si_factor),
+                                printable(column.unit)),
+                    "another unit? where only this row is damaged, write nan"});
 }
 
 void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& table,

@@ -109,7 +109,7 @@ std::vector<double>& signal_of(joint::Recording& r, joint::LoggedSignal signal) 
 void refuse_contradicting_unit(const manifest::ColumnEntry& entry,
                                const log::ColumnHeader& header) {
   const auto factor = log::find_si_factor(entry.quantity, header.unit);
-  if (!factor || *factor == entry.si_factor) return;
+  if (!factor || *factor == std::abs(entry.si_factor)) return;
   throw InputError(entry.where, {"unit contradicts the header of the log", in_quotes(entry.unit),
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
 }
@@ -177,7 +177,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
     const log::LogTable& stands_in =
         table.columns[k].stands_in ? *table.columns[k].stands_in : table;
     const double factor = conversion_of(columns[k], drive, effort_sign).factor();
-    const double bound = largest_possible(column.quantity) / column.si_factor;
+    const double bound = largest_possible(column.quantity) / std::abs(column.si_factor);
     std::vector<double>& signal = signal_of(r, columns[k].signal);
     signal.reserve(choice.rows.size());
     for (const std::size_t row : choice.rows) {

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "ingest/manifest/manifest_tables.h"
@@ -80,6 +83,14 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
     entry.reading = log::ColumnReading::iso_time;  // read as seconds
   } else {
     entry.si_factor = log::si_factor(quantity, entry.unit, table->where("unit"));
+  }
+  if (has_side && table->has("sign")) {
+    const double sign = table->number("sign");
+    if (std::abs(sign) != 1) {
+      table->refuse("sign", {"is neither 1 nor -1", fmt::format("{:g}", sign), "1 or -1",
+                             "-1: the column counts the other way round"});
+    }
+    entry.si_factor *= sign;
   }
   if (quantity == log::Quantity::time) entry.any_rate = table->flag_or("any_rate", false);
   if (has_side && table->has("side")) {

@@ -206,9 +206,17 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   if (result.manifest.drive.kind() != joint::EffortKind::none)
     result.effort_sign = read_sign(effort);
   result.manifest.effort_is_confirmed = effort.flag_or("confirmed", true);
+  const bool has_no_gravity = joint.has("gravity");
+  if (has_no_gravity) static_cast<void>(joint.choice("gravity", {"none"}));
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);
+  if (has_no_gravity) {
+    if (result.manifest.known_gravity) {
+      joint.refuse("gravity", {"contradicts [known_gravity]", "none", "", "state one of the two"});
+    }
+    result.manifest.known_gravity = joint::StatedGravity(0, 0);
+  }
 
   const joint::EffortKind kind = result.manifest.drive.kind();
   if (const auto log = top.find_table("log")) result.text_logs = read_text_log_rules(*log);

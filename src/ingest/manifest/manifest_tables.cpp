@@ -79,10 +79,12 @@ std::vector<joint::KnownLoad> read_known_loads(const TomlTable& top) {
 std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top) {
   const auto table = top.find_table("known_gravity");
   if (!table) return std::nullopt;
-  const double amplitude_Nm = table->number("amplitude_Nm", Sign::positive);
-  const double q_peak_rad =
-      table->number("q_peak_deg", Sign::any, "the joint angle at which gravity torque is largest") *
-      joint::rad_per_degree;
+  const double amplitude_Nm = table->number("amplitude_Nm", Sign::not_negative);
+  const double q_peak_deg =
+      amplitude_Nm == 0 ? table->number_or("q_peak_deg", 0.0)
+                        : table->number("q_peak_deg", Sign::any,
+                                        "the joint angle at which gravity torque is largest");
+  const double q_peak_rad = q_peak_deg * joint::rad_per_degree;
   table->refuse_unknown_keys();
   return guarded(*table, "amplitude_Nm",
                  [&] { return joint::StatedGravity(amplitude_Nm, q_peak_rad); });

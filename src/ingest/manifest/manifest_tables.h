@@ -29,7 +29,7 @@ struct ColumnEntry {
   std::string name;
   std::string unit;
   log::Quantity quantity{};
-  double si_factor{1.0};
+  double si_factor{1.0};  ///< Negative: the column counts the other way round (`sign = -1`).
   joint::Side side{
       joint::Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
   Location where;

@@ -127,7 +127,7 @@ DataCheck check_oscillation_at_peak(const joint::Dataset& dataset,
     const auto [low, high] = std::minmax_element(r->q_rad.begin(), r->q_rad.end());
     centre += (*low + *high) / 2 / static_cast<double>(oscillations.size());
   }
-  const double off = std::remainder(centre - q_peak_rad->value, 2 * std::numbers::pi);
+  const double off = std::remainder(centre - q_peak_rad->value, std::numbers::pi);  // or the trough
   check.recording = oscillations.size() == 1 ? oscillations.front()->name : "all";
   check.measure = {"measure.distance_from_peak"};
   check.unit = "deg";

@@ -75,34 +75,92 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
   }
   out.coulomb_Nm = statistics::symmetric_estimate(
       contrast.dot(c), statistics::student_t_975(freedom) * error, method);
-  out.offset_Nm = contrast.cwiseAbs().dot(c);
 }
 
-/// The ripple that the residual shows, and the fit without it.
-SweepGravityFit fit_without_ripple(const motion::Sweep& sweep, double gear_ratio, double middle,
-                                   const std::vector<std::size_t>& blocks,
-                                   const SweepGravityFit& first, SweepDesign& design,
-                                   CogSweepResult& out) {
-  const motion::SweepSamples& samples = sweep.samples;
+/// As a sum over coefficients: what of a mean torque of both directions is not gravity. The offsets
+/// were fitted against cos q - 1, from which the first coefficient has been taken out.
+Eigen::VectorXd offset_gradient(const SweepDesign& d, const motion::SweepSamples& samples) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
+  if (d.direction >= 0) {
+    gradient(d.offsets) = 1;
+  } else {
+    gradient = direction_contrast(d, samples).cwiseAbs();
+  }
+  return gradient;
+}
+
+/// Of that sum over coefficients.
+void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
+                 const SweepGravityFit& fit, CogSweepResult& out) {
+  if (!samples.both_directions()) return;
+  Eigen::VectorXd gradient = offset_gradient(d, samples);
+  out.offset_Nm = gradient.dot(fit.regression.coefficients);
+  gradient(0) = -1;
+  out.torque_offset_Nm = statistics::symmetric_estimate(
+      out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
+  if (d.drift < 0) return;
+  out.offset_drift_Nm = statistics::symmetric_estimate(2 * fit.regression.coefficients(d.drift),
+                                                       2 * fit.regression.half_width(d.drift),
+                                                       {"interval.least_squares_blocks"});
+}
+
+/// What the residual shows of ripple and vibration, and the fit without them.
+SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
+                                  const std::vector<std::size_t>& blocks,
+                                  const SweepGravityFit& first, SweepDesign& design,
+                                  CogSweepResult& out) {
   const double white = white_torque_variance(sweep);
-  out.ripple_Nm = torque_ripple_Nm(first.regression.residual_sd, white);
-  if (!(out.ripple_Nm > 0)) return first;
-  std::vector<double> angle(samples.size());
-  std::vector<double> residual(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    angle[i] = gear_ratio * sweep.q_rad(i);
-    residual[i] = first.regression.residuals(static_cast<Eigen::Index>(i));
-  }
-  out.ripple = find_ripple(angle, residual, out.ripple_Nm, white);
-  if (out.ripple.lines.empty()) return first;
-  Eigen::VectorXd torque(design.y.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    torque(static_cast<Eigen::Index>(i)) = out.ripple.torque_Nm(angle[i]);
-  }
+  const double beyond_white = torque_ripple_Nm(first.regression.residual_sd, white);
+  out.white_Nm = std::sqrt(white);
+  if (!(beyond_white > 0)) return first;
+  const Eigen::VectorXd& left = first.regression.residuals;
+  ResidualCauses causes = find_residual_causes(sweep, std::vector<double>(left.begin(), left.end()),
+                                               gear_ratio, beyond_white, white);
+  out.ripple_Nm = causes.ripple_Nm();
+  out.ripple = std::move(causes.ripple);
+  out.vibration = std::move(causes.vibration);
+  out.coloured_Nm = causes.coloured_Nm;
+  out.friction_by_angle_Nm = causes.friction_Nm;
+  const Eigen::Map<const Eigen::VectorXd> torque(causes.lines_Nm.data(),
+                                                 static_cast<Eigen::Index>(causes.lines_Nm.size()));
+  if (torque.isZero(0)) return first;
   design.y -= torque;
   SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
   fit.regression.residuals += torque;  // what the smooth fit leaves
   return fit;
+}
+
+/// Ripple of one period of the motor looks like gravity where the motor turns less than that.
+void widen_by_slow_ripple(double gear_ratio, const CogSweepResult& out, SweepGravityFit& fit) {
+  constexpr double fewest_turns = 3;
+  const double turns = gear_ratio * (out.highest_rad - out.lowest_rad) / (2 * std::numbers::pi);
+  if (turns >= fewest_turns || out.ripple.lines.empty()) return;
+  const double unseen = out.ripple.half_width_Nm();
+  const auto widened = [&](const statistics::Estimate& e, double by) {
+    return statistics::symmetric_estimate(
+        e.value, std::hypot(e.half_width(), by),
+        {"interval.widened_by_sweep_ripple", {{"interval", e.method}}});
+  };
+  fit.q_peak_rad = widened(fit.q_peak_rad, unseen / std::max(fit.gravity_Nm.value, unseen));
+  fit.gravity_Nm = widened(fit.gravity_Nm, unseen);
+}
+
+/// How far the error of a twist taken from another sweep moves the angle.
+void widen_by_twist(const motion::Sweep& sweep, const SweepDesign& design,
+                    const statistics::Estimate& twist_rad, CogSweepResult& out, SweepBlocks& kept) {
+  const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
+  Eigen::VectorXd slope(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double x = sweep.q_rad(static_cast<std::size_t>(i)) - out.q_peak_rad.value;
+    const double link = link_from_peak_rad(x, twist_rad.value);
+    slope(i) = out.gravity_Nm.value * std::sin(link) * std::cos(link) /
+               (1 - twist_rad.value * std::sin(link));
+  }
+  kept.twist_lever = -effect_on_coefficients(design, slope)(0);
+  out.q_peak_rad = statistics::symmetric_estimate(
+      out.q_peak_rad.value,
+      std::hypot(out.q_peak_rad.half_width(), kept.twist_lever * twist_rad.half_width()),
+      {"interval.widened_by_twist", {{"interval", out.q_peak_rad.method}}});
 }
 
 /// How far the ripple of another sweep moves the angle, each line at any phase.
@@ -137,8 +195,11 @@ SweepBlocks blocks_of(const SweepDesign& design, const motion::SweepSamples& sam
   const Eigen::MatrixXd& shifts = fit.block_shifts;
   const Eigen::RowVectorXd coulomb =
       direction_contrast(design, samples).transpose() * fit.regression.block_shifts;
+  Eigen::VectorXd gradient = offset_gradient(design, samples);
+  if (design.offsets > 1) gradient(0) = -1;
+  const Eigen::RowVectorXd offset = gradient.transpose() * fit.regression.block_shifts;
   for (Eigen::Index b = 0; b < shifts.cols(); ++b) {
-    kept.shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
+    kept.shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b), shifts(2, b), offset(b)});
   }
   kept.freedom = fit.freedom;
   return kept;
@@ -182,7 +243,15 @@ SweepCurves curves_without_fit(const motion::Sweep& sweep) {
   return curves;
 }
 
+/// The trough, half a turn from the peak, tells its place as well as the peak does.
+bool crosses_peak_or_trough(const CogSweepResult& sweep) {
+  const double middle = (sweep.lowest_rad + sweep.highest_rad) / 2;
+  const double away = std::remainder(sweep.q_peak_rad.value - middle, std::numbers::pi);
+  return std::abs(away) <= (sweep.highest_rad - sweep.lowest_rad) / 2;
+}
+
 /// The equation whose coefficients were fitted.
+/// The twist, where it is a term, shows in CogSweepResult::twist_rad.
 Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_known) {
   if (constant_speed) {
     return amplitude_known ? Code{"sweep_fit.constant_speed_known_gravity"}
@@ -213,8 +282,8 @@ std::string to_string(PeakSource source) {
 }
 
 CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double gear_ratio,
-                            const std::optional<statistics::Estimate>& gravity_Nm,
-                            const Ripple& known_ripple) {
+                            const KnownOfSweep& known) {
+  const std::optional<statistics::Estimate>& gravity_Nm = known.gravity_Nm;
   const bool precise = kind == SweepKind::precise;
   CogSweep made;
   CogSweepResult& out = made.result;
@@ -249,34 +318,41 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
 
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
-  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2);
+  const bool tells_twist = !amplitude_known && range >= least_range_for_twist_rad;
+  const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
+  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  SweepGravityFit fit = amplitude_known ? fit_angle(sweep, design, middle, *gravity_Nm, blocks)
-                                        : fit_amplitude_and_angle(sweep, design, middle, blocks);
+  SweepGravityFit fit = amplitude_known
+                            ? fit_angle(sweep, design, middle, *gravity_Nm, known_twist, blocks)
+                            : fit_amplitude_and_angle(sweep, design, middle, blocks);
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
   } else {
     fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
-    fit = fit_without_ripple(sweep, gear_ratio, middle, blocks, fit, design, out);
+    fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out);
     if (!samples.constant_speed && strokes > 2) {
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
   }
+  if (!amplitude_known) widen_by_slow_ripple(gear_ratio, out, fit);
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
+  out.twist_rad = fit.twist_rad;
   made.blocks = blocks_of(design, samples, fit);
   if (amplitude_known) {
     made.blocks.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
-    widen_by_ripple(sweep, design, gear_ratio, known_ripple, out, made.blocks);
+    if (known.twist_rad) widen_by_twist(sweep, design, *known.twist_rad, out, made.blocks);
+    widen_by_ripple(sweep, design, gear_ratio, known.ripple, out, made.blocks);
   }
   out.method = equation_of(design, samples.constant_speed, amplitude_known);
   read_friction(design, samples, fit, gear_ratio, out);
+  read_offset(design, samples, fit, out);
 
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
   // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.
@@ -295,8 +371,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   if (!out.both_directions) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = {"gravity.one_direction"};
-  } else if (!precise &&
-             (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
+  } else if (!precise && !crosses_peak_or_trough(out)) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = {"gravity.peak_not_crossed",
                         {{"lowest_deg", out.lowest_rad * joint::degrees_per_rad},

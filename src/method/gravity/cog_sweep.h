@@ -6,18 +6,20 @@
 // q_peak = atan2(c, b), gravity amplitude hypot(b, c). Terms of speed and acceleration take part
 // only where the sweep is not of constant speed; abrupt stops in such a sweep are left out, and
 // friction that grows with the load is a further term where held-out strokes pay for it. Directions
-// have their own offset, so that friction cancels where both were recorded.
+// have their own offset, so that friction cancels where both were recorded. Over a long way the
+// twist of the gear under gravity is a term as well: the angle is then the link's, although the
+// encoder is the motor's; a short sweep takes the twist from the long one.
 //
 // Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone
 // cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude
 // is taken and only the angle is fitted.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/statement.h"
+#include "method/gravity/residual_causes.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/estimate.h"
@@ -35,7 +37,7 @@ struct CogSweepResult {
   double argmax_torque_Nm{};  ///< Motor side, at the arg-max.
   bool argmax_at_end{};       ///< The maximum lies at the sweep's end: no peak was crossed.
 
-  statistics::Estimate q_peak_rad;                 ///< Ours.
+  statistics::Estimate q_peak_rad;                 ///< Ours; of the link.
   statistics::Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
   std::optional<statistics::Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor
                                                    ///< side; at the mean load of the sweep.
@@ -46,15 +48,27 @@ struct CogSweepResult {
   std::optional<statistics::Estimate>
       viscous_Nms_rad;  ///< Per motor speed; only from a sweep of varying speed.
   std::optional<statistics::Estimate>
-      inertia_kgm2;      ///< Reflected to the motor; only if accelerations show it.
-  double offset_Nm{};    ///< Mean of both directions that is not gravity, motor side.
+      inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.
+  /// Twist of the gear under the whole gravity torque, joint side; absent where the range is too
+  /// short to tell it from a turned peak.
+  std::optional<statistics::Estimate> twist_rad;
+  double offset_Nm{};  ///< Mean of both directions that is not gravity, motor side.
+  /// The same with its interval, where both directions were recorded: an offset of the torque, or
+  /// half the difference of friction in both directions.
+  std::optional<statistics::Estimate> torque_offset_Nm;
+  /// What it grows by from beginning to end of a recording.
+  std::optional<statistics::Estimate> offset_drift_Nm;
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.
-  /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
-  /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
-  /// out.
+  /// Standard deviation of the part of the residual that is torque ripple: it repeats with the
+  /// motor's angle, in both directions alike. 0 if none is visible. A loop at one position cannot
+  /// average it out.
   double ripple_Nm{};
-  Ripple ripple;        ///< Its periods, where the sweep is long enough to show them.
-  double lowest_rad{};  ///< Range of the samples used.
+  Ripple ripple;  ///< Its periods, where the sweep is long enough to show them.
+  std::vector<VibrationLine> vibration;  ///< What of the residual is periodic in time.
+  double coloured_Nm{};  ///< Standard deviation of what hangs together in time without a period.
+  double white_Nm{};     ///< That of white noise.
+  double friction_by_angle_Nm{};  ///< Of what repeats with the angle, but turns with the direction.
+  double lowest_rad{};            ///< Range of the samples used.
   double highest_rad{};
   bool both_directions{};
   bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.
@@ -75,13 +89,21 @@ struct SweepCurves {
   std::vector<double> fit_falling_Nm;  ///< Empty if only one direction was recorded.
 };
 
+/// What an error does to the results of a sweep, SI.
+struct SweepShift {
+  double q_peak_rad{};
+  double gravity_Nm{};
+  double coulomb_Nm{};
+  double twist_rad{};
+  double offset_Nm{};
+};
+
 /// What a resample needs to redo the sweep without its samples.
 struct SweepBlocks {
-  /// What the error of each block of neighbours does to q_peak, gravity and Coulomb torque, SI;
-  /// see BlockRegression.
-  std::vector<std::array<double, 3>> shifts;
-  double freedom{};          ///< Degrees of freedom of their scatter.
+  std::vector<SweepShift> shifts;  ///< Of each block of neighbours; see BlockRegression.
+  double freedom{};                ///< Degrees of freedom of their scatter.
   double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
+  double twist_lever{};      ///< The same of a twist.
   std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
 };
 
@@ -104,11 +126,16 @@ struct CogSweep {
 };
 
 /// @param sweep of the recordings of one role; without any the stage is skipped and says so.
-/// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
-/// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
-/// interval is as wide as the ripple at any phase demands.
+/// What a short sweep takes from a long one.
+struct KnownOfSweep {
+  std::optional<statistics::Estimate> gravity_Nm;  ///< Amplitude at the motor.
+  std::optional<statistics::Estimate> twist_rad;   ///< Of the gear.
+  /// A short sweep cannot average it out: its angle's interval is as wide as the ripple at any
+  /// phase demands.
+  Ripple ripple;
+};
+
 CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double gear_ratio,
-                            const std::optional<statistics::Estimate>& gravity_Nm = std::nullopt,
-                            const Ripple& known_ripple = {});
+                            const KnownOfSweep& known = {});
 
 }  // namespace tribolog::method::gravity

@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double fewest_periods = 3;
+// A line of this many times its standard error squared is a chance of exp(-14) at one period.
+constexpr double line_evidence = 14;
 constexpr std::size_t most_lines = 6;
 constexpr std::size_t most_bins = 1U << 16;
 
@@ -74,8 +75,27 @@ RippleLine line_at(const BinnedResidual& r, double periods_per_turn) {
   return {periods_per_turn, std::hypot(a, b), std::atan2(-b, a)};
 }
 
+/// Mean power of the spectrum about an index, without the line there: from the median.
+double power_around(const std::vector<std::complex<double>>& spectrum, std::size_t k,
+                    std::size_t padding) {
+  const std::size_t lobe = 3 * padding;  // of a line, to each side
+  const std::size_t reach = 20 * lobe;
+  std::vector<double> around;
+  const std::size_t first = k > reach ? k - reach : 1;
+  const std::size_t last = std::min(k + reach, spectrum.size() / 2);
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i + lobe < k || i > k + lobe) around.push_back(std::norm(spectrum[i]));
+  }
+  if (around.empty()) return 0;
+  const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+  std::nth_element(around.begin(), middle, around.end());
+  return *middle / std::numbers::ln2;
+}
+
 /// The strongest line of the spectrum, refined between its neighbours.
-std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSearch& search) {
+/// @param out_of_neighbours it has to stand out of those too.
+std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSearch& search,
+                                         bool out_of_neighbours = false) {
   constexpr std::size_t padding = 4;
   std::size_t size = 1;
   while (size < padding * r.mean.size()) size *= 2;
@@ -87,7 +107,7 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSe
   fft.fwd(spectrum, padded);
   const double per_index = search.bins_per_turn / static_cast<double>(size);
   const double turns = static_cast<double>(r.mean.size()) / search.bins_per_turn;
-  const double slowest = std::max(fewest_periods / turns, search.least_periods_per_turn);
+  const double slowest = std::max(search.fewest_periods / turns, search.least_periods_per_turn);
   const auto first = static_cast<std::size_t>(std::ceil(slowest / per_index));
   std::size_t best = 0;
   // Bins resolve periods up to a few of them; towards half their number sines look alike.
@@ -96,6 +116,10 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSe
     if (best == 0 || std::norm(spectrum[k]) > std::norm(spectrum[best])) best = k;
   }
   if (best == 0) return std::nullopt;
+  if (out_of_neighbours &&
+      std::norm(spectrum[best]) < line_evidence * power_around(spectrum, best, padding)) {
+    return std::nullopt;
+  }
   double low = (static_cast<double>(best) - 1) * per_index;
   double high = (static_cast<double>(best) + 1) * per_index;
   for (int step = 0; step < 40; ++step) {
@@ -130,15 +154,27 @@ double Ripple::half_width_Nm() const {
   return random_phase_half_width(amplitudes, rest_Nm);
 }
 
+std::optional<RippleLine> find_strongest_line(const std::vector<double>& motor_angle_rad,
+                                              const std::vector<double>& residual_Nm,
+                                              double white_variance, const RippleSearch& search) {
+  if (motor_angle_rad.empty()) return std::nullopt;
+  const BinnedResidual binned = bin_residual(motor_angle_rad, residual_Nm, search.bins_per_turn);
+  std::optional<RippleLine> line = strongest_line(binned, search, true);
+  if (!line) return std::nullopt;
+  const double noise = 2 * std::max(white_variance, 1e-300) / binned.samples;
+  if (line->amplitude_Nm * line->amplitude_Nm / 2 / noise < line_evidence) return std::nullopt;
+  const double half_bin = line->periods_per_turn * binned.width_rad / 2;
+  line->amplitude_Nm *= half_bin / std::sin(half_bin);  // a bin averages over its width
+  return line;
+}
+
 Ripple find_ripple(const std::vector<double>& motor_angle_rad,
                    const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
                    const RippleSearch& search) {
   Ripple out;
   out.rest_Nm = ripple_Nm;
   if (!(ripple_Nm > 0) || motor_angle_rad.empty()) return out;
-  // A line of this many times its standard error is a chance of 1e-6 at one period.
-  constexpr double least_evidence = 14;  // exp(-14)
-  constexpr double least_share = 0.02;   // of the ripple's variance
+  constexpr double least_share = 0.02;  // of the ripple's variance
   BinnedResidual binned = bin_residual(motor_angle_rad, residual_Nm, search.bins_per_turn);
   double left = ripple_Nm * ripple_Nm;
   while (out.lines.size() < most_lines) {
@@ -146,7 +182,7 @@ Ripple find_ripple(const std::vector<double>& motor_angle_rad,
     if (!found) break;
     const double power = found->amplitude_Nm * found->amplitude_Nm / 2;
     const double noise = 2 * std::max(white_variance, 1e-300) / binned.samples;
-    if (power < least_share * ripple_Nm * ripple_Nm || power / noise < least_evidence) break;
+    if (power < least_share * ripple_Nm * ripple_Nm || power / noise < line_evidence) break;
     take_out(*found, binned);
     RippleLine line = *found;
     // A bin averages over its width.

@@ -7,6 +7,7 @@
 // ripple. What lies beyond lines (friction that changes with the angle) stays as a standard
 // deviation.
 
+#include <optional>
 #include <vector>
 
 #include "statistics/estimate.h"
@@ -37,8 +38,15 @@ struct Ripple {
 struct RippleSearch {
   double bins_per_turn{64};          ///< > 0
   double most_periods_per_turn{24};  ///< At most 3/8 of the bins.
-  double least_periods_per_turn{0};  ///< And no less than three over all angles.
+  double least_periods_per_turn{0};
+  double fewest_periods{3};  ///< Over all angles.
 };
+
+/// The strongest line that stands out of the noise and of its own neighbourhood in the spectrum;
+/// nothing where none does.
+std::optional<RippleLine> find_strongest_line(const std::vector<double>& motor_angle_rad,
+                                              const std::vector<double>& residual_Nm,
+                                              double white_variance, const RippleSearch& search);
 
 /// @param motor_angle_rad, residual_Nm one per sample.
 /// @param ripple_Nm standard deviation of the residual beyond white noise; 0: no lines.

@@ -31,7 +31,15 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {
   return rest > least_share * white_variance ? std::sqrt(rest) : 0.0;
 }
 
-SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns) {
+double link_from_peak_rad(double x, double twist_rad) {
+  if (twist_rad == 0) return x;
+  double link = x;
+  for (int k = 0; k < 30; ++k) link = x - twist_rad * std::cos(link);
+  return link;
+}
+
+SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns,
+                         bool with_twist) {
   const motion::SweepSamples& samples = sweep.samples;
   SweepDesign d;
   const auto rows = static_cast<Eigen::Index>(samples.size());
@@ -52,6 +60,8 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
   } else {
     extra = both ? 3 : 2;  // direction (with both), speed, acceleration
   }
+  if (both) d.drift = gravity_columns + d.offset_count + extra++;
+  if (with_twist) d.twist = gravity_columns + d.offset_count + extra++;
   d.offsets = gravity_columns;
   d.x = Eigen::MatrixXd::Zero(rows, gravity_columns + d.offset_count + extra);
   d.y.resize(rows);
@@ -65,12 +75,59 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
     const auto i = static_cast<std::size_t>(row);
     d.y(row) = sweep.torque_Nm(i);
     d.x(row, d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = 1;
+    if (d.drift >= 0) {
+      const std::vector<double>& t_s = sweep.recordings[samples.recording[i]]->t_s;
+      const double half_s = (t_s.back() - t_s.front()) / 2;
+      d.x(row, d.drift) = (t_s[samples.index[i]] - t_s.front()) / half_s - 1;
+    }
     if (d.direction >= 0) d.x(row, d.direction) = samples.direction[i];
     if (d.speed >= 0) d.x(row, d.speed) = samples.speed_rad_s[i];
     if (d.acceleration >= 0) d.x(row, d.acceleration) = samples.acceleration_rad_s2[i];
   }
   return d;
 }
+
+namespace {
+
+/// What a twist adds to the torque, for each of it and of the gravity torque.
+void fill_twist_column(const motion::Sweep& sweep, double q_peak, double twist, SweepDesign& d) {
+  constexpr double smallest = 1e-6;  // below it, the limit
+  constexpr double largest = 0.1;    // no gear gives more: noise alone says so
+  twist = std::clamp(twist, -largest, largest);
+  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+    const double x = sweep.q_rad(i) - q_peak;
+    d.x(static_cast<Eigen::Index>(i), d.twist) =
+        std::abs(twist) < smallest ? std::sin(x) * std::cos(x)
+                                   : (std::cos(link_from_peak_rad(x, twist)) - std::cos(x)) / twist;
+  }
+}
+
+/// Textbook least squares of scaled columns, without intervals.
+Eigen::VectorXd plain_fit(const SweepDesign& d) {
+  const Eigen::VectorXd scale =
+      d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
+  const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
+  const Eigen::VectorXd right = scale.asDiagonal() * (d.x.transpose() * d.y);
+  return scale.asDiagonal() * normal.ldlt().solve(right);
+}
+
+/// The column of the twist depends on angle and twist themselves.
+void settle_twist_column(const motion::Sweep& sweep, double middle, SweepDesign& d) {
+  double q_peak = middle;
+  double twist = 0;
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    fill_twist_column(sweep, q_peak, twist, d);
+    const Eigen::VectorXd c = plain_fit(d);
+    const double next = middle + std::atan2(c(1), c(0));
+    const double step = next - q_peak;
+    q_peak = next;
+    twist = c(d.twist) / std::max(std::hypot(c(0), c(1)), 1e-300);
+    constexpr double settled_rad = 1e-9;
+    if (std::abs(step) < settled_rad) break;
+  }
+}
+
+}  // namespace
 
 SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
                                         const std::vector<std::size_t>& blocks) {
@@ -82,6 +139,7 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
     d.x(static_cast<Eigen::Index>(i), 0) = -2 * half * half;
     d.x(static_cast<Eigen::Index>(i), 1) = std::sin(q);
   }
+  if (d.twist >= 0) settle_twist_column(sweep, middle, d);
   SweepGravityFit fit;
   fit.regression = statistics::block_regression(d.x, d.y, blocks);
   const double b = fit.regression.coefficients(0);
@@ -100,9 +158,16 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
                                                   t * std::sqrt(std::max(0.0, var_q)), method);
   fit.gravity_Nm = statistics::symmetric_estimate(g, t * std::sqrt(std::max(0.0, var_g)), method);
   const auto& shifts = fit.regression.block_shifts;
-  fit.block_shifts.resize(2, shifts.cols());
+  fit.block_shifts = Eigen::MatrixXd::Zero(3, shifts.cols());
   fit.block_shifts.row(0) = (b * shifts.row(1) - c * shifts.row(0)) / (g * g);
   fit.block_shifts.row(1) = (b * shifts.row(0) + c * shifts.row(1)) / g;
+  if (d.twist >= 0) {
+    const double twist = fit.regression.coefficients(d.twist) / g;
+    fit.block_shifts.row(2) = (shifts.row(d.twist) - twist * fit.block_shifts.row(1)) / g;
+    const double freedom = std::min(fit.freedom, fit.regression.freedom(d.twist));
+    fit.twist_rad = statistics::symmetric_estimate(
+        twist, statistics::student_t_975(freedom) * fit.block_shifts.row(2).norm(), method);
+  }
   // The offsets were fitted against cos q - 1: what belongs to gravity is taken out of them.
   for (Eigen::Index k = 0; k < d.offset_count; ++k) {
     fit.regression.coefficients(d.offsets + k) -= b;
@@ -111,7 +176,7 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
 }
 
 SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
-                          const statistics::Estimate& gravity,
+                          const statistics::Estimate& gravity, double twist_rad,
                           const std::vector<std::size_t>& blocks) {
   const motion::SweepSamples& samples = sweep.samples;
   const Eigen::VectorXd torque = d.y;
@@ -119,10 +184,10 @@ SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double mid
   SweepGravityFit fit;
   for (int iteration = 0; iteration < 20; ++iteration) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double q = sweep.q_rad(i) - q_peak;
+      const double link = link_from_peak_rad(sweep.q_rad(i) - q_peak, twist_rad);
       const auto row = static_cast<Eigen::Index>(i);
-      d.y(row) = torque(row) - gravity.value * std::cos(q);
-      d.x(row, 0) = gravity.value * std::sin(q);
+      d.y(row) = torque(row) - gravity.value * std::cos(link);
+      d.x(row, 0) = gravity.value * std::sin(link) / (1 - twist_rad * std::sin(link));
     }
     fit.regression = statistics::block_regression(d.x, d.y, blocks);
     const double step = std::clamp(fit.regression.coefficients(0), -0.5, 0.5);
@@ -136,7 +201,7 @@ SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double mid
                                                   {"interval.least_squares_known_amplitude"});
   fit.gravity_Nm = gravity;
   fit.freedom = fit.regression.freedom(0);
-  fit.block_shifts = Eigen::MatrixXd::Zero(2, fit.regression.block_shifts.cols());
+  fit.block_shifts = Eigen::MatrixXd::Zero(3, fit.regression.block_shifts.cols());
   fit.block_shifts.row(0) = fit.regression.block_shifts.row(0);
   fit.evidence = std::numeric_limits<double>::infinity();  // the rough sweep has shown it
   return fit;

@@ -2,10 +2,12 @@
 // The regression behind the sweep stage, with its noise and its load.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "joint/degrees.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
@@ -26,6 +28,16 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance);
 //   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
 //   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
 //                        [+ load sgn(q') |cos(q - q_peak)|]
+//
+// A gear that gives under the load turns the motor by up to `twist` further than the link: with the
+// encoder at the motor q = q_link + twist cos(q_link - q_peak), and gravity
+//   G cos(q_link - q_peak) = G cos(q - q_peak) + G twist / 2 sin 2(q - q_peak) + ...
+// Near the peak that is a turned peak and nothing else; over a long way the two differ. There the
+// twist is always free, so that the interval of the angle holds what the gear may give.
+//
+// An offset that drifts with the time has the angle's shape in each direction, but the opposite one
+// there and back: with both directions recorded it is a column of its own, -1 at the beginning of a
+// recording and 1 at its end.
 
 /// Columns of the regression T = X c. Those of gravity are the first.
 struct SweepDesign {
@@ -36,22 +48,34 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
-  Eigen::Index load{-1};  // sgn(q') |cos(q - q_peak)|, last; only where it pays
+  Eigen::Index drift{-1};  // of the offset with the time, where both directions were recorded
+  Eigen::Index twist{-1};  // of the gear; where the range tells it
+  Eigen::Index load{-1};   // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
 };
 
 /// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
 /// alone.
-SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns);
+/// @param with_twist a column for the twist of the gear, filled by the fit.
+SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns,
+                         bool with_twist = false);
+
+/// From this range on [rad] a twisted gear is told from a turned peak.
+inline constexpr double least_range_for_twist_rad = 60 / joint::degrees_per_rad;
+
+/// Of the link, less the angle of the peak: that of the motor, less the peak's, being x.
+/// @param twist_rad under the whole gravity torque.
+double link_from_peak_rad(double x, double twist_rad);
 
 struct SweepGravityFit {
   statistics::Estimate q_peak_rad;
   statistics::Estimate gravity_Nm;
+  std::optional<statistics::Estimate> twist_rad;  ///< Where it is a column.
   /// Chi-square of "there is no gravity" with two degrees of freedom. The amplitude alone cannot
   /// tell: noise too has a positive one.
   double evidence{};
   statistics::BlockRegression regression;
-  /// Rows q_peak and gravity: what the error of each block does to them.
+  /// Rows q_peak, gravity and twist: what the error of each block does to them.
   Eigen::MatrixXd block_shifts;
   double freedom{};  ///< Degrees of freedom of their scatter.
 };
@@ -61,9 +85,11 @@ struct SweepGravityFit {
 SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks);
 
-/// The angle alone, the amplitude being known: Gauss-Newton on T = offset + G cos(q - q_peak).
+/// The angle alone, amplitude and twist being known: Gauss-Newton on T = offset + G cos(q_link -
+/// q_peak).
+/// @param twist_rad 0 where it is not known.
 SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, double middle_rad,
-                          const statistics::Estimate& gravity_Nm,
+                          const statistics::Estimate& gravity_Nm, double twist_rad,
                           const std::vector<std::size_t>& blocks);
 
 /// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted

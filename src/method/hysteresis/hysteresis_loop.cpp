@@ -110,9 +110,12 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
   std::vector<double> angle;
   for (const LoopResult& loop : loops) {
     if (!loop.midline) continue;
+    out.midline_friction_Nm += loop.midline->friction_Nm;
+    out.midline_by_angle = out.midline_by_angle || loop.midline->by_angle;
     at_peak.push_back(statistics::scaled(loop.midline->torque_Nm, 1 / loop.midline->mean_cos));
     angle.push_back(gear_ratio * loop.oscillation.centre_rad);
   }
+  if (!at_peak.empty()) out.midline_friction_Nm /= static_cast<double>(at_peak.size());
   if (loops.size() == 1) {
     const std::optional<LoopMidline>& midline = loops.front().midline;
     if (midline) out.midline_Nm = midline->torque_Nm;
@@ -120,6 +123,13 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
     made.cycles.positions =
         mean_over_positions(at_peak, angle, ripple, {"interval.scatter_of_cycles_and_recordings"});
     out.midline_Nm = made.cycles.positions->gravity_Nm;
+    const auto first = std::find_if(loops.begin(), loops.end(),
+                                    [](const LoopResult& loop) { return bool(loop.midline); });
+    if (first->midline->mean_cos < 0) {
+      // At the trough: the torque as it is there.
+      out.midline_mean_cos = -1;
+      out.midline_Nm = statistics::scaled(*out.midline_Nm, -1);
+    }
     out.positions_hold_ripple = made.cycles.positions->freedom > 0;
   }
 }
@@ -149,7 +159,10 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
             loop.motion->frequency_Hz,
             0,
             0,
-            encoder_step};
+            encoder_step,
+            false,
+            loop.motion->share_of_harmonic(2),
+            loop.motion->share_of_harmonic(3)};
   }
   const motion::TracedMotion& traced = present(loop.traced);
   return {traced.centre_rad,

@@ -56,6 +56,8 @@ struct Oscillation {
   double steady_cycles{};     ///< Those behind the start-up stroke, used for the mid-line.
   double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
   bool step_is_of_print{};    ///< It is that of the log's decimals; see AngleStep.
+  double second_harmonic{};   ///< Of the motion, as a share of the first; 0: not known.
+  double third_harmonic{};
 };
 
 struct HysteresisResult {
@@ -75,6 +77,9 @@ struct HysteresisResult {
   double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
   std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
   double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
+  /// Mean friction of the loops that the mid-line is of: the mean distance of their torque from it.
+  double midline_friction_Nm{};
+  bool midline_by_angle{};  ///< Some are means over the angle: their motion has even harmonics.
   /// Whether the scatter of the mid-lines over distinct positions holds the torque ripple.
   bool positions_hold_ripple{};
 

@@ -61,6 +61,27 @@ void add_branches(const joint::Recording& r, const motion::OscillationMotion& mo
   }
 }
 
+/// Share of the mean over the angle in what it corrects that is not trusted: friction does depend
+/// on the speed a little.
+constexpr double distrust_of_angle_mean = 0.1;
+
+/// |dq/dt| of the motion at the samples.
+std::vector<double> way_weights(const joint::Recording& r,
+                                const motion::OscillationMotion& motion) {
+  const simulate::HarmonicMotion joint = motion.motor_motion(1.0);
+  std::vector<double> weights(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    weights[i] = std::abs(joint.speed(r.t_s[i] - motion.start_s));
+  }
+  return weights;
+}
+
+std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> out(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) out[i] = a[i] * b[i];
+  return out;
+}
+
 }  // namespace
 
 std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
@@ -82,12 +103,25 @@ std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
     cosine[i] = std::cos(recording.q_rad[i] - q_peak_rad);
   }
   const double last = std::min(t.back(), first + out.steady_cycles * period);
+  out.by_angle = motion.has_even_harmonics();
+  std::vector<double> weights;
+  std::vector<double> weighted;
+  if (out.by_angle) {
+    weights = way_weights(recording, motion);
+    weighted = product(weights, recording.torque_Nm);
+  }
+  double by_time = 0;
   for (int k = 0; k < static_cast<int>(out.steady_cycles); ++k) {
     const double a = first + k * period;
     const double b = std::min(t.back(), a + period);
-    out.cycle_means_Nm.push_back(integral(t, recording.torque_Nm, a, b) / (b - a));
+    const double mean_in_time = integral(t, recording.torque_Nm, a, b) / (b - a);
+    by_time += mean_in_time / out.steady_cycles;
+    out.cycle_means_Nm.push_back(
+        out.by_angle ? integral(t, weighted, a, b) / integral(t, weights, a, b) : mean_in_time);
   }
-  out.mean_cos = integral(t, cosine, first, last) / (last - first);
+  out.mean_cos = out.by_angle ? integral(t, product(weights, cosine), first, last) /
+                                    integral(t, weights, first, last)
+                              : integral(t, cosine, first, last) / (last - first);
   out.mean_q_rad = integral(t, recording.q_rad, first, last) / (last - first);
 
   const auto n = static_cast<double>(out.cycle_means_Nm.size());
@@ -105,6 +139,15 @@ std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
         mean, statistics::normal_975 * white_noise_Nm / std::sqrt(samples),
         {"interval.white_noise_only"});
   }
+  if (out.by_angle) {
+    const double untrusted = distrust_of_angle_mean * std::abs(mean - by_time);
+    out.torque_Nm = statistics::symmetric_estimate(
+        mean, std::hypot(out.torque_Nm.half_width(), untrusted),
+        {"interval.mean_over_angle", {{"interval", out.torque_Nm.method}}});
+  }
+  std::vector<double> distance(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) distance[i] = std::abs(recording.torque_Nm[i] - mean);
+  out.friction_Nm = integral(t, distance, first, last) / (last - first);
   add_branches(recording, motion, first, last, out);
   return out;
 }

@@ -18,13 +18,21 @@ namespace tribolog::method::hysteresis {
 // Tf(t + P/2) = -Tf(t). Its mean over whole cycles is zero whatever the model, and the mean torque
 // is gravity's alone. The same holds for the torque of inertia. Reading single points has no such
 // protection.
+//
+// A second harmonic of the motion breaks the symmetry in time: the joint spends more of it on one
+// side of the loop than on the other. Friction that goes by the way alone, as it does before
+// sliding, does not mind: its mean over the angle, there and back, is zero still. Where the motion
+// has such harmonics samples are therefore weighted by |dq/dt|.
 
 struct LoopMidline {
   statistics::Estimate torque_Nm;  ///< Mean over the steady cycles, motor side.
   double mean_cos{1.0};            ///< Mean of cos(q - q_peak) over the same cycles.
   double mean_q_rad{};
-  double cycles{};                ///< Whole cycles in the recording.
-  double steady_cycles{};         ///< Those averaged.
+  double cycles{};         ///< Whole cycles in the recording.
+  double steady_cycles{};  ///< Those averaged.
+  /// Mean of the torque's distance from its mean over the same cycles: friction as the loop has it.
+  double friction_Nm{};
+  bool by_angle{false};           ///< Mean over the angle, the motion having even harmonics.
   bool start_up_included{false};  ///< Only one cycle was recorded, start-up stroke and all.
   std::vector<double> cycle_means_Nm;
   /// Mid-line over the angle, (rising + falling branch) / 2, for figures.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
@@ -18,20 +19,70 @@ struct Context {
   double gravity_m_s2{};
 };
 
+/// The value where its interval leaves out zero, else none.
+double beyond_interval(const statistics::Estimate& e) {
+  return e.low > 0 || e.high < 0 ? e.value : 0.0;
+}
+
+/// The sweep's offset, where it is known well enough to be taken off.
+struct SweepOffset {
+  double value_Nm{}, half_width_Nm{};
+  double friction_Nm{};  ///< Of the sweep.
+  double drift_Nm{};     ///< Within the sweep; 0 where none shows.
+  bool is_known{};
+
+  explicit SweepOffset(const gravity::CogSweepResult& rough) {
+    // A short sweep cannot tell an offset from gravity: taking off its error would do harm.
+    constexpr double widest_share = 0.02;
+    if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
+    value_Nm = rough.torque_offset_Nm->value;
+    half_width_Nm = rough.torque_offset_Nm->half_width();
+    friction_Nm = rough.coulomb_Nm->value;
+    if (rough.offset_drift_Nm) drift_Nm = beyond_interval(*rough.offset_drift_Nm);
+    is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
+  }
+
+  /// @param friction_Nm mean of what friction the reading holds, there and back.
+  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm) const {
+    if (!is_known) return {};
+    constexpr double largest_ratio = 3;
+    const double ratio = std::clamp(friction_of_reading_Nm / friction_Nm, 0.0, largest_ratio);
+    const double share = (1 + ratio) / 2;
+    // From the sweep to the loop it may drift on as far as it did within the sweep, and as far
+    // again.
+    constexpr double as_far_again = 2;
+    return {share * value_Nm, share,
+            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm)};
+  }
+};
+
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
+/// @param offset taken off it; @param offset_half_width of the sweep's.
 SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double q_rad,
-                        double cosine, const Context& c) {
+                        double cosine, const Context& c, const OffsetTaken& offset = {},
+                        double offset_half_width = 0) {
   SurrogateMass m;
   m.estimator = estimator;
   m.torque_Nm = torque;
   m.q_rad = q_rad;
   const double from_peak = c.q_peak_rad ? q_rad - *c.q_peak_rad : 0.0;
-  const double reach = std::abs(from_peak) + c.q_peak_half_width;
+  // The trough, half a turn on, is as good as the peak.
+  const double away = std::remainder(from_peak, std::numbers::pi);
+  const double reach = std::abs(away) + c.q_peak_half_width;
   // 1/cos grows with the distance from the peak: the angle's error can only widen the interval.
   const double by_angle =
-      torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
-  const double half_width = std::hypot(torque.half_width() / cosine, by_angle);
-  m.gravity_Nm = statistics::symmetric_estimate(torque.value / cosine, half_width, torque.method);
+      torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(away));
+  const double by_offset = offset.share * offset_half_width / cosine;
+  // The truth lies at one end of what is ambiguous as a rule, not in its middle.
+  const double half_width =
+      std::hypot(torque.half_width() / std::abs(cosine), by_angle, by_offset) +
+      offset.ambiguity_Nm / std::abs(cosine);
+  m.mean_cosine = cosine;
+  m.offset = offset;
+  m.gravity_Nm = statistics::symmetric_estimate(
+      (torque.value - offset.value_Nm) / cosine, half_width,
+      offset.share > 0 ? Statement{"interval.less_offset_of_sweep", {{"interval", torque.method}}}
+                       : torque.method);
   m.mass_kg = statistics::scaled(
       m.gravity_Nm, joint::surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
   return m;
@@ -59,6 +110,10 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
                      const std::optional<statistics::Estimate>& fit_Nm, const Context& context,
                      SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
+  const SweepOffset offset(rough);
+  // At the trough the amplitude stands in the torque with a minus.
+  const double side = cosine_at(context, hysteresis.midline_q_rad) < 0 ? -1.0 : 1.0;
+  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm);
   for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -78,20 +133,23 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const statistics::Estimate torque = statistics::symmetric_estimate(
         (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
-    out.masses.push_back(
-        make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine, context));
+    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2);
+    out.masses.push_back(make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine,
+                                   context, of_pair, offset.half_width_Nm));
   }
   if (hysteresis.midline_Nm) {
     const statistics::Estimate torque = hysteresis.positions_hold_ripple
                                             ? *hysteresis.midline_Nm
                                             : gravity::with_ripple(*hysteresis.midline_Nm, ripple);
     out.masses.push_back(make_mass(Estimator::midline, torque, hysteresis.midline_q_rad,
-                                   hysteresis.midline_mean_cos, context));
+                                   hysteresis.midline_mean_cos, context, of_loop,
+                                   offset.half_width_Nm));
   }
   if (fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(
-        make_mass(Estimator::fit, *fit_Nm, hysteresis.midline_q_rad, 1.0, context));
+    out.masses.push_back(make_mass(Estimator::fit, statistics::scaled(*fit_Nm, side),
+                                   hysteresis.midline_q_rad, side, context, of_loop,
+                                   offset.half_width_Nm));
   }
 }
 
@@ -116,7 +174,7 @@ SurrogateMassesResult identify_surrogate_masses(
     context.q_peak_half_width = q_peak_rad->half_width();
   }
   const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
-  const bool is_near_peak = !hysteresis.found || loop_cosine >= least_loop_cosine;
+  const bool is_near_peak = !hysteresis.found || std::abs(loop_cosine) >= least_loop_cosine;
   if (is_near_peak) add_loop_masses(rough, hysteresis, other.loop_fit_Nm, context, out);
   if (rough.found) {
     Context at_peak = context;
@@ -148,9 +206,10 @@ SurrogateMassesResult identify_surrogate_masses(
     out.stage.reason = {"masses.no_gravity_torque"};
   } else if (!is_near_peak) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = {"masses.loop_far_from_peak",
-                        {{"distance_deg", joint::degrees_per_rad * std::acos(loop_cosine)},
-                         {"share_percent", 100 * std::abs(loop_cosine)}}};
+    out.stage.reason = {
+        "masses.loop_far_from_peak",
+        {{"distance_deg", joint::degrees_per_rad * std::acos(std::abs(loop_cosine))},
+         {"share_percent", 100 * std::abs(loop_cosine)}}};
   } else if (!hysteresis.found) {
     out.stage.state = statistics::StageState::partial;
     out.stage.reason = mass_without_loop(rough, out);
@@ -161,6 +220,17 @@ SurrogateMassesResult identify_surrogate_masses(
     out.stage.state = statistics::StageState::done;
   }
   return out;
+}
+
+void widen_mass(std::optional<Estimator> estimator,
+                const std::optional<statistics::Estimate>& gravity_Nm,
+                SurrogateMassesResult& masses) {
+  const auto it = std::find_if(masses.masses.begin(), masses.masses.end(),
+                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
+  if (it == masses.masses.end() || !gravity_Nm) return;
+  const double kg_per_Nm = it->mass_kg.value / it->gravity_Nm.value;
+  it->gravity_Nm = *gravity_Nm;
+  it->mass_kg = statistics::scaled(*gravity_Nm, kg_per_Nm);
 }
 
 }  // namespace tribolog::method::hysteresis

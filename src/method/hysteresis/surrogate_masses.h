@@ -1,6 +1,13 @@
 #pragma once
 // Stage 4: the surrogate mass of every estimator, eq. (12) as corrected.
 // A loop far from the gravity peak, where little of the gravity torque shows, gives no mass.
+//
+// A loop at the peak cannot tell gravity from an offset of the torque, nor from friction that
+// differs between the directions; a sweep in both directions over a long way can. What it shows is
+// taken off mid-line, pair means and loop fit, with its interval. An offset is the same everywhere,
+// asymmetric friction grows with the friction, and the loop's is not the sweep's: the sweep's value
+// is scaled by the mean of 1 and the ratio of the two frictions, and what lies between counts as
+// not known. The paper's six readings stay as the paper has them.
 
 #include <optional>
 #include <vector>
@@ -25,12 +32,22 @@ struct OtherGravity {
   std::optional<joint::StatedGravity> stated;
 };
 
+/// What was taken off a torque for the sweep's offset; zero where nothing was.
+struct OffsetTaken {
+  double value_Nm{};
+  double share{};         ///< Of the sweep's offset.
+  double ambiguity_Nm{};  ///< Half width: offset of the torque, or friction by direction?
+};
+
 struct SurrogateMass {
   Estimator estimator{};
-  statistics::Estimate torque_Nm;  ///< Motor side.
+  statistics::Estimate torque_Nm;  ///< Motor side, as read.
   double q_rad{};                  ///< Joint angle it was read at.
   statistics::Estimate mass_kg;
-  statistics::Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: torque / cos(q - q_peak).
+  statistics::Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: (torque - offset) /
+                                    ///< cos(q - q_peak).
+  double mean_cosine{1.0};          ///< Of the angle from the peak, by which it was divided.
+  OffsetTaken offset;
 };
 
 struct SurrogateMassesResult {
@@ -46,5 +63,11 @@ SurrogateMassesResult identify_surrogate_masses(
     const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
     const std::optional<statistics::Estimate>& q_peak_rad, double gear_ratio, double distance_m,
     double gravity_m_s2, const OtherGravity& other = {});
+
+/// Gives the mass of an estimator the interval of a gravity torque; its value stays.
+/// @param gravity_Nm absent: nothing changes.
+void widen_mass(std::optional<Estimator> estimator,
+                const std::optional<statistics::Estimate>& gravity_Nm,
+                SurrogateMassesResult& masses);
 
 }  // namespace tribolog::method::hysteresis

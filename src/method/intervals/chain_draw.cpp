@@ -34,12 +34,14 @@ ChainResampler::ChainResampler(const ChainResults& results)
       loop_(results.loop, results.rough.ripple),
       parameters_(results.viscous, results.friction) {}
 
-void ChainResampler::draw_masses(statistics::RandomStream& random, double rough_gravity_shift_Nm,
+void ChainResampler::draw_masses(statistics::RandomStream& random, const gravity::SweepShift& rough,
                                  const LoopShift& loop, ChainDraw& draw) const {
   const double q_peak = results_.q_peak_rad ? results_.q_peak_rad->value : 0.0;
+  // Whether an offset is the torque's or the friction's is the same for all.
+  const double ambiguity = random.normal() < 0 ? -1.0 : 1.0;
   for (const hysteresis::SurrogateMass& mass : results_.masses.masses) {
     if (mass.estimator == Estimator::sweep) {
-      draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough_gravity_shift_Nm);
+      draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough.gravity_Nm);
       continue;
     }
     const std::optional<double> shift = loop_shift(mass.estimator, loop);
@@ -49,11 +51,13 @@ void ChainResampler::draw_masses(statistics::RandomStream& random, double rough_
                                                             random.normal());
       continue;
     }
-    double cosine = mass.torque_Nm.value / mass.gravity_Nm.value;
+    double cosine = mass.mean_cosine;
     if (results_.q_peak_rad) {
       cosine *= std::cos(mass.q_rad - draw.q_peak_rad) / std::cos(mass.q_rad - q_peak);
     }
-    draw.gravity_Nm.push_back((mass.torque_Nm.value + *shift) / cosine);
+    const double offset = mass.offset.value_Nm + mass.offset.share * rough.offset_Nm +
+                          mass.offset.ambiguity_Nm * ambiguity;
+    draw.gravity_Nm.push_back((mass.torque_Nm.value + *shift - offset) / cosine);
   }
 }
 
@@ -89,9 +93,9 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
 
 ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   ChainDraw draw;
-  const SweepShift rough = resample_sweep(random, results_.rough_sweep);
-  const SweepShift precise = resample_precise_sweep(random, results_.precise_sweep,
-                                                    results_.rough.ripple, rough.gravity_Nm);
+  const gravity::SweepShift rough = resample_sweep(random, results_.rough_sweep);
+  const gravity::SweepShift precise =
+      resample_precise_sweep(random, results_.precise_sweep, results_.rough.ripple, rough);
   draw.q_rough_rad = results_.rough.q_peak_rad.value + rough.q_peak_rad;
   draw.q_precise_rad = results_.precise.q_peak_rad.value + precise.q_peak_rad;
   const double q_shift = results_.q_peak_source == gravity::PeakSource::precise_sweep
@@ -103,12 +107,13 @@ ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   }
   const LoopShift loop = loop_.draw(random);
   draw.lugre = loop.lugre;
-  draw_masses(random, rough.gravity_Nm, loop, draw);
+  draw_masses(random, rough, loop, draw);
   for (const selection::IndependentGravity& way : results_.independent.gravity) {
     const std::vector<double> counts = statistics::centred_counts(random, way.block_shifts.size());
     double shift = 0;
     for (std::size_t b = 0; b < counts.size(); ++b) shift += counts[b] * way.block_shifts[b];
-    draw.other_Nm.push_back(way.gravity_Nm.value +
+    const double further = way.further_half_width_Nm / statistics::normal_975 * random.normal();
+    draw.other_Nm.push_back(way.gravity_Nm.value + further +
                             statistics::few_blocks_scale(random, way.freedom) * shift);
   }
 

@@ -34,7 +34,7 @@ class ChainResampler {
   [[nodiscard]] ChainDraw draw(statistics::RandomStream& random) const;
 
  private:
-  void draw_masses(statistics::RandomStream& random, double rough_gravity_shift_Nm,
+  void draw_masses(statistics::RandomStream& random, const gravity::SweepShift& rough,
                    const LoopShift& loop, ChainDraw& draw) const;
   void draw_quality(const std::vector<double>& run_shifts, ChainDraw& draw) const;
 

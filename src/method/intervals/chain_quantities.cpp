@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "joint/gravity_load.h"
 #include "statistics/levenberg_marquardt.h"
 
 namespace tribolog::method::intervals {
@@ -50,7 +51,8 @@ void add_sweeps(const ChainResults& r, Quantities& out) {
 void add_masses(const ChainResults& r, Quantities& out) {
   for (std::size_t k = 0; k < r.masses.masses.size(); ++k) {
     const hysteresis::SurrogateMass& mass = r.masses.masses[k];
-    const double kg_per_Nm = mass.mass_kg.value / mass.gravity_Nm.value;
+    const double kg_per_Nm = joint::surrogate_mass_kg(1.0, r.gear_ratio, r.masses.distance_m,
+                                                      r.masses.gravity_m_s2, 1.0);
     out.add("gravity_Nm." + to_string(mass.estimator), mass.gravity_Nm, false,
             [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
     out.add("mass_kg." + to_string(mass.estimator), mass.mass_kg, false,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "joint/gravity_load.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::method::intervals {
 namespace {
@@ -40,6 +41,11 @@ const statistics::Estimate* gravity_by(const GravityMethod& method, const ChainR
   return way == nullptr ? nullptr : &way->gravity_Nm;
 }
 
+bool is_pair_mean(const GravityMethod& method) {
+  const auto* estimator = std::get_if<Estimator>(&method);
+  return estimator != nullptr && hysteresis::points_of_pair(*estimator);
+}
+
 /// The methods at hand, in the order of the table above.
 std::vector<CrossCheck> collect(const ChainResults& r) {
   std::vector<CrossCheck> checks;
@@ -49,6 +55,7 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
     CrossCheck check;
     check.method = one.method;
     check.gravity_Nm = *gravity;
+    check.is_biased = r.hysteresis.midline_by_angle && is_pair_mean(one.method);
     checks.push_back(std::move(check));
   }
   return checks;
@@ -80,10 +87,50 @@ Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
            {"other_kg", check.mass_kg.value},
            {"difference_percent", check.difference_percent},
            {"interval_percent", check.difference_half_width_percent},
-           {"cause", cause_of(check.method)}}};
+           {"cause", check.is_biased ? Statement{"cross_check.motion_has_harmonics"}
+                                     : cause_of(check.method)}}};
+}
+
+/// Chance of a difference as large between estimates of the same.
+double chance_of(const CrossCheck& check) {
+  return std::erfc(statistics::normal_975 * check.difference_in_intervals / std::sqrt(2.0));
+}
+
+/// S. Holm, Scand. J. Statist. 6 (1979) 65-70: with many comparisons, some differ by chance. The
+/// least likely is held against the level over their number, the next over one less, until one
+/// passes.
+void find_disagreements(std::vector<CrossCheck*> checks, double gravity_Nm) {
+  constexpr double level = 0.05;
+  std::sort(checks.begin(), checks.end(), [](const CrossCheck* a, const CrossCheck* b) {
+    return a->difference_in_intervals > b->difference_in_intervals;
+  });
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    if (chance_of(*checks[k]) > level / static_cast<double>(checks.size() - k)) return;
+    checks[k]->disagrees =
+        std::abs(checks[k]->gravity_Nm.value - gravity_Nm) > least_difference * gravity_Nm;
+  }
+}
+
+/// The recommended torque, its interval wide enough for every method that disagrees.
+statistics::Estimate widened(const CrossCheck& recommended, const std::vector<CrossCheck>& checks) {
+  const statistics::Estimate& ours = recommended.gravity_Nm;
+  double spread = 0;
+  for (const CrossCheck& check : checks) {
+    if (check.counts() && check.disagrees) {
+      spread = std::max(spread, std::abs(check.gravity_Nm.value - ours.value));
+    }
+  }
+  if (spread == 0) return ours;
+  return statistics::symmetric_estimate(
+      ours.value, ours.half_width() + spread,
+      {"interval.widened_by_methods", {{"interval", ours.method}}});
 }
 
 }  // namespace
+
+bool CrossCheck::counts() const {
+  return !is_recommended && !is_biased && method != GravityMethod(IndependentMethod::classical);
+}
 
 CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& intervals) {
   CrossChecksResult out;
@@ -107,16 +154,25 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
       check.resampled_kg = statistics::scaled(resampled->gravity_Nm, kg_per_Nm);
       half_width = resampled->difference_Nm.half_width();
     }
+    half_width = std::hypot(half_width, numerical_share * ours.value);
     if (check.is_recommended) half_width = 0;
     const double difference = check.gravity_Nm.value - ours.value;
     check.difference_percent = 100 * difference / ours.value;
     check.difference_half_width_percent = 100 * half_width / std::abs(ours.value);
     check.difference_in_intervals = half_width > 0 ? std::abs(difference) / half_width : 0.0;
-    check.disagrees = !check.is_recommended && std::abs(difference) > half_width &&
-                      std::abs(difference) > least_difference * std::abs(ours.value);
-    out.doubtful = out.doubtful ||
-                   (check.disagrees && check.method != GravityMethod(IndependentMethod::classical));
   }
+  std::vector<CrossCheck*> compared_ones;
+  std::vector<CrossCheck*> beside;
+  for (CrossCheck& check : checks) {
+    if (check.counts()) compared_ones.push_back(&check);
+    if (!check.counts() && !check.is_recommended) beside.push_back(&check);
+  }
+  find_disagreements(compared_ones, ours.value);
+  find_disagreements(beside, ours.value);
+  const statistics::Estimate wide = widened(*recommended, checks);
+  out.doubtful =
+      wide.half_width() > ours.half_width() && wide.half_width() > largest_spread * ours.value;
+  if (wide.half_width() > ours.half_width() && !out.doubtful) out.widened_gravity_Nm = wide;
   for (const CrossCheck& check : checks) {
     if (check.disagrees) out.findings.push_back(finding(check, *recommended));
   }

@@ -9,26 +9,32 @@
 
 namespace tribolog::method::intervals {
 
-SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweep& sweep) {
-  SweepShift shift;
+gravity::SweepShift resample_sweep(statistics::RandomStream& random,
+                                   const gravity::CogSweep& sweep) {
+  gravity::SweepShift shift;
   if (!sweep.result.found) return shift;
   const auto& blocks = sweep.blocks.shifts;
   const std::vector<double> counts = statistics::centred_counts(random, blocks.size());
   const double scale = statistics::few_blocks_scale(random, sweep.blocks.freedom);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    shift.q_peak_rad += scale * counts[b] * blocks[b][0];
-    shift.gravity_Nm += scale * counts[b] * blocks[b][1];
-    shift.coulomb_Nm += scale * counts[b] * blocks[b][2];
+    const double times = scale * counts[b];
+    shift.q_peak_rad += times * blocks[b].q_peak_rad;
+    shift.gravity_Nm += times * blocks[b].gravity_Nm;
+    shift.coulomb_Nm += times * blocks[b].coulomb_Nm;
+    shift.twist_rad += times * blocks[b].twist_rad;
+    shift.offset_Nm += times * blocks[b].offset_Nm;
   }
   return shift;
 }
 
-SweepShift resample_precise_sweep(statistics::RandomStream& random,
-                                  const gravity::CogSweep& precise, const gravity::Ripple& ripple,
-                                  double gravity_shift_Nm) {
-  SweepShift shift = resample_sweep(random, precise);
+gravity::SweepShift resample_precise_sweep(statistics::RandomStream& random,
+                                           const gravity::CogSweep& precise,
+                                           const gravity::Ripple& ripple,
+                                           const gravity::SweepShift& rough) {
+  gravity::SweepShift shift = resample_sweep(random, precise);
   const gravity::SweepBlocks& levers = precise.blocks;
-  shift.q_peak_rad += levers.amplitude_lever * gravity_shift_Nm;
+  shift.q_peak_rad +=
+      levers.amplitude_lever * rough.gravity_Nm + levers.twist_lever * rough.twist_rad;
   const std::size_t lines = std::min(ripple.lines.size(), levers.ripple_lever.size());
   for (std::size_t k = 0; k < lines; ++k) {
     shift.q_peak_rad += levers.ripple_lever[k] * ripple.lines[k].amplitude_Nm *

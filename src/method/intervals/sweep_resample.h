@@ -9,21 +9,16 @@
 
 namespace tribolog::method::intervals {
 
-/// What one draw of a sweep's blocks does to its results.
-struct SweepShift {
-  double q_peak_rad{};
-  double gravity_Nm{};
-  double coulomb_Nm{};
-};
+/// What one draw of a sweep's blocks does to its results. Zero where the sweep has found nothing.
+gravity::SweepShift resample_sweep(statistics::RandomStream& random,
+                                   const gravity::CogSweep& sweep);
 
-/// Zero where the sweep has found nothing.
-SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweep& sweep);
-
-/// The precise sweep leans on the rough one: with the gravity drawn there, and its ripple at any
-/// phase.
-SweepShift resample_precise_sweep(statistics::RandomStream& random,
-                                  const gravity::CogSweep& precise, const gravity::Ripple& ripple,
-                                  double gravity_shift_Nm);
+/// The precise sweep leans on the rough one: with the gravity and the twist drawn there, and its
+/// ripple at any phase.
+gravity::SweepShift resample_precise_sweep(statistics::RandomStream& random,
+                                           const gravity::CogSweep& precise,
+                                           const gravity::Ripple& ripple,
+                                           const gravity::SweepShift& rough);
 
 // Resampling the runs of constant speed: blocks within each plateau.
 

@@ -152,6 +152,19 @@ bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
   return residual_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
 }
 
+double OscillationMotion::share_of_harmonic(std::size_t order) const {
+  if (order == 0 || order > harmonics.size() || !(amplitude_rad > 0)) return 0;
+  const simulate::HarmonicMotion::Harmonic& h = harmonics[order - 1];
+  return std::hypot(h.cosine, h.sine) / amplitude_rad;
+}
+
+bool OscillationMotion::has_even_harmonics() const {
+  constexpr double least_share = 1e-3;  // of the first: a mean torque moves by as much of friction
+  constexpr double standard_errors = 5;
+  const double error = residual_rad * std::sqrt(2 / static_cast<double>(samples)) / amplitude_rad;
+  return share_of_harmonic(2) > std::max(least_share, standard_errors * error);
+}
+
 simulate::HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
   std::vector<simulate::HarmonicMotion::Harmonic> motor = harmonics;
   for (auto& h : motor) {
@@ -179,6 +192,7 @@ std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& 
   out.centre_rad = recording.q_rad.front() + c(0);
   out.start_s = recording.t_s.front();
   out.residual_rad = fit.residual();
+  out.samples = recording.size();
   for (int k = 1; k <= harmonics; ++k) out.harmonics.push_back({c(2 * k - 1), c(2 * k)});
   out.amplitude_rad = std::hypot(out.harmonics.front().cosine, out.harmonics.front().sine);
   const double duration = recording.t_s.back() - recording.t_s.front();

@@ -15,8 +15,15 @@ struct OscillationMotion {
   double amplitude_rad{};  ///< Of the first harmonic.
   double start_s{};        ///< Time of the first sample; harmonics count time from here.
   double residual_rad{};   ///< Standard deviation of q less the harmonics.
+  std::size_t samples{};
   std::vector<simulate::HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
 
+  /// Amplitude of a harmonic as a share of the first's. @param order from 1 on; 0 beyond those
+  /// fitted.
+  [[nodiscard]] double share_of_harmonic(std::size_t order) const;
+  /// Whether the motion has a second harmonic, beyond what the noise of the angle explains, that
+  /// matters.
+  [[nodiscard]] bool has_even_harmonics() const;
   /// Whether the harmonics are the motion: what they leave is below a fiftieth of the amplitude, or
   /// below a step of the encoder. A joint driven by torque creeps and drifts; its loops are not
   /// periodic.

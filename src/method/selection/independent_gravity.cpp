@@ -179,16 +179,16 @@ std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Swee
                                                               const gravity::CogSweepResult& rough,
                                                               double gear_ratio) {
   if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
-  std::vector<Eigen::Vector2d> columns;
+  std::vector<Eigen::Vector4d> columns;
   std::vector<double> mean;
   const double middle = rough.q_peak_rad.value;
   for (const Bin& bin : bins_of(sweep, rough, gear_ratio)) {
     if (bin.count[0] == 0 || bin.count[1] == 0) continue;
-    Eigen::Vector2d column = Eigen::Vector2d::Zero();
+    Eigen::Vector4d column = Eigen::Vector4d::Zero();
     double torque = 0;
     for (const int side : {0, 1}) {
       const double q = bin.angle[side] / bin.count[side] - middle;
-      column += Eigen::Vector2d(std::cos(q), std::sin(q)) / 2;
+      column += Eigen::Vector4d(std::cos(q), std::sin(q), 1, std::sin(2 * q)) / 2;
       torque += bin.torque[side] / bin.count[side] / 2;
     }
     columns.push_back(column);
@@ -196,17 +196,22 @@ std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Swee
   }
   if (columns.size() < blocks_of_bins) return std::nullopt;
   const auto rows = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd x(rows, 2);
-  for (Eigen::Index i = 0; i < rows; ++i) x.row(i) = columns[static_cast<std::size_t>(i)];
+  // A twist of the gear where the sweep can tell it.
+  const Eigen::Index terms = rough.twist_rad ? 4 : 3;
+  Eigen::MatrixXd x(rows, terms);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    x.row(i) = columns[static_cast<std::size_t>(i)].head(terms);
+  }
   const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(mean.data(), rows);
   const statistics::BlockRegression fit = statistics::block_regression(
       x, y, statistics::equal_blocks(std::vector<std::size_t>(columns.size()), blocks_of_bins));
-  const double g = fit.coefficients.norm();
-  const Eigen::Vector2d along = fit.coefficients / g;
+  const Eigen::Vector2d bc = fit.coefficients.head<2>();
+  const double g = bc.norm();
+  const Eigen::Vector2d along = bc / g;
   IndependentGravity out;
   out.method = IndependentMethod::sweep_directions;
-  out.freedom = fit.freedom.minCoeff();
-  const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
+  out.freedom = fit.freedom.head<2>().minCoeff();
+  const Eigen::VectorXd shifts = fit.block_shifts.topRows(2).transpose() * along;
   out.block_shifts.assign(shifts.begin(), shifts.end());
   out.gravity_Nm = statistics::symmetric_estimate(
       g, statistics::student_t_975(out.freedom) * shifts.norm(), {"interval.sweep_directions"});
@@ -214,16 +219,28 @@ std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Swee
 }
 
 /// From pairs of runs of opposite direction; absent with fewer than three pairs.
+/// The sweep's offset is taken off as it is off the loops (surrogate_masses.h): by the mean of 1
+/// and the ratio of the pair's friction to the sweep's.
 std::optional<IndependentGravity> gravity_of_run_directions(
-    const viscous::ViscousCurvesResult& curves) {
+    const viscous::ViscousCurvesResult& curves, const gravity::CogSweepResult& rough) {
   std::vector<double> cosine;
   std::vector<double> torque;
+  const bool has_offset =
+      rough.found && rough.torque_offset_Nm && rough.coulomb_Nm && rough.coulomb_Nm->value > 0;
+  double share_sum = 0;
+  double ambiguity_sum = 0;
   for (std::size_t i = 0; i < curves.runs.size(); ++i) {
     const viscous::ConstantSpeedRun& run = curves.runs[i];
     if (run.partner < 0 || run.speed_rad_s < 0) continue;
     const viscous::ConstantSpeedRun& other = curves.runs[static_cast<std::size_t>(run.partner)];
     cosine.push_back((run.mean_cos + other.mean_cos) / 2);
     torque.push_back((run.torque_Nm + other.torque_Nm) / 2);
+    if (!has_offset) continue;
+    const double ratio = std::abs(run.torque_Nm - other.torque_Nm) / 2 / rough.coulomb_Nm->value;
+    const double share = (1 + ratio) / 2;
+    torque.back() -= share * rough.torque_offset_Nm->value;
+    share_sum += share;
+    ambiguity_sum += std::abs(rough.torque_offset_Nm->value * (1 - ratio)) / 2;
   }
   constexpr std::size_t fewest_pairs = 3;
   if (cosine.size() < fewest_pairs || curves.from_sweep) return std::nullopt;
@@ -237,8 +254,16 @@ std::optional<IndependentGravity> gravity_of_run_directions(
   out.method = IndependentMethod::run_directions;
   out.freedom = fit.freedom(0);
   out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
-  out.gravity_Nm = statistics::symmetric_estimate(fit.coefficients(0), fit.half_width(0),
-                                                  {"interval.run_pairs"});
+  if (has_offset) {
+    double cosines = 0;
+    for (const double c : cosine) cosines += std::abs(c);
+    out.further_half_width_Nm =
+        std::hypot(share_sum * rough.torque_offset_Nm->half_width(), ambiguity_sum) /
+        std::max(cosines, 1e-300);
+  }
+  out.gravity_Nm = statistics::symmetric_estimate(
+      fit.coefficients(0), std::hypot(fit.half_width(0), out.further_half_width_Nm),
+      {"interval.run_pairs"});
   return out;
 }
 
@@ -272,7 +297,7 @@ IndependentGravities independent_gravity(const motion::Sweep& sweep,
   if (auto one = gravity_of_sweep_directions(sweep, rough, gear_ratio))
     out.gravity.push_back(std::move(*one));
   if (q_peak_rad) {
-    if (auto one = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*one));
+    if (auto one = gravity_of_run_directions(curves, rough)) out.gravity.push_back(std::move(*one));
     std::vector<const joint::Recording*> moving = sweep.recordings;
     moving.insert(moving.end(), runs.begin(), runs.end());
     if (auto fit = classical_regression(moving, gear_ratio, q_peak_rad->value)) {

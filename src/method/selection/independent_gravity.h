@@ -4,7 +4,7 @@
 // sweep_directions: mean of the sweep's two directions at equal angle, T+ + T- = 2 G cos(q -
 // q_peak):
 //   friction that is the same in both directions drops out, whatever its law; a constant offset of
-//   the torque does not.
+//   the torque is a term of the fit.
 // run_directions: the same for pairs of constant-speed runs.
 // classical: one linear least squares over everything that moves, sweeps and runs together,
 //   T = G cos(q - q_peak) + Fc sgn(w) + Fv w + J dw/dt + offset, which the paper argues against: no
@@ -33,6 +33,7 @@ struct IndependentGravity {
   std::vector<double>
       block_shifts;  ///< What the error of each block does to it; see BlockRegression.
   double freedom{};
+  double further_half_width_Nm{};  ///< Of the offset that was taken off.
 };
 
 /// What else the classical regression says; motor side.

@@ -39,7 +39,22 @@ constexpr Recommendation in_order_of_trust[] = {{Estimator::midline, "selection.
                                                 {Estimator::runs, "selection.runs_alone"},
                                                 {Estimator::stated, "selection.stated_alone"}};
 
+/// A loop's torque holds friction by direction and an offset as far as the sweep cannot tell them
+/// from each other; where that makes it clearly less sure than the sweep, the sweep is taken.
+bool sweep_is_surer(const hysteresis::SurrogateMassesResult& masses) {
+  constexpr double clearly = 0.8;
+  const hysteresis::SurrogateMass* midline = masses.find(Estimator::midline);
+  const hysteresis::SurrogateMass* sweep = masses.find(Estimator::sweep);
+  return midline != nullptr && sweep != nullptr && midline->offset.share > 0 &&
+         sweep->mass_kg.half_width() < clearly * midline->mass_kg.half_width();
+}
+
 std::optional<Recommendation> recommend(const hysteresis::SurrogateMassesResult& masses) {
+  const hysteresis::SurrogateMass* stated = masses.find(Estimator::stated);
+  if (stated != nullptr && stated->gravity_Nm.value == 0) {
+    return Recommendation{Estimator::stated, "selection.no_gravity"};
+  }
+  if (sweep_is_surer(masses)) return Recommendation{Estimator::sweep, "selection.sweep_is_surer"};
   for (const Recommendation& one : in_order_of_trust) {
     if (masses.find(one.estimator) != nullptr) return one;
   }

@@ -1,0 +1,173 @@
+#include "verdict/gravity_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "joint/degrees.h"
+
+namespace tribolog::verdict {
+namespace {
+
+using calibration::Calibration;
+using calibration::Verdict;
+using joint::Quantity;
+
+const std::vector<Quantity> of_gravity{Quantity::cog_angle, Quantity::gravity_torque,
+                                       Quantity::surrogate_mass};
+const std::vector<Quantity> of_mass{Quantity::gravity_torque, Quantity::surrogate_mass};
+
+/// What of a value is sure: its distance from zero less its half width; negative where it is none.
+double sure(const statistics::Estimate& e) { return std::abs(e.value) - e.half_width(); }
+
+/// The largest friction that the joint has shown [N·m, motor side]; 0: none.
+double largest_friction_Nm(const Calibration& c) {
+  double friction = c.hysteresis.midline_friction_Nm;
+  if (c.rough.coulomb_Nm) friction = std::max(friction, c.rough.coulomb_Nm->value);
+  if (c.break_away.mean_Nm) friction = std::max(friction, c.break_away.mean_Nm->value);
+  return friction;
+}
+
+/// Friction as a share of the gravity torque.
+std::optional<Measured> friction_over_gravity(const Calibration& c) {
+  const double friction = largest_friction_Nm(c);
+  const bool is_stated = c.manifest.known_gravity && c.manifest.known_gravity->amplitude_Nm() == 0;
+  double gravity = c.rough.gravity_Nm.value;
+  if (is_stated) gravity = 0;
+  // A sweep that shows no gravity has to be sure that there is none.
+  if (!c.rough.found && !is_stated) gravity = c.rough.gravity_Nm.high;
+  if (!is_stated && (!(friction > 0) || c.rough.samples_used == 0 || !(gravity > 0))) {
+    return std::nullopt;
+  }
+  constexpr double no_gravity_at_all = 1e6;
+  const double percent = std::min(no_gravity_at_all, 100 * friction / std::max(gravity, 1e-300));
+  return Measured{percent,
+                  {"cause.no_gravity", {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
+}
+
+std::optional<Measured> gear_twist(const Calibration& c) {
+  const std::optional<statistics::Estimate>& twist = c.rough.twist_rad;
+  // Slow ripple of a motor that hardly turns looks the same.
+  const double n = c.manifest.drive.gear_ratio();
+  constexpr double fewest_turns = 3;
+  const double turns = n * (c.rough.highest_rad - c.rough.lowest_rad) / 6.28;
+  if (!c.rough.found || !twist || (turns < fewest_turns && c.rough.ripple_Nm > 0)) {
+    return std::nullopt;
+  }
+  return Measured{joint::degrees_per_rad * sure(*twist),
+                  {"cause.elastic_gear",
+                   {{"twist_deg", joint::degrees_per_rad * twist->value},
+                    {"half_width_deg", joint::degrees_per_rad * twist->half_width()}}}};
+}
+
+std::optional<Measured> asymmetry(const Calibration& c) {
+  const std::optional<statistics::Estimate>& share = c.torque_balance.asymmetry;
+  if (!share) return std::nullopt;
+  return Measured{100 * sure(*share),
+                  {"cause.asymmetry",
+                   {{"percent", 100 * share->value}, {"half_width", 100 * share->half_width()}}}};
+}
+
+/// In percent of the gravity torque.
+std::optional<Measured> offset(const Calibration& c) {
+  const std::optional<statistics::Estimate>& o = c.torque_balance.offset_Nm;
+  if (!o || !c.rough.found) return std::nullopt;
+  return Measured{
+      100 * sure(*o) / c.rough.gravity_Nm.value,
+      {c.torque_balance.asymmetry ? Code{"cause.offset"} : Code{"cause.offset_or_direction"},
+       {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
+}
+
+std::optional<Measured> offset_drift(const Calibration& c) {
+  const std::optional<statistics::Estimate>& drift = c.rough.offset_drift_Nm;
+  if (!drift || !c.rough.found) return std::nullopt;
+  return Measured{100 * sure(*drift) / c.rough.gravity_Nm.value,
+                  {"cause.offset_drifts",
+                   {{"drift_Nm", drift->value}, {"half_width_Nm", drift->half_width()}}}};
+}
+
+std::optional<Measured> motion_harmonics(const Calibration& c) {
+  double second = 0;
+  double third = 0;
+  for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
+    second = std::max(second, o.second_harmonic);
+    third = std::max(third, o.third_harmonic);
+  }
+  if (c.hysteresis.oscillations.empty()) return std::nullopt;
+  return Measured{
+      100 * std::max(second, third),
+      {"cause.motion", {{"second_percent", 100 * second}, {"third_percent", 100 * third}}}};
+}
+
+/// In percent of the gravity torque.
+std::optional<Measured> ripple(const Calibration& c) {
+  if (!c.rough.found) return std::nullopt;
+  return Measured{
+      100 * c.rough.ripple_Nm / c.rough.gravity_Nm.value,
+      {"cause.ripple", {{"ripple_Nm", c.rough.ripple_Nm}, {"lines", c.rough.ripple.lines.size()}}}};
+}
+
+/// Slower than this nothing of the joint itself swings.
+constexpr double slowest_vibration_Hz = 0.5;
+
+const method::gravity::VibrationLine* largest_line(const Calibration& c, bool is_slow) {
+  const method::gravity::VibrationLine* largest = nullptr;
+  for (const method::gravity::VibrationLine& line : c.rough.vibration) {
+    if ((line.frequency_Hz < slowest_vibration_Hz) != is_slow) continue;
+    if (largest == nullptr || line.amplitude_Nm > largest->amplitude_Nm) largest = &line;
+  }
+  return largest;
+}
+
+std::optional<Measured> periodic_in_time(const Calibration& c, bool is_slow) {
+  if (!c.rough.found || !c.rough.both_directions) return std::nullopt;
+  const method::gravity::VibrationLine* line = largest_line(c, is_slow);
+  if (line == nullptr) return Measured{0, {}};
+  const double percent = 100 * line->amplitude_Nm / c.rough.gravity_Nm.value;
+  return Measured{percent,
+                  {is_slow ? Code{"cause.other_joint"} : Code{"cause.vibration"},
+                   {{"amplitude_Nm", line->amplitude_Nm},
+                    {"frequency_Hz", line->frequency_Hz},
+                    {"period_s", 1 / line->frequency_Hz},
+                    {"percent", percent}}}};
+}
+
+std::optional<Measured> vibration(const Calibration& c) { return periodic_in_time(c, false); }
+
+std::optional<Measured> other_joint(const Calibration& c) { return periodic_in_time(c, true); }
+
+std::optional<Measured> coloured_noise(const Calibration& c) {
+  if (!c.rough.found || !c.rough.both_directions || !(c.rough.white_Nm > 0)) return std::nullopt;
+  return Measured{100 * c.rough.coloured_Nm / c.rough.white_Nm,
+                  {"cause.coloured_noise",
+                   {{"coloured_Nm", c.rough.coloured_Nm}, {"white_Nm", c.rough.white_Nm}}}};
+}
+
+}  // namespace
+
+std::vector<Rule> gravity_rules() {
+  const auto told = Verdict::usable;  // and corrected, or in the interval
+  return {
+      // A twentieth of the friction, with some margin: friction that changes with the angle by a
+      // twentieth is common, and looks like gravity.
+      {"friction_over_gravity", "%", 1250, Verdict::not_identifiable, of_gravity,
+       "record.with_load", friction_over_gravity},
+      // What changes slowly in time, by more than a small share, is gravity that changes.
+      {"gravity_in_time", "%", 0.5, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
+       other_joint},
+      {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
+      {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
+      {"torque_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
+      {"offset_drift", "%", 0.05, told, of_mass, "record.sweep", offset_drift},
+      {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics},
+      {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
+      {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
+      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise}};
+}
+
+bool is_without_gravity(const Calibration& c) {
+  const Rule rule = gravity_rules().front();
+  const std::optional<Measured> found = rule.measure(c);
+  return found && found->value > rule.threshold;
+}
+
+}  // namespace tribolog::verdict
