@@ -63,7 +63,7 @@ std::optional<Measured> asymmetry(const Calibration& c) {
   const std::optional<statistics::Estimate>& share = c.torque_balance.asymmetry;
   if (!share) return std::nullopt;
   return Measured{100 * sure(*share),
-                  {"cause.asymmetry",
+                  {"cause.asymmetry_of_runs",
                    {{"percent", 100 * share->value}, {"half_width", 100 * share->half_width()}}}};
 }
 
@@ -71,13 +71,13 @@ std::optional<Measured> asymmetry(const Calibration& c) {
 std::optional<Measured> offset(const Calibration& c) {
   const std::optional<statistics::Estimate>& o = c.torque_balance.offset_Nm;
   if (!o || !c.rough.found) return std::nullopt;
-  return Measured{
-      100 * sure(*o) / c.rough.gravity_Nm.value,
-      {c.torque_balance.asymmetry ? Code{"cause.offset"} : Code{"cause.offset_or_direction"},
-       {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
+  return Measured{100 * sure(*o) / c.rough.gravity_Nm.value,
+                  {c.torque_balance.asymmetry ? Code{"cause.offset_taken_off"}
+                                              : Code{"cause.offset_or_direction"},
+                   {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
 }
 
-std::optional<Measured> offset_drift(const Calibration& c) {
+std::optional<Measured> sweep_offset_drift(const Calibration& c) {
   const std::optional<statistics::Estimate>& drift = c.rough.offset_drift_Nm;
   if (!drift || !c.rough.found) return std::nullopt;
   return Measured{100 * sure(*drift) / c.rough.gravity_Nm.value,
@@ -156,8 +156,8 @@ std::vector<Rule> gravity_rules() {
        other_joint},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
-      {"torque_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
-      {"offset_drift", "%", 0.05, told, of_mass, "record.sweep", offset_drift},
+      {"sweep_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
+      {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
       {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},

@@ -43,8 +43,9 @@ const Messages& verdict_messages() {
       {"rule.gear_twist", text("Twist of the gear under gravity, as far as it is sure")},
       {"rule.direction_asymmetry",
        text("Asymmetry of friction between the directions, as far as it is sure")},
-      {"rule.torque_offset", text("Offset of the torque, as far as it is sure")},
-      {"rule.offset_drift", text("Drift of that offset over the sweep, as far as it is sure")},
+      {"rule.sweep_offset", text("Offset of the sweep's torque, as far as it is sure")},
+      {"rule.sweep_offset_drift",
+       text("Drift of that offset over the sweep, as far as it is sure")},
       {"rule.motion_harmonics", text("Largest harmonic of an oscillation's motion")},
       {"rule.ripple", text("Torque ripple, of the gravity torque")},
       {"rule.vibration", text("Vibration of the torque, of the gravity torque")},
@@ -62,10 +63,10 @@ const Messages& verdict_messages() {
       {"cause.elastic_gear",
        text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
             "and the encoder sees the motor; the angle stated is the link's")},
-      {"cause.asymmetry",
+      {"cause.asymmetry_of_runs",
        text("friction is larger by {percent:.1f} ± {half_width:.1f} % when the angle rises, and "
             "smaller by as much when it falls")},
-      {"cause.offset",
+      {"cause.offset_taken_off",
        text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m; it was taken "
             "off the loops")},
       {"cause.offset_or_direction",
