@@ -112,9 +112,10 @@ std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
 std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (!p.loop.lugre) return std::nullopt;
   method::hysteresis::LuGreFit fit = p.loop.lugre->fit;
-  if (p.friction.waiboer && p.friction.waiboer->converged) {
-    fit = method::hysteresis::with_experiments(std::move(fit), p.n,
-                                               p.friction.waiboer->stribeck_speed_rad_s.value);
+  const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
+  if (dip || (p.friction.waiboer && p.friction.waiboer->converged)) {
+    fit = method::hysteresis::with_experiments(
+        std::move(fit), p.n, dip ? dip->value : p.friction.waiboer->stribeck_speed_rad_s.value);
   }
   return method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
 }

@@ -13,11 +13,10 @@ using wording::tr;
 using wording::tr_count;
 
 Table line_table(const method::selection::CoulombViscousFit& f, double n, const Section& section) {
-  Table table = estimates_table(section.id + "-line",
-                                tr("Coulomb and viscous friction: |T_f| = T_c + c |ω|"));
-  add_both_sides(tr("Coulomb torque T_c"), f.coulomb_Nm, {n, n}, wording::torque_scale, table);
-  add_both_sides(tr("Viscous coefficient c"), f.viscous_Nms_rad, {n, n * n}, wording::viscous_scale,
-                 table);
+  Table table =
+      estimates_table(section.id + "-line", tr("Straight line beyond the dip: |T_f| = a + b |ω|"));
+  add_both_sides(tr("Where it meets ω = 0, a"), f.coulomb_Nm, {n, n}, wording::torque_scale, table);
+  add_both_sides(tr("Slope b"), f.viscous_Nms_rad, {n, n * n}, wording::viscous_scale, table);
   table.rows.push_back(number_row(tr("Residual scatter of the fit (standard deviation)"),
                                   f.residual_Nm, wording::torque_scale(f.residual_Nm), tr("fit")));
   constexpr int digits = 3;
@@ -26,6 +25,33 @@ Table line_table(const method::selection::CoulombViscousFit& f, double n, const 
          "below.",
          {{"slowest", wording::significant(f.slowest_rad_s, digits)},
           {"fastest", wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s")}});
+  return table;
+}
+
+Table sliding_table(const method::viscous::SlidingLaw& law, double n, const Section& section) {
+  Table table = estimates_table(section.id + "-sliding",
+                                tr("Sliding law: |T_f| = T_c + E exp(−(ω/ω_s)^δ) + c |ω|"));
+  if (law.coulomb_Nm.estimate) {
+    add_both_sides(tr("Coulomb torque T_c"), *law.coulomb_Nm.estimate, {n, n},
+                   wording::torque_scale, table);
+  }
+  if (law.stribeck_speed_rad_s.estimate) {
+    table.rows.push_back(estimate_row(tr("Stribeck velocity ω_s"),
+                                      *law.stribeck_speed_rad_s.estimate,
+                                      wording::plain_scale("rad/s")));
+  }
+  if (law.viscous_Nms_rad.estimate) {
+    add_both_sides(tr("Viscous coefficient c"), *law.viscous_Nms_rad.estimate, {n, n * n},
+                   wording::viscous_scale, table);
+  }
+  table.rows.push_back(number_row(tr("Scatter between speeds, beyond that within the runs"),
+                                  law.scatter_Nm, wording::torque_scale(law.scatter_Nm),
+                                  tr("fit")));
+  table.note =
+      tr("An interval holds what every law says that the speeds do not exclude; exponents δ from "
+         "{low} to {high} are among them.",
+         {{"low", wording::significant(law.lowest_exponent, 2)},
+          {"high", wording::significant(law.highest_exponent, 2)}});
   return table;
 }
 
@@ -58,6 +84,8 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
         {tr("Curve fitted"), tr("that of {estimator}", {{"estimator", estimator_name(*f.curve)}})});
   }
   describe_curve_models(c, section);
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (law.fitted) section.tables.push_back(sliding_table(law, n, section));
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));
   if (f.coulomb_viscous) section.tables.push_back(line_table(*f.coulomb_viscous, n, section));
   if (c.lugre) describe_lugre(*c.lugre, n, section);
