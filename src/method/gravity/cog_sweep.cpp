@@ -318,7 +318,9 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
 
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
-  const bool tells_twist = !amplitude_known && range >= least_range_for_twist_rad;
+  // In a sweep of varying speed the inertia's torque has nearly the same shape.
+  const bool tells_twist =
+      !amplitude_known && samples.constant_speed && range >= least_range_for_twist_rad;
   const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
   SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
   const std::size_t strokes = samples.stroke.back() + 1;
