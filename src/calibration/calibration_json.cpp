@@ -165,6 +165,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["curve_model"] = curve_model(c.curve_model);
   all["direction_lines"] = direction_lines(c.direction_lines, n);
   all["direction_asymmetry"] = direction_asymmetry(c.direction_asymmetry);
+  all["torque_balance"] = torque_balance(c.torque_balance);
   all["load_dependence"] = load_dependence(c.load_dependence);
   all["session"] = session(c.session);
   all["run_gravity"] = run_gravity(c.run_gravity, n);

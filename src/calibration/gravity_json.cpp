@@ -7,6 +7,24 @@
 
 namespace tribolog::calibration {
 
+namespace {
+
+/// Standard deviations, and the lines in time.
+Json residual_causes(const method::gravity::CogSweepResult& r) {
+  Json lines = Json::array();
+  for (const method::gravity::VibrationLine& line : r.vibration) {
+    lines.push_back(
+        {{"frequency_Hz", number(line.frequency_Hz)}, {"amplitude_Nm", number(line.amplitude_Nm)}});
+  }
+  return {{"white_Nm", number(r.white_Nm)},
+          {"ripple_Nm", number(r.ripple_Nm)},
+          {"coloured_Nm", number(r.coloured_Nm)},
+          {"friction_by_angle_Nm", number(r.friction_by_angle_Nm)},
+          {"vibration", std::move(lines)}};
+}
+
+}  // namespace
+
 Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
   const auto if_found = [&r](double value) { return r.found ? number(value) : Json(nullptr); };
   const Json joint =
@@ -28,7 +46,11 @@ Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
           {"viscous_Nms_rad", interval(r.viscous_Nms_rad)},
           {"inertia_kgm2", interval(r.inertia_kgm2)},
           {"offset_Nm", if_found(r.offset_Nm)},
+          {"torque_offset_Nm", interval(r.torque_offset_Nm)},
+          {"offset_drift_Nm", interval(r.offset_drift_Nm)},
+          {"twist_rad", interval(r.twist_rad)},
           {"residual_Nm", if_found(r.residual_Nm)},
+          {"residual_causes", residual_causes(r)},
           {"lowest_rad", if_found(r.lowest_rad)},
           {"highest_rad", if_found(r.highest_rad)},
           {"both_directions", r.both_directions},
@@ -108,6 +130,12 @@ Json selection(const method::selection::SelectionResult& s) {
           {"why_code", code_of(s.why)},
           {"q_c_corrected_rad", number(s.q_c_corrected_rad)},
           {"q_c_rad", interval(s.q_c_rad)}};
+}
+
+Json torque_balance(const method::viscous::TorqueBalance& b) {
+  return {{"offset_Nm", interval(b.offset_Nm)},
+          {"asymmetry", interval(b.asymmetry)},
+          {"pairs", b.pairs}};
 }
 
 // Gravity from the runs, what was stated about loads, and friction against load.

@@ -37,6 +37,7 @@ Json load_dependence(const method::viscous::LoadDependenceResult& l);
 Json session(const method::session::SessionFriction& s);
 Json run_gravity(const method::gravity::RunGravityResult& r, double gear_ratio);
 Json known_loads(const std::vector<joint::KnownLoad>& loads);
+Json torque_balance(const method::viscous::TorqueBalance& b);
 Json known_gravity(const std::optional<joint::StatedGravity>& g);
 Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_ratio);
 Json loop_shapes(const std::vector<method::hysteresis::LoopShape>& shapes);

@@ -132,18 +132,23 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::torque_step, torque, doubtful},
       {CheckName::friction_dissipates, everything, none},
       {CheckName::power, torque, doubtful},
-      {CheckName::torque_ripple, mass, doubtful},
       {CheckName::friction_drift, curve + Quantities{Quantity::break_away_torque}, doubtful},
       {CheckName::temperature, curve + Quantities{Quantity::break_away_torque}, doubtful},
       {CheckName::encoder_step, of_loop, none},
-      {CheckName::oscillation_cycles, mass + of_loop, doubtful},
-      {CheckName::oscillation_at_peak, mass, doubtful},
+      {CheckName::oscillation_cycles, of_loop, doubtful},
       {CheckName::gravity_within_torque, gravity, none},
       {CheckName::sweep_directions, {Quantity::cog_angle}, doubtful}};
   if (!sources.break_away_from_ramps) {
     all.push_back({CheckName::oscillation_slides, {Quantity::break_away_torque}, none});
   }
-  if (sources.mass_from_sweep) all.push_back({CheckName::sweep_directions, mass, doubtful});
+  if (sources.mass_from_sweep) {
+    all.push_back({CheckName::sweep_directions, mass, doubtful});
+  } else {
+    for (const CheckName of_loops : {CheckName::torque_ripple, CheckName::oscillation_cycles,
+                                     CheckName::oscillation_at_peak}) {
+      all.push_back({of_loops, mass, doubtful});
+    }
+  }
   if (!sources.friction_from_runs) {
     all.push_back({CheckName::sweep_directions, {Quantity::coulomb_torque}, none});
     all.push_back({CheckName::sweep_directions, {Quantity::viscous_curve}, doubtful});

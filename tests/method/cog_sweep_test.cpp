@@ -1,5 +1,6 @@
 #include "method/gravity/cog_sweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,7 +27,8 @@ method::gravity::CogSweepResult precise_of(
     const joint::Dataset& d, const std::optional<statistics::Estimate>& gravity_Nm = {}) {
   return method::gravity::identify_cog_sweep(
              method::gravity::SweepKind::precise,
-             method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100, gravity_Nm)
+             method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100,
+             {gravity_Nm, {}, {}})
       .result;
 }
 
@@ -149,6 +151,91 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
     EXPECT_FALSE(sweep.found) << "seed " << seed << ": " << sweep.gravity_Nm.value << " N·m";
     EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
   }
+}
+
+/// A long slow sweep of a geared joint there and back, at constant speed; the angle is that of the
+/// motor.
+struct LaidOn {
+  double twist_rad{}, offset_Nm{}, drift_Nm{};  ///< The drift over the recording.
+  double ripple_Nm{}, vibration_Nm{}, coloured_Nm{};
+};
+
+joint::Recording long_sweep(const LaidOn& laid, std::uint64_t seed) {
+  statistics::RandomStream random(seed, 0);
+  constexpr double q_peak = 0.2;
+  constexpr double duration_s = 120;
+  constexpr double step_s = 0.01;
+  double motor = q_peak - 1.1;
+  joint::Recording r;
+  r.name = "long.csv";
+  double coloured = 0;
+  for (double t = 0; t < duration_s; t += step_s) {
+    const double wave = std::sin(2 * std::numbers::pi * t / duration_s);
+    const double w = 0.04 * std::clamp(20 * wave, -1.0, 1.0);
+    motor += w * step_s;
+    double link = motor;
+    for (int k = 0; k < 20; ++k) link = motor - laid.twist_rad * std::cos(link - q_peak);
+    constexpr double keep = 0.9;  // a tenth of a second
+    coloured = keep * coloured + laid.coloured_Nm * std::sqrt(1 - keep * keep) * random.normal();
+    r.t_s.push_back(t);
+    r.q_rad.push_back(motor);
+    r.torque_Nm.push_back(4 * std::cos(link - q_peak) + 0.6 * std::tanh(w / 1e-3) + 0.3 * w +
+                          laid.offset_Nm + laid.drift_Nm * (t / duration_s - 0.5) +
+                          laid.ripple_Nm * std::cos(100 * 3 * motor) +
+                          laid.vibration_Nm * std::sin(2 * std::numbers::pi * 7.3 * t) + coloured +
+                          0.02 * random.normal());
+  }
+  return r;
+}
+
+method::gravity::CogSweepResult swept(const joint::Recording& r) {
+  return method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                             method::motion::Sweep({&r}), 100)
+      .result;
+}
+
+TEST(CogSweep, TheAngleIsTheLinksWhereTheGearGives) {
+  for (const double twist : {0.0, 0.002, 0.02}) {
+    int inside = 0;
+    int twist_inside = 0;
+    constexpr int runs = 20;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+      const auto sweep = swept(long_sweep({.twist_rad = twist}, seed));
+      ASSERT_TRUE(sweep.found);
+      ASSERT_TRUE(sweep.twist_rad);
+      EXPECT_NEAR(sweep.q_peak_rad.value, 0.2, 0.003);
+      inside += sweep.q_peak_rad.low < 0.2 && 0.2 < sweep.q_peak_rad.high ? 1 : 0;
+      twist_inside += sweep.twist_rad->low < twist && twist < sweep.twist_rad->high ? 1 : 0;
+    }
+    EXPECT_GE(inside, 17) << twist;
+    EXPECT_GE(twist_inside, 17) << twist;
+  }
+}
+
+TEST(CogSweep, AnOffsetAndItsDriftAreNotGravity) {
+  const auto sweep = swept(long_sweep({.offset_Nm = 0.1, .drift_Nm = 0.08}, 3));
+  ASSERT_TRUE(sweep.torque_offset_Nm);
+  EXPECT_NEAR(sweep.torque_offset_Nm->value, 0.1, 0.01);
+  ASSERT_TRUE(sweep.offset_drift_Nm);
+  EXPECT_NEAR(sweep.offset_drift_Nm->value, 0.08, 0.01);
+  EXPECT_NEAR(sweep.gravity_Nm.value, 4, 0.01);
+}
+
+TEST(CogSweep, ResidualsAreAttributedToTheirCause) {
+  const auto ripple = swept(long_sweep({.ripple_Nm = 0.05}, 4));
+  ASSERT_EQ(ripple.ripple.lines.size(), 1U);
+  EXPECT_NEAR(ripple.ripple.lines.front().periods_per_turn, 3, 0.01);
+  EXPECT_NEAR(ripple.ripple.lines.front().amplitude_Nm, 0.05, 0.003);
+  EXPECT_TRUE(ripple.vibration.empty());
+  const auto vibration = swept(long_sweep({.vibration_Nm = 0.05}, 5));
+  ASSERT_FALSE(vibration.vibration.empty());
+  EXPECT_NEAR(vibration.vibration.front().frequency_Hz, 7.3, 0.01);
+  EXPECT_NEAR(vibration.vibration.front().amplitude_Nm, 0.05, 0.003);
+  EXPECT_TRUE(vibration.ripple.lines.empty());
+  const auto coloured = swept(long_sweep({.coloured_Nm = 0.06}, 6));
+  EXPECT_NEAR(coloured.coloured_Nm, 0.06, 0.015);
+  EXPECT_TRUE(coloured.ripple.lines.empty());
+  EXPECT_LT(coloured.ripple_Nm, 0.02);
 }
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {

@@ -130,19 +130,43 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   return fit;
 }
 
-/// Ripple of one period of the motor looks like gravity where the motor turns less than that.
-void widen_by_slow_ripple(double gear_ratio, const CogSweepResult& out, SweepGravityFit& fit) {
+/// Ripple of few periods a motor turn looks like gravity, or like a twist of the gear, where the
+/// motor turns less than a few times: as large as that seen, of any such period and at any phase,
+/// it moves angle and amplitude by so much.
+void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design, double gear_ratio,
+                          double middle, const CogSweepResult& out, SweepGravityFit& fit) {
   constexpr double fewest_turns = 3;
+  constexpr double fewest_periods = 3;
   const double turns = gear_ratio * (out.highest_rad - out.lowest_rad) / (2 * std::numbers::pi);
   if (turns >= fewest_turns || out.ripple.lines.empty()) return;
+  const double g = fit.gravity_Nm.value;
+  const double from_middle = fit.q_peak_rad.value - middle;
+  const Eigen::Vector2d along(std::cos(from_middle), std::sin(from_middle));
+  const Eigen::Vector2d across = Eigen::Vector2d(-along(1), along(0)) / g;
+  double on_gravity = 0;
+  double on_angle = 0;
+  const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
+  for (double order = 1; order * turns <= fewest_periods; ++order) {
+    Eigen::VectorXd cosine(rows);
+    Eigen::VectorXd sine(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double phase = order * gear_ratio * sweep.q_rad(static_cast<std::size_t>(i));
+      cosine(i) = std::cos(phase);
+      sine(i) = std::sin(phase);
+    }
+    const Eigen::Vector2d c = effect_on_coefficients(design, cosine).head<2>();
+    const Eigen::Vector2d s = effect_on_coefficients(design, sine).head<2>();
+    on_gravity = std::max(on_gravity, std::hypot(along.dot(c), along.dot(s)));
+    on_angle = std::max(on_angle, std::hypot(across.dot(c), across.dot(s)));
+  }
   const double unseen = out.ripple.half_width_Nm();
   const auto widened = [&](const statistics::Estimate& e, double by) {
     return statistics::symmetric_estimate(
         e.value, std::hypot(e.half_width(), by),
         {"interval.widened_by_sweep_ripple", {{"interval", e.method}}});
   };
-  fit.q_peak_rad = widened(fit.q_peak_rad, unseen / std::max(fit.gravity_Nm.value, unseen));
-  fit.gravity_Nm = widened(fit.gravity_Nm, unseen);
+  fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle);
+  fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity);
 }
 
 /// How far the error of a twist taken from another sweep moves the angle.
@@ -318,7 +342,9 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
 
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
-  const bool tells_twist = !amplitude_known && range >= least_range_for_twist_rad;
+  // In a sweep of varying speed the inertia's torque has nearly the same shape.
+  const bool tells_twist =
+      !amplitude_known && samples.constant_speed && range >= least_range_for_twist_rad;
   const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
   SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
   const std::size_t strokes = samples.stroke.back() + 1;
@@ -338,7 +364,9 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
   }
-  if (!amplitude_known) widen_by_slow_ripple(gear_ratio, out, fit);
+  if (!amplitude_known) {
+    widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, fit);
+  }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};

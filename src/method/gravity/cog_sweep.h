@@ -6,9 +6,9 @@
 // q_peak = atan2(c, b), gravity amplitude hypot(b, c). Terms of speed and acceleration take part
 // only where the sweep is not of constant speed; abrupt stops in such a sweep are left out, and
 // friction that grows with the load is a further term where held-out strokes pay for it. Directions
-// have their own offset, so that friction cancels where both were recorded. Over a long way the
-// twist of the gear under gravity is a term as well: the angle is then the link's, although the
-// encoder is the motor's; a short sweep takes the twist from the long one.
+// have their own offset, so that friction cancels where both were recorded. Over a long way at
+// constant speed the twist of the gear under gravity is a term as well: the angle is then the
+// link's, although the encoder is the motor's; a short sweep takes the twist from the long one.
 //
 // Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone
 // cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude

@@ -32,7 +32,8 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance);
 // A gear that gives under the load turns the motor by up to `twist` further than the link: with the
 // encoder at the motor q = q_link + twist cos(q_link - q_peak), and gravity
 //   G cos(q_link - q_peak) = G cos(q - q_peak) + G twist / 2 sin 2(q - q_peak) + ...
-// Near the peak that is a turned peak and nothing else; over a long way the two differ. There the
+// Near the peak that is a turned peak and nothing else; over a long way at constant speed the two
+// differ. There the
 // twist is always free, so that the interval of the angle holds what the gear may give.
 //
 // An offset that drifts with the time has the angle's shape in each direction, but the opposite one

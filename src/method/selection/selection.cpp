@@ -43,9 +43,11 @@ constexpr Recommendation in_order_of_trust[] = {{Estimator::midline, "selection.
 /// from each other; where that makes it clearly less sure than the sweep, the sweep is taken.
 bool sweep_is_surer(const hysteresis::SurrogateMassesResult& masses) {
   constexpr double clearly = 0.8;
+  constexpr double numerical_share = 1e-4;  // no interval is narrower
   const hysteresis::SurrogateMass* midline = masses.find(Estimator::midline);
   const hysteresis::SurrogateMass* sweep = masses.find(Estimator::sweep);
   return midline != nullptr && sweep != nullptr && midline->offset.share > 0 &&
+         midline->mass_kg.half_width() > numerical_share * std::abs(midline->mass_kg.value) &&
          sweep->mass_kg.half_width() < clearly * midline->mass_kg.half_width();
 }
 
