@@ -180,7 +180,8 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
   EXPECT_FALSE(after.position_plan);
   const double promised = c.position_plan->expected_half_width_Nm;
   const double brought = after.hysteresis.midline_Nm->half_width();  // of the loops alone
-  EXPECT_LT(brought, 3 * promised);
+  // Three degrees of freedom: the promise counts white noise alone beside the ripple's lines.
+  EXPECT_LT(brought, 5 * promised);
   EXPECT_GT(brought, promised / 5);
 }
 
