@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "calibration/curve_headline.h"
 #include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"

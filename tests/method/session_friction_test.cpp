@@ -2,6 +2,7 @@
 
 #include "method/session/session_friction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,6 +1,7 @@
 #pragma once
 // Internal to the room: weighted least squares of a sliding law at every shape of a grid.
 
+#include <cstddef>
 #include <vector>
 
 namespace tribolog::method::viscous {
