@@ -69,8 +69,7 @@ void read_curve(const calibration::Calibration& c, Reader& out) {
   }
   const auto& w = c.friction.waiboer;
   const bool has_waiboer = w && w->converged;
-  const bool is_of_waiboer =
-      has_waiboer && (runs_follow_waiboer(c) || !headline.stribeck_speed_rad_s.estimate);
+  const bool is_of_waiboer = has_waiboer && runs_follow_waiboer(c);
   if (has_waiboer) {
     out.add(ReadingName::asperity_torque, ReadingKind::asperity_torque, w->asperity_torque_Nm);
   }
