@@ -34,7 +34,11 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {
 double link_from_peak_rad(double x, double twist_rad) {
   if (twist_rad == 0) return x;
   double link = x;
-  for (int k = 0; k < 30; ++k) link = x - twist_rad * std::cos(link);
+  for (int k = 0; k < 30; ++k) {
+    const double step = (link - x + twist_rad * std::cos(link)) / (1 - twist_rad * std::sin(link));
+    link -= step;
+    if (std::abs(step) < 1e-15) break;
+  }
   return link;
 }
 
