@@ -12,7 +12,8 @@ CurveHeadline curve_headline(const Calibration& c) {
     out.viscous_Nms_rad = law.viscous_Nms_rad;
     return out;
   }
-  out.stribeck_speed_rad_s.why_not = {"verdict.no_stribeck_model"};
+  const Statement& why = c.friction.stage.reason;
+  out.stribeck_speed_rad_s.why_not = why.empty() ? Statement{"verdict.no_stribeck_model"} : why;
   if (const auto& line = c.friction.coulomb_viscous) {
     out.source = HeadlineSource::line;
     out.coulomb_Nm.estimate = line->coulomb_Nm;
