@@ -88,10 +88,17 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   };
   const double range = at(0.95) - at(0.05);
   std::vector<std::size_t> out;
+  const double least = std::max(far_off * noise, least_share * range);
+  // Four of six neighbours lie beyond the median: of any three one does.
+  const auto may_be_one = [&](std::size_t i) {
+    return std::abs(y[i] - y[i - 3]) > least || std::abs(y[i] - y[i - 1]) > least ||
+           std::abs(y[i] - y[i + 2]) > least;
+  };
   for (std::size_t i = beside_scale; i + beside_scale < y.size(); ++i) {
+    if (!may_be_one(i)) continue;
     const double median = median_about(y, i, beside);
     const double off = std::abs(y[i] - median);
-    if (!(off > far_off * noise) || !(off > least_share * range)) continue;
+    if (!(off > least)) continue;
     if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale)) && !motion.at(i)) {
       out.push_back(i);
     }
