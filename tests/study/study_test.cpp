@@ -59,7 +59,8 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
                                     ReadingName::midline, ReadingName::fit, ReadingName::sweep}) {
     EXPECT_FALSE(errors(reading).is_biased(matters)) << to_string(reading);
   }
-  EXPECT_LT(errors(ReadingName::midline).scatter, errors(ReadingName::B).scatter / 10);
+  // The mid-line is less the offset that the sweep shows, and has the offset's noise.
+  EXPECT_LT(errors(ReadingName::midline).scatter, errors(ReadingName::B).scatter);
   // An honest 95 % interval holds the truth in 18 of 24 runs or fewer once in 2,400 studies.
   for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::sweep,
                                     ReadingName::bristle_stiffness, ReadingName::static_torque}) {
@@ -68,7 +69,7 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   EXPECT_LT(errors(ReadingName::B).coverage.value, 0.5);
   double last = -1;
   for (const study::StudyLevel& level : factor(study, "torque_noise").levels) {
-    const double scatter = study.case_of(level).find(ReadingName::midline)->errors.scatter;
+    const double scatter = study.case_of(level).find(ReadingName::sweep)->errors.scatter;
     EXPECT_GT(scatter, last) << wording::words(level.text);
     last = scatter;
   }
