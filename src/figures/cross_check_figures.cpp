@@ -88,7 +88,7 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   if (recommended != checks.end()) {
     panel.reference_lines.push_back(
         {render::figure::ReferenceLine::Direction::horizontal, scale(recommended->mass_kg.value),
-         tr("recommended"), render::figure::palette::grey, render::figure::LineStyle::dash});
+         "", render::figure::palette::grey, render::figure::LineStyle::dash});
   }
   out.figure.panels.push_back(std::move(panel));
 
@@ -113,7 +113,8 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   out.caption = tr("95 % intervals of {ways}.", {{"ways", ways}}) + " " + agreement;
   out.how_to_read =
       tr("Each estimator fails in a different way. In a sound measurement all bars cross the "
-         "dashed line; one that misses it points to the assumption that it depends on. The two "
+         "dashed line of the recommended one; one that misses it points to the assumption that it "
+         "depends on. The two "
          "bars of an estimator should be equally long.");
   out.alt = tr("Surrogate mass with 95 % intervals by {count} estimators: {ways}.",
                {{"count", checks.size()}, {"ways", ways}}) +

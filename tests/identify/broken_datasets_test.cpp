@@ -118,8 +118,16 @@ TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
       << wording::words(check->found);
   EXPECT_FALSE(check->consequence.empty());
   EXPECT_FALSE(check->experiment.empty());
-  EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable)
-      << wording::words(c.judgement.sentence);
+  if (c.selection.recommended == method::hysteresis::Estimator::sweep &&
+      check->name == CheckName::torque_ripple) {
+    // The sweep averages over the ripple that the loop's position holds: its mass can be used.
+    const auto* gravity = c.judgement.find(joint::Quantity::gravity_torque);
+    EXPECT_LE(gravity->estimate->low, test::true_gravity_Nm);
+    EXPECT_GE(gravity->estimate->high, test::true_gravity_Nm);
+  } else {
+    EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable)
+        << wording::words(c.judgement.sentence);
+  }
   const auto& findings = c.judgement.findings;
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const Statement& finding) {
     return wording::words(finding).find(wording::words(check->found)) != std::string::npos;

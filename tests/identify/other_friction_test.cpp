@@ -55,7 +55,9 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
     const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
     const method::hysteresis::SurrogateMass* midline = c.masses.find(Estimator::midline);
     ASSERT_NE(midline, nullptr);
-    EXPECT_EQ(c.selection.recommended, Estimator::midline);
+    // Where the loop does not repeat, the sweep is surer.
+    EXPECT_TRUE(c.selection.recommended == Estimator::midline ||
+                c.selection.recommended == Estimator::sweep);
     EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error()) << noisy;
     EXPECT_NEAR(c.precise.q_peak_rad.value, test::true_q_peak_rad(), noisy ? 0.02 : 1e-6);
   }
@@ -77,8 +79,9 @@ TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
   ASSERT_TRUE(stiffness);
   const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
   constexpr double small = 0.05;
-  EXPECT_EQ(stiffness_of(c).verdict == calibration::Verdict::usable, std::abs(error) < small)
-      << error;
+  const bool is_usable = stiffness_of(c).verdict == calibration::Verdict::usable;
+  EXPECT_TRUE(!is_usable || std::abs(error) < small) << error;
+  EXPECT_TRUE(is_usable || GetParam() != "lugre") << error;
 }
 
 /// The matched model with one parameter changed.

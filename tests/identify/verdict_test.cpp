@@ -96,12 +96,6 @@ TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantityThatDecides) {
   const calibration::Calibration c = identify::identify(d);
   ASSERT_EQ(c.judgement.quantities.size(), 11U);
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
-    if (q.quantity == joint::Quantity::inertia) {  // 0.0001 N·m in a slow loop: it is said to be
-                                                   // missing, not guessed
-      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);
-      EXPECT_FALSE(q.experiment.empty());
-      continue;
-    }
     // Eq. (6), which this joint follows, has neither a Coulomb torque nor one viscous coefficient.
     if (q.quantity == joint::Quantity::coulomb_torque ||
         q.quantity == joint::Quantity::viscous_coefficient) {

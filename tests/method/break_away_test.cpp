@@ -70,10 +70,10 @@ TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
 }
 
 TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
-  Ramp fast{4, 0.5};
-  fast.arm_inertia_kgm2 = 60;
+  Ramp fast{0.5, 3};
+  fast.arm_inertia_kgm2 = 20;
   const joint::Recording r = ramp_of(fast);
-  const double inertia_at_joint = 60.0 / gear_ratio + 2e-3 * gear_ratio;
+  const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
   const auto bare = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
   EXPECT_GT(bare.ramps.front().friction_Nm, 1.02 * static_Nm);  // what is read is not held
   const auto result =
@@ -83,6 +83,16 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   EXPECT_NEAR(result.rising_Nm->value, static_Nm, 0.01 * static_Nm);
   EXPECT_GT(result.ramps.front().inertia_Nm, 0);
   EXPECT_LT(result.ramps.front().friction_Nm, bare.ramps.front().friction_Nm);
+}
+
+TEST(BreakAway, ARampTooFastToBeSeenToBreakAwayBoundsBelowTheStaticTorque) {
+  Ramp fast{2, 0.75};
+  fast.arm_inertia_kgm2 = 20;
+  const joint::Recording r = ramp_of(fast);
+  const auto result = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
+  ASSERT_FALSE(result.ramps.front().broke_away);
+  EXPECT_GT(r.torque_Nm.back() - r.torque_Nm.front(), 1.5 * static_Nm);
+  EXPECT_LE(result.ramps.front().friction_Nm, static_Nm);
 }
 
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {

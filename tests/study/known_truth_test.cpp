@@ -120,13 +120,13 @@ TEST(KnownTruth, AWrongTruthIsCaught) {
 }
 
 TEST(KnownTruth, AWrongStageIsCaught) {
-  // A chain whose angles are off by a tenth of a degree finds neither its angle nor, by that much,
+  // A chain whose angles are off by a degree finds neither its angle nor, by that much,
   // anything else to complain of.
   const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
   const auto wrong = [](const joint::Dataset& simulated, std::uint64_t seed) {
     calibration::Calibration c = plain(simulated, seed);
     if (c.q_peak_rad) {
-      constexpr double off = 0.00175;
+      constexpr double off = 0.0175;
       c.q_peak_rad->value += off;
       c.q_peak_rad->low += off;
       c.q_peak_rad->high += off;

@@ -18,8 +18,7 @@ namespace {
 
 constexpr double fewest_steps = 20;      // across which a speed is taken
 constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
-// Where the angle's steps are coarse for the contact and a ramp ends before it is seen to break
-// away, it may slide from here on.
+// Where a ramp ends before it is seen to break away, it may slide from here on.
 constexpr double yield_that_may_slide = 5;
 constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
@@ -203,10 +202,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     if (!(mean_speed > 0)) continue;
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);
-    const bool is_resolved = least <= share_of_travel * travel[i];
-    if (yield > yield_that_may_slide && !is_resolved) {
-      furthest_at_rest = std::min(furthest_at_rest, i);
-    }
+    if (yield > yield_that_may_slide) furthest_at_rest = std::min(furthest_at_rest, i);
     if (yield > yield_at_break_away) {
       ramp.broke_away = true;
       at = i;
@@ -329,9 +325,10 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
     out.ramps.push_back(read_ramp(*r, gravity, inertia_at_joint));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
   }
-  out.is_level = gravity && std::all_of(out.ramps.begin(), out.ramps.end(), [](const auto& ramp) {
-                   return !ramp.broke_away || ramp.level_Nm;
-                 });
+  out.is_level = gravity && out.censored < out.ramps.size() &&
+                 std::all_of(
+                     out.ramps.begin(), out.ramps.end(),
+                     [](const auto& ramp) { return !ramp.broke_away || ramp.level_Nm; });
   out.rising_Nm = mean_of(out.ramps, true, out.is_level, gravity);
   out.falling_Nm = mean_of(out.ramps, false, out.is_level, gravity);
   if (out.rising_Nm && out.falling_Nm) {

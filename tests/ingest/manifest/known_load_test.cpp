@@ -108,7 +108,8 @@ TEST(StatedGravity, IsReadAndRefused) {
   const std::string negative = with("amplitude_Nm = -1\nq_peak_deg = 90\n");
   EXPECT_THROW((void)ingest::dataset::read_dataset(negative), InputError);
   EXPECT_THROW((void)joint::StatedGravity(1, NAN), std::invalid_argument);
-  EXPECT_THROW((void)joint::StatedGravity(0, 1), std::invalid_argument);
+  EXPECT_NO_THROW((void)joint::StatedGravity(0, 1));  // a balanced joint
+  EXPECT_THROW((void)joint::StatedGravity(-1, 1), std::invalid_argument);
 }
 
 }  // namespace
