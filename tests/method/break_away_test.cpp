@@ -85,16 +85,6 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   EXPECT_LT(result.ramps.front().friction_Nm, bare.ramps.front().friction_Nm);
 }
 
-TEST(BreakAway, ARampTooFastToBeSeenToBreakAwayBoundsBelowTheStaticTorque) {
-  Ramp fast{2, 0.75};
-  fast.arm_inertia_kgm2 = 20;
-  const joint::Recording r = ramp_of(fast);
-  const auto result = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
-  ASSERT_FALSE(result.ramps.front().broke_away);
-  EXPECT_GT(r.torque_Nm.back() - r.torque_Nm.front(), 1.5 * static_Nm);
-  EXPECT_LE(result.ramps.front().friction_Nm, static_Nm);
-}
-
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {
   const joint::Recording r = ramp_of({0.1, 8});
   const method::hysteresis::BreakAwayResult result =

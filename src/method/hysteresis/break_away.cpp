@@ -212,9 +212,14 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   }
   ramp.torque_Nm = r.torque_Nm[at];
   constexpr std::size_t fewest_beside = 3;
-  if (!ramp.broke_away) at = furthest_at_rest;
+  constexpr std::size_t beside_the_end = 10;
+  if (!ramp.broke_away) {
+    at = furthest_at_rest;
+    beside = beside_the_end;
+  }
   if (beside >= fewest_beside) {
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
+    if (!ramp.broke_away) ramp.inertia_Nm = std::max(0.0, ramp.inertia_Nm);  // it stays a bound
   }
   ramp.friction_Nm =
       sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at])) - ramp.inertia_Nm;
