@@ -148,8 +148,11 @@ std::optional<double> level_at_rest(const std::vector<double>& travel,
   for (int k = 0; k < 30; ++k) {
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
-    (fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares ? high : low) =
-        fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares ? b : a;
+    if (fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares) {
+      high = b;
+    } else {
+      low = a;
+    }
   }
   const double way = way_at((low + high) / 2);
   fit = fit_bent(x, y, way);

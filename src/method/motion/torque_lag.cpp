@@ -100,11 +100,8 @@ void add_rows(const joint::Recording& r, std::vector<Row>& rows, std::size_t& tr
   constexpr double most_jerk_noise = 0.1;  // of its largest: what noise takes off its coefficient
   const double dt = statistics::median_interval(r.t_s);
   if (r.size() < 10 * narrowest || !(dt > 0)) return;
-  std::vector<double> thirds;
-  for (std::size_t i = 3; i < r.size(); ++i) {
-    thirds.push_back(statistics::third_difference(&r.q_rad[i - 3]));
-  }
-  const double noise = std::sqrt(std::max(0.0, statistics::white_variance(thirds)));
+  const double noise =
+      std::sqrt(std::max(0.0, statistics::white_variance(statistics::third_differences(r.q_rad))));
   for (std::size_t half = narrowest; half <= widest; half = half * 3 / 2) {
     if (r.size() < 8 * half) return;
     const std::vector<LocalMotion> all = motion_of(r, half, dt);

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "statistics/order_statistics.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::motion {
 namespace {
 
 constexpr std::size_t beside = 3;        // neighbours on either side that a sample is compared with
 constexpr std::size_t beside_scale = 7;  // those that tell the scale
-constexpr double mad_to_sd = 1.4826;
 
 /// Median of the samples about i, so many on either side.
 double median_about(const std::vector<double>& y, std::size_t i, std::size_t half) {
@@ -29,17 +29,7 @@ double deviation_about(const std::vector<double>& y, std::size_t i, double media
     window[k] = std::abs(y[i - beside_scale + k] - median);
   }
   std::nth_element(window.begin(), window.begin() + beside_scale, window.end());
-  return mad_to_sd * window[beside_scale];
-}
-
-/// White noise by the median of the third differences, which rare outliers do not move.
-double usual_noise(const std::vector<double>& y) {
-  std::vector<double> thirds;
-  for (std::size_t i = 3; i < y.size(); ++i) {
-    thirds.push_back(std::abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3]));
-  }
-  constexpr double of_third_difference = 4.47213595499958;  // sqrt(20)
-  return mad_to_sd * statistics::median(std::move(thirds)) / of_third_difference;
+  return statistics::normal_sd_by_median_size * window[beside_scale];
 }
 
 /// Whether the joint speeds up or slows down about a sample as it rarely does: its torque may then
@@ -51,7 +41,7 @@ class RareMotion {
     for (std::size_t i = beside_scale; i + beside_scale < q_.size(); ++i) {
       sizes.push_back(std::abs(change(i)));
     }
-    usual_ = mad_to_sd * statistics::median(std::move(sizes));
+    usual_ = statistics::normal_sd_by_median_size * statistics::median(std::move(sizes));
   }
   [[nodiscard]] bool at(std::size_t i) const {
     constexpr double rare = 5;
@@ -78,7 +68,7 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   constexpr std::size_t fewest_samples = 50;
   const std::vector<double>& y = recording.torque_Nm;
   if (y.size() < fewest_samples || y.size() != recording.size()) return {};
-  const double noise = usual_noise(y);
+  const double noise = statistics::white_sd_beside_jumps(statistics::third_differences(y));
   const RareMotion motion(recording.q_rad);
   std::vector<double> sorted = y;
   const auto at = [&](double share) {
