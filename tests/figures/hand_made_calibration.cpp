@@ -146,8 +146,9 @@ method::hysteresis::HysteresisResult loop_result(const joint::Recording& recordi
 method::hysteresis::SurrogateMass mass(Estimator estimator, double torque_Nm) {
   const statistics::Estimate torque =
       statistics::symmetric_estimate(torque_Nm, 0.01, Statement::verbatim("by hand"));
-  return {estimator, torque, known::centre_rad, statistics::scaled(torque, known::kg_per_Nm),
-          torque};
+  return {
+      estimator, torque, known::centre_rad, statistics::scaled(torque, known::kg_per_Nm), torque,
+      1.0,       {}};
 }
 
 /// Friction 0.5 N·m + 0.002 N·m·s/rad in both directions, seen with each candidate's gravity.

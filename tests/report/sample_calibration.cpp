@@ -117,7 +117,7 @@ method::hysteresis::LuGreFit loop_fit() {
 method::hysteresis::SurrogateMass mass(Estimator estimator, double torque_Nm) {
   const statistics::Estimate torque =
       statistics::symmetric_estimate(torque_Nm, 0.0043, Statement::verbatim("reading"));
-  return {estimator, torque, q_peak_rad, statistics::scaled(torque, kg_per_Nm), torque};
+  return {estimator, torque, q_peak_rad, statistics::scaled(torque, kg_per_Nm), torque, 1.0, {}};
 }
 
 method::hysteresis::SurrogateMassesResult masses() {
@@ -305,7 +305,8 @@ calibration::Calibration complete_calibration() {
   c.judgement = {calibration::Verdict::usable,
                  Statement::verbatim("all stages have their data"),
                  {Statement::verbatim("nothing was left out")},
-                 sample_quantities(*c.q_peak_rad)};
+                 sample_quantities(*c.q_peak_rad),
+                 {}};
   return c;
 }
 
@@ -345,6 +346,7 @@ calibration::Calibration sweep_only() {
                       Statement::verbatim("there is no curve to fit")};
   c.judgement = {calibration::Verdict::doubtful,
                  Statement::verbatim("angle and mass are known, friction is not"),
+                 {},
                  {},
                  {}};
   return c;

@@ -1,6 +1,7 @@
 #include "method/viscous/law_scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -13,62 +14,92 @@ namespace {
 constexpr double worst_normal_condition =
     1e-10;  // of the normal matrix, columns scaled to length 1
 
+using TermColumns = Eigen::MatrixXd;  // constant, viscous term, load, excess
+constexpr std::size_t most_terms = 4;
+
 struct WeightedFit {
   bool is_distinct{};
-  Eigen::VectorXd x, error;
+  std::array<double, most_terms> x{}, error{};
   double chi2{std::numeric_limits<double>::infinity()};
 };
 
-WeightedFit weighted_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
+/// By the normal equations of columns scaled to length 1; tens of thousands of laws are tried for
+/// one answer, so their number is fixed and nothing is allocated.
+template <int Terms>
+WeightedFit fit_of(const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Terms>>& columns,
+                   const Eigen::VectorXd& y) {
+  using Vector = Eigen::Matrix<double, Terms, 1>;
+  using Products = Eigen::Matrix<double, Terms, Terms>;
   WeightedFit out;
-  const Eigen::VectorXd norms = columns.colwise().norm().transpose();
+  const Products products = columns.transpose().lazyProduct(columns);
+  const Vector norms = products.diagonal().cwiseSqrt();
   if (!(norms.minCoeff() > 1e-6 * norms.maxCoeff())) return out;
-  const Eigen::MatrixXd unit = columns * norms.cwiseInverse().asDiagonal();
-  const Eigen::LDLT<Eigen::MatrixXd> gram(unit.transpose() * unit);
+  const Vector scale = norms.cwiseInverse();
+  const Eigen::LDLT<Products> gram(scale.asDiagonal() * products * scale.asDiagonal());
   if (!(gram.vectorD().minCoeff() > worst_normal_condition)) return out;
-  const Eigen::VectorXd x = gram.solve(unit.transpose() * y);
-  const Eigen::MatrixXd inverse =
-      gram.solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
+  const Vector seen = columns.transpose().lazyProduct(y);
+  const Vector x = gram.solve(scale.cwiseProduct(seen)).cwiseProduct(scale);
+  const Products inverse = gram.solve(Products::Identity());
+  for (Eigen::Index i = 0; i < Terms; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    out.x[k] = x(i);
+    out.error[k] = std::sqrt(inverse(i, i)) * scale(i);
+  }
   out.is_distinct = true;
-  out.chi2 = (y - unit * x).squaredNorm();
-  out.x = x.cwiseQuotient(norms);
-  out.error = inverse.diagonal().cwiseSqrt().cwiseQuotient(norms);
+  out.chi2 = (y - columns.lazyProduct(x)).squaredNorm();
   return out;
+}
+
+WeightedFit weighted_fit(const TermColumns& columns, const Eigen::VectorXd& y) {
+  switch (columns.cols()) {
+    case 2:
+      return fit_of<2>(columns, y);
+    case 3:
+      return fit_of<3>(columns, y);
+    default:
+      return fit_of<4>(columns, y);
+  }
 }
 
 /// Rows scaled by their weights: constant, viscous term, load.
 struct Rows {
-  Eigen::VectorXd weight, friction, share;  // share: of the fastest speed
+  Eigen::ArrayXd weight, log_share;  // share: of the fastest speed
+  Eigen::VectorXd friction;
   double fastest{};
-  Eigen::MatrixXd fixed;
+  TermColumns fixed;
 
   Rows(const std::vector<SpeedMean>& means, double scatter2, bool load) {
     const auto n = static_cast<Eigen::Index>(means.size());
     weight.resize(n);
     friction.resize(n);
-    share.resize(n);
-    fixed = Eigen::MatrixXd::Zero(n, load ? 3 : 2);
+    log_share.resize(n);
+    fixed = TermColumns::Zero(n, load ? 3 : 2);
     for (const SpeedMean& m : means) fastest = std::max(fastest, m.speed_rad_s);
     for (Eigen::Index i = 0; i < n; ++i) {
       const SpeedMean& m = means[static_cast<std::size_t>(i)];
       weight(i) = 1 / std::sqrt(m.variance + scatter2);
       friction(i) = weight(i) * m.friction_Nm;
-      share(i) = m.speed_rad_s / fastest;
+      log_share(i) = std::log(m.speed_rad_s / fastest);
       fixed(i, 0) = weight(i);
       if (load) fixed(i, 2) = weight(i) * m.load;
     }
   }
-  void raise(double power) { fixed.col(1) = weight.array() * share.array().pow(power); }
+  void raise(double power) { fixed.col(1) = weight * (power * log_share).exp(); }
+  /// exp(-(w/ws)^d), weighted.
+  [[nodiscard]] Eigen::ArrayXd excess(double speed_rad_s, double exponent) const {
+    const double log_speed = std::log(speed_rad_s / fastest);
+    return weight * (-(exponent * (log_share - log_speed)).exp()).exp();
+  }
 };
 
 void take(const WeightedFit& s, double power, double fastest, bool load, LawPoint& to) {
   to.power = power;
   to.chi2 = s.chi2;
-  to.coulomb_Nm = s.x(0);
-  to.coulomb_error = s.error(0);
-  to.slope = power * s.x(1) / fastest;
-  to.slope_error = power * s.error(1) / fastest;
-  if (load) to.load_Nm = s.x(2);
+  to.coulomb_Nm = s.x[0];
+  to.coulomb_error = s.error[0];
+  to.slope = power * s.x[1] / fastest;
+  to.slope_error = power * s.error[1] / fastest;
+  if (load) to.load_Nm = s.x[2];
 }
 
 }  // namespace
@@ -87,7 +118,8 @@ std::vector<LawPoint> scan_laws(const std::vector<SpeedMean>& means, double scat
                                 const LawGrid& grid, std::size_t speeds) {
   Rows rows(means, scatter2, grid.load);
   const Eigen::Index fixed = rows.fixed.cols();
-  Eigen::MatrixXd columns(rows.fixed.rows(), fixed + 1);
+  const auto excess = static_cast<std::size_t>(fixed);
+  TermColumns columns(rows.fixed.rows(), fixed + 1);
   std::vector<LawPoint> points;
   for (const double power : grid.powers) {
     rows.raise(power);
@@ -100,29 +132,27 @@ std::vector<LawPoint> scan_laws(const std::vector<SpeedMean>& means, double scat
         point.exponent = exponent;
         point.speed_rad_s =
             grid.slowest_speed * std::pow(grid.fastest_speed / grid.slowest_speed, along);
-        columns.col(fixed) =
-            rows.weight.array() *
-            (-(rows.share.array() * rows.fastest / point.speed_rad_s).pow(exponent)).exp();
+        columns.col(fixed) = rows.excess(point.speed_rad_s, exponent);
         WeightedFit s = weighted_fit(columns, rows.friction);
         if (!s.is_distinct) continue;
-        if (s.x(1) < 0) {
+        if (s.x[1] < 0) {
           // Friction that falls with speed all along: the best law a joint can have has no slope.
-          Eigen::MatrixXd without(columns.rows(), fixed);
+          TermColumns without(columns.rows(), fixed);
           without << columns.col(0), columns.rightCols(fixed - 1);
           const WeightedFit level = weighted_fit(without, rows.friction);
           if (!level.is_distinct) continue;
-          const double slope_error = s.error(1);
+          const double slope_error = s.error[1];
           s.chi2 = level.chi2;
-          s.x(0) = level.x(0);
-          s.x(1) = 0;
-          if (grid.load) s.x(2) = level.x(1);
-          s.x(fixed) = level.x(fixed - 1);
-          s.error(0) = level.error(0);
-          s.error(1) = slope_error;
+          s.x[0] = level.x[0];
+          s.x[1] = 0;
+          if (grid.load) s.x[2] = level.x[1];
+          s.x[excess] = level.x[excess - 1];
+          s.error[0] = level.error[0];
+          s.error[1] = slope_error;
         }
-        if (s.x(0) < 0 || s.x(fixed) < 0) continue;
+        if (s.x[0] < 0 || s.x[excess] < 0) continue;
         take(s, power, rows.fastest, grid.load, point);
-        point.excess_Nm = s.x(fixed);
+        point.excess_Nm = s.x[excess];
         points.push_back(point);
       }
     }

@@ -374,16 +374,17 @@ struct Hull {
   }
 };
 
-std::vector<double> exponents() {
+std::vector<double> exponents(int per_octave = 8) {
   std::vector<double> out;
-  constexpr int per_octave = 8;
-  for (int k = -per_octave; k <= 2 * per_octave; ++k) out.push_back(std::exp2(k / 8.0));
+  for (int k = -per_octave; k <= 2 * per_octave; ++k) {
+    out.push_back(std::exp2(static_cast<double>(k) / per_octave));
+  }
   return out;
 }
 
-std::vector<double> powers() {
+std::vector<double> powers(int step = 1) {
   std::vector<double> out;
-  for (int k = 4; k <= 32; ++k) out.push_back(k / 20.0);
+  for (int k = 4; k <= 32; k += step) out.push_back(k / 20.0);
   return out;
 }
 
@@ -551,7 +552,11 @@ Hulls hulls_about(const Laws& laws, const Choice& choice) {
   LawGrid grid = laws.whole_grid();
   grid.exponents = exponents();
   const bool is_curved = choice.law.power != 1;
-  if (is_curved) grid.powers = powers();
+  if (is_curved) {
+    // Exponents and powers against each other: each on a coarser grid.
+    grid.exponents = exponents(2);
+    grid.powers = powers(2);
+  }
   // Where no dip shows, friction that falls over the whole range just as a straight line would
   // have it is no rival: that takes an accident.
   constexpr double farthest_hidden = 1.0 / 3;
