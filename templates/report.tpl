@@ -42,6 +42,7 @@
 <section id="key-numbers" aria-labelledby="key-numbers-title">
 <h2 id="key-numbers-title">Key numbers <a class="self" href="#key-numbers" aria-label="Link to this section">#</a></h2>
 {{>KEY_NUMBERS}}
+{{>BUDGET}}
 </section>
 {{>MISSING}}
 {{>DATA_CHECKS}}

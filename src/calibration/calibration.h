@@ -65,6 +65,35 @@ struct TruthFinding {
   Statement finding;
 };
 
+/// What the recordings cannot exclude of an effect that the model leaves out.
+enum class Unexcluded {
+  lag,           ///< Of the torque against the angle [s].
+  asymmetry,     ///< Share of the friction by which it is larger while the angle rises.
+  load,          ///< Friction for each newton metre of gravity torque.
+  angle,         ///< Share of the friction by which it changes with the joint's angle.
+  warm_up,       ///< Share of the friction by which it changes over the session.
+  offset_drift,  ///< Of the torque over the session, motor side [N·m].
+};
+
+std::string to_string(Unexcluded effect);
+
+/// One number, identified with the effect and without it in the same noise.
+struct WhatIfShift {
+  ReadingName name{};
+  std::string unit;
+  double without{};
+  double shift{};
+  double half_width{};  ///< Of the interval that is stated without the effect.
+};
+
+/// What an effect of that size would do to the numbers.
+struct WhatIf {
+  Unexcluded effect{};
+  double size{};
+  std::string unit;  ///< Empty: a share.
+  std::vector<WhatIfShift> shifts;
+};
+
 struct TruthCheckResult {
   std::size_t runs{};  ///< 0: the check was not made.
   std::uint64_t seed{};
@@ -74,6 +103,7 @@ struct TruthCheckResult {
   std::vector<ReturnedQuantity> quantities;
   std::vector<Statement> left_out;     ///< What could not be simulated, and why.
   std::vector<TruthFinding> findings;  ///< What does not come back.
+  std::vector<WhatIf> what_if;         ///< Effects that the recordings were asked about.
 
   [[nodiscard]] const ReturnedQuantity* find(ReadingName name) const;
 };

@@ -35,6 +35,14 @@ Json drive(const joint::Manifest& m) {
           {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
 }
 
+Json stated_uncertainty(const joint::StatedUncertainty& u) {
+  return {{"torque_constant_percent", number(u.torque_constant_percent)},
+          {"gear_ratio_percent", number(u.gear_ratio_percent)},
+          {"surrogate_distance_percent", number(u.surrogate_distance_percent)},
+          {"gravity_percent", number(u.gravity_percent)},
+          {"angle_zero_deg", number(u.angle_zero_deg)}};
+}
+
 Json inputs(const std::vector<joint::InputFile>& files) {
   Json list = Json::array();
   for (const joint::InputFile& file : files) {
@@ -157,6 +165,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["hysteresis"] = hysteresis(c.hysteresis, c.curves);
   all["surrogate"] = {{"distance_m", number(c.manifest.surrogate_distance_m)},
                       {"gravity_m_s2", number(c.manifest.gravity_m_s2)}};
+  all["uncertainty"] = stated_uncertainty(c.manifest.uncertainty);
   all["surrogate_masses"] = surrogate_masses(c.masses);
   all["viscous"] = viscous(c.viscous);
   all["quality"] = quality(c.quality);

@@ -1,5 +1,6 @@
 // What stands behind the numbers: checks on the data before any fit, the verdict, and intervals.
 
+#include <cmath>
 #include <utility>
 
 #include "calibration/parts.h"
@@ -49,6 +50,21 @@ Json returned(const ReturnedQuantity& q) {
           {"comes_back", q.comes_back}};
 }
 
+Json what_if(const WhatIf& effect) {
+  Json shifts = Json::array();
+  for (const WhatIfShift& s : effect.shifts) {
+    shifts.push_back({{"name", to_string(s.name)},
+                      {"unit", s.unit},
+                      {"without", number(s.without)},
+                      {"shift", number(s.shift)},
+                      {"half_width", number(s.half_width)}});
+  }
+  return {{"effect", to_string(effect.effect)},
+          {"size", number(effect.size)},
+          {"unit", text_or_null(effect.unit)},
+          {"shifts", std::move(shifts)}};
+}
+
 }  // namespace
 
 Json truth_check(const TruthCheckResult& t) {
@@ -57,6 +73,8 @@ Json truth_check(const TruthCheckResult& t) {
   for (const ReturnedQuantity& q : t.quantities) quantities.push_back(returned(q));
   std::vector<Statement> findings;
   for (const TruthFinding& one : t.findings) findings.push_back(one.finding);
+  Json effects = Json::array();
+  for (const WhatIf& effect : t.what_if) effects.push_back(what_if(effect));
   return {{"runs", t.runs},
           {"seed", t.seed},
           {"noise",
@@ -64,6 +82,7 @@ Json truth_check(const TruthCheckResult& t) {
             {"torque_step_Nm", number(t.torque_step_Nm)},
             {"ripple_Nm", number(t.ripple_Nm)}}},
           {"quantities", std::move(quantities)},
+          {"what_if", std::move(effects)},
           {"left_out", wording::words(t.left_out)},
           {"left_out_code", code_of(t.left_out)},
           {"findings", wording::words(findings)},
@@ -114,6 +133,35 @@ Json rules(const std::vector<RuleOutcome>& outcomes) {
 
 }  // namespace
 
+namespace {
+
+/// null: infinite.
+Json freedom(double degrees) { return std::isinf(degrees) ? Json(nullptr) : number(degrees); }
+
+Json budget(const std::optional<UncertaintyBudget>& b) {
+  if (!b) return nullptr;
+  Json parts = Json::array();
+  for (const BudgetPart& part : b->parts) {
+    parts.push_back({{"influence", to_string(part.influence)},
+                     {"type", part.is_type_b ? "B" : "A"},
+                     {"stated", number(part.stated)},
+                     {"sensitivity", number(part.sensitivity)},
+                     {"standard_uncertainty", number(part.standard_uncertainty)},
+                     {"degrees_of_freedom", freedom(part.freedom)},
+                     {"share", number(part.share)}});
+  }
+  Json not_stated = Json::array();
+  for (const Influence influence : b->not_stated) not_stated.push_back(to_string(influence));
+  return {{"parts", std::move(parts)},
+          {"not_included", std::move(not_stated)},
+          {"standard_uncertainty", number(b->standard_uncertainty)},
+          {"degrees_of_freedom", freedom(b->freedom)},
+          {"coverage_factor", number(b->coverage_factor)},
+          {"expanded", interval(b->expanded)}};
+}
+
+}  // namespace
+
 Json verdict(const Judgement& judgement) {
   Json quantities = Json::array();
   for (const QuantityVerdict& q : judgement.quantities) {
@@ -128,6 +176,7 @@ Json verdict(const Judgement& judgement) {
                           {"experiment_code", code_of(q.experiment)},
                           {"estimate", interval(q.estimate)},
                           {"unit", text_or_null(q.unit)},
+                          {"budget", budget(q.budget)},
                           {"limits", limits(q.limits)}});
   }
   return {{"verdict", to_string(judgement.verdict)},

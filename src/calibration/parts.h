@@ -15,6 +15,7 @@ Json verdict(const Judgement& judgement);
 Json data_checks(const method::checks::DataChecksResult& result);
 Json robot(const joint::Manifest& m);
 Json drive(const joint::Manifest& m);
+Json stated_uncertainty(const joint::StatedUncertainty& u);
 Json inputs(const std::vector<joint::InputFile>& files);
 Json conversions(const std::vector<joint::InputFile>& inputs);
 Json speeds(const std::vector<method::motion::SpeedSource>& sources);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/statement.h"
+#include "calibration/uncertainty_budget.h"
 #include "joint/quantity.h"
 #include "statistics/estimate.h"
 
@@ -45,12 +46,13 @@ struct LimitOutcome {
 struct QuantityVerdict {
   joint::Quantity quantity{};
   Verdict verdict{Verdict::usable};
-  bool decides{true};              ///< Takes part in the verdict over all.
-  std::vector<Statement> reasons;  ///< Empty only if usable. The weightiest first.
-  Statement experiment;            ///< What to record next; empty only if usable.
-  std::optional<statistics::Estimate>
-      estimate;      ///< SI, motor side; absent for a curve, or where not found.
-  std::string unit;  ///< Of the estimate; empty for a curve.
+  bool decides{true};                            ///< Takes part in the verdict over all.
+  std::vector<Statement> reasons;                ///< Empty only if usable. The weightiest first.
+  Statement experiment;                          ///< What to record next; empty only if usable.
+  std::optional<statistics::Estimate> estimate;  ///< From the recordings alone. SI, motor side;
+                                                 ///< absent for a curve, or where not found.
+  std::optional<UncertaintyBudget> budget;       ///< Present with the estimate.
+  std::string unit;                              ///< Of the estimate; empty for a curve.
   std::vector<LimitOutcome> limits;
 };
 

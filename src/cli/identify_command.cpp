@@ -55,6 +55,9 @@ The manifest says, for example:
   [intervals]                   # optional: of the 95 % intervals by resampling
   resamples = 1000              # 0: closed forms only
   seed = 1
+  [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
+  torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
+                                # gravity_percent, angle_zero_deg
   [[recording]]
   role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
   file = "sweep.csv"

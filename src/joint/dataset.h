@@ -86,6 +86,18 @@ struct IntervalSettings {
   std::optional<std::uint64_t> seed;
 };
 
+/// What the user knows of the errors that no recording shows (type B, JCGM 100, 4.3): half widths
+/// at 95 %. What is not stated is not included.
+struct StatedUncertainty {
+  std::optional<double> torque_constant_percent;  ///< Or of the torque sensor's scale.
+  std::optional<double> gear_ratio_percent;       ///< Of a belt, say; teeth are counted.
+  std::optional<double> surrogate_distance_percent;
+  std::optional<double> gravity_percent;  ///< Of the acceleration of gravity.
+  std::optional<double> angle_zero_deg;   ///< Of the joint angle's zero.
+
+  bool operator==(const StatedUncertainty&) const = default;
+};
+
 /// What the user states about the measurement. Texts may be empty where not stated.
 struct Manifest {
   std::string robot;
@@ -105,6 +117,7 @@ struct Manifest {
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
+  StatedUncertainty uncertainty;
   IntervalSettings intervals;
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.

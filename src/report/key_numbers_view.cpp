@@ -128,16 +128,34 @@ class KeyNumbers {
 
  private:
   void angle(const std::string& quantity, statistics::Estimate e, const std::string& from) {
+    e = expanded(Quantity::cog_angle, e);
     e.method = Statement::verbatim(from);
     table_.rows.push_back(estimate_row(quantity, e, wording::degree_scale()));
     table_.rows.push_back(estimate_row(quantity, e, wording::radian_scale(e.value)));
   }
 
-  /// One row per side; `to_joint` is the factor from motor to joint.
-  void sides(const std::string& quantity, statistics::Estimate motor, double to_joint,
-             wording::Scale (*scale_for)(double), const std::string& from) {
-    motor.method = Statement::verbatim(from);
-    add_both_sides(quantity, motor, {n_, to_joint}, scale_for, table_);
+  /// With what the manifest states of other errors. @param gear_power of the ratio by which the
+  /// side shown is multiplied.
+  [[nodiscard]] statistics::Estimate expanded(Quantity quantity, const statistics::Estimate& e,
+                                              int gear_power = 0) const {
+    const calibration::QuantityVerdict* verdict = c_.judgement.find(quantity);
+    const bool is_its_own = verdict != nullptr && verdict->budget && verdict->estimate &&
+                            verdict->estimate->value == e.value;
+    return is_its_own ? calibration::expanded_at(*verdict->budget, *verdict->estimate, gear_power)
+                      : e;
+  }
+
+  /// One row per side: at the joint it is larger by the gear ratio to `gear_power`.
+  void sides(const std::string& name, Quantity quantity, const statistics::Estimate& motor,
+             int gear_power, wording::Scale (*scale_for)(double), const std::string& from) {
+    const auto row = [&](const std::string& shown, int power) {
+      statistics::Estimate e =
+          statistics::scaled(expanded(quantity, motor, power), std::pow(n_, power));
+      e.method = Statement::verbatim(from);
+      table_.rows.push_back(estimate_row(shown, e, scale_for(e.value)));
+    };
+    row(n_ == 1.0 ? name : at_motor(name), 0);
+    if (n_ != 1.0) row(at_joint(name), gear_power);
   }
 
   void missing(const std::string& quantity, StageId stage) {
@@ -175,10 +193,13 @@ class KeyNumbers {
 
   void link_angle() {
     const std::string link = tr("Link angle of the centre of gravity, q_c = −q_peak");
-    if (c_.selection.q_c_rad) {
+    const bool is_corrected = c_.selection.q_c_rad && c_.q_peak_rad &&
+                              c_.selection.q_c_rad->value != -c_.q_peak_rad->value;
+    if (is_corrected) {
       angle(link, *c_.selection.q_c_rad, stage_reference(StageId::selection));
     } else if (c_.q_peak_rad) {
-      angle(link, statistics::scaled(*c_.q_peak_rad, -1.0), "−q_peak");
+      angle(link, statistics::scaled(expanded(Quantity::cog_angle, *c_.q_peak_rad), -1.0),
+            "−q_peak");
     }
   }
 
@@ -187,9 +208,10 @@ class KeyNumbers {
     if (refused(Quantity::gravity_torque) && recommended_mass(c_) != nullptr) {
       see_the_verdict(name);
     } else if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
-      sides(name, mass->gravity_Nm, n_, wording::torque_scale, from_mass(*mass));
+      sides(name, Quantity::gravity_torque, mass->gravity_Nm, 1, wording::torque_scale,
+            from_mass(*mass));
     } else if (c_.rough.found) {
-      sides(name, c_.rough.gravity_Nm, n_, wording::torque_scale,
+      sides(name, Quantity::gravity_torque, c_.rough.gravity_Nm, 1, wording::torque_scale,
             stage_reference(StageId::cog_rough));
     } else {
       missing(name, StageId::surrogate_masses);
@@ -223,7 +245,7 @@ class KeyNumbers {
 
   void mass_row(const std::string& quantity, const method::hysteresis::SurrogateMass& mass,
                 bool is_chosen) {
-    statistics::Estimate e = mass.mass_kg;
+    statistics::Estimate e = expanded(Quantity::surrogate_mass, mass.mass_kg);
     e.method = Statement::verbatim(from_mass(mass));
     table_.rows.push_back(estimate_row(quantity, e, wording::plain_scale("kg")));
     table_.rows.back().is_chosen = is_chosen;
@@ -241,10 +263,11 @@ class KeyNumbers {
     if (refused(Quantity::break_away_torque) && (level || c_.break_away.mean_Nm)) {
       see_the_verdict(break_away);
     } else if (c_.break_away.mean_Nm) {
-      sides(break_away, *c_.break_away.mean_Nm, n_, wording::torque_scale,
+      sides(break_away, Quantity::break_away_torque, *c_.break_away.mean_Nm, 1,
+            wording::torque_scale,
             tr("stage {stage}, torque ramps", {{"stage", stage_number(StageId::break_away)}}));
     } else if (level) {
-      sides(break_away, *level, n_, wording::torque_scale, from_loop);
+      sides(break_away, Quantity::break_away_torque, *level, 1, wording::torque_scale, from_loop);
     } else if (!c_.break_away.ramps.empty()) {
       see_the_verdict(break_away);
     } else {
@@ -257,7 +280,7 @@ class KeyNumbers {
     if (refused(Quantity::bristle_stiffness) && stiffness) {
       see_the_verdict(name);
     } else if (stiffness) {
-      sides(name, *stiffness, n_ * n_, wording::stiffness_scale, from_loop);
+      sides(name, Quantity::bristle_stiffness, *stiffness, 2, wording::stiffness_scale, from_loop);
     }
   }
 
@@ -302,7 +325,7 @@ class KeyNumbers {
     if (refused(Quantity::coulomb_torque) && (coulomb_Nm || has_law)) {
       see_the_verdict(coulomb);
     } else if (coulomb_Nm) {
-      sides(coulomb, *coulomb_Nm, n_, wording::torque_scale, from);
+      sides(coulomb, Quantity::coulomb_torque, *coulomb_Nm, 1, wording::torque_scale, from);
     } else {
       missing(coulomb, StageId::parameters);
     }
@@ -310,7 +333,8 @@ class KeyNumbers {
     if (refused(Quantity::viscous_coefficient) && viscous_Nms_rad) {
       see_the_verdict(viscous);
     } else if (viscous_Nms_rad) {
-      sides(viscous, *viscous_Nms_rad, n_ * n_, wording::viscous_scale, from);
+      sides(viscous, Quantity::viscous_coefficient, *viscous_Nms_rad, 2, wording::viscous_scale,
+            from);
     } else {
       missing(viscous, StageId::parameters);
     }

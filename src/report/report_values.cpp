@@ -244,6 +244,7 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   fill_data_checks(view, values);
   fill_conversions(view.conversion_tables, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
+  fill_table(view.budget, "BUDGET", values);
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");
   for (const Section& section : view.sections) fill_section(section, has_viewer, values);

@@ -143,6 +143,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.rules = rule_rows(c.judgement.rules);
   view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);
+  view.budget = budget_table(c.judgement);
   for (const StageId stage : all_stages) {
     if (stage == StageId::break_away && c.break_away.ramps.empty()) continue;
     view.sections.push_back(make_section(c, stage));

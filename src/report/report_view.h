@@ -138,6 +138,7 @@ struct ReportView {
   std::vector<DataCheckRow> data_checks;
   std::vector<DataCheckRow> rules;  ///< Of the verdict, in the same columns.
   Table key_numbers;
+  Table budget;  ///< Of the uncertainty of each quantity.
   std::vector<MissingResult> missing;
   std::vector<Section> sections;         ///< Stages 1 to 8, then what was recorded beyond.
   std::vector<std::string> notes;        ///< From reading the input.

@@ -72,6 +72,8 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last);
 std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks);
 std::vector<DataCheckRow> rule_rows(const std::vector<calibration::RuleOutcome>& rules);
+/// No rows where no quantity has an estimate.
+Table budget_table(const calibration::Judgement& judgement);
 Table key_numbers_table(const calibration::Calibration& calibration);
 std::vector<Fact> identity_facts(const joint::Manifest& manifest);
 /// From the columns of the logs to signals; where speeds come from.

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "statistics/random_stream.h"
 #include "statistics/sampled_signal.h"
 #include "truth/identified_joint.h"
 
@@ -93,6 +94,33 @@ std::vector<simulate::Noise::Ripple> ripple_of(const joint::Dataset& dataset,
   }
   for (simulate::Noise::Ripple& one : kept) one.amplitude_Nm *= std::sqrt(wanted / variance);
   return kept;
+}
+
+joint::Dataset with_noise(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run) {
+  constexpr std::uint64_t first_recording_stream = 1ULL << 32;
+  joint::Dataset dataset = joint.dataset;
+  statistics::RandomStream phases(seed, run);
+  std::vector<simulate::Noise::Ripple> ripple = joint.ripple;
+  for (simulate::Noise::Ripple& one : ripple)
+    one.phase_rad = 2 * std::numbers::pi * phases.uniform();
+  const double n = dataset.manifest.drive.gear_ratio();
+  for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {
+    joint::Recording& r = dataset.recordings[k];
+    // Streams of the recordings lie beyond those of the phases, each of its own.
+    statistics::RandomStream random(seed,
+                                    first_recording_stream + run * dataset.recordings.size() + k);
+    const double step = joint.torque_step_Nm[k];
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      double& torque = r.torque_Nm[i];
+      for (const simulate::Noise::Ripple& one : ripple) {
+        torque +=
+            one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
+      }
+      if (joint.white_Nm[k] > 0) torque += joint.white_Nm[k] * random.normal();
+      if (step > 0) torque = step * std::round(torque / step);
+    }
+  }
+  return dataset;
 }
 
 }  // namespace tribolog::truth

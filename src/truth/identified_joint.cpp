@@ -56,13 +56,21 @@ class LawOfRuns final : public friction::StaticFriction {
 /// Speeds below this share of the largest are rest: there the sign of friction is nobody's.
 constexpr double rest_share = 1e-3;
 
+/// Of the model along a recording; empty: it cannot follow.
+struct ModelTorque {
+  std::vector<double> whole_Nm;
+  std::vector<double> friction_Nm;
+  ModelTorque() = default;
+  explicit ModelTorque(std::size_t size) : whole_Nm(size), friction_Nm(size) {}
+};
+
 class Maker {
  public:
   Maker(const calibration::Calibration& calibration, double gravity_Nm)
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
 
   /// Torque of the model along a recording; empty if the model cannot follow, with the reason.
-  [[nodiscard]] std::vector<double> torque(const joint::Recording& r, Statement& why_not) const {
+  [[nodiscard]] ModelTorque torque(const joint::Recording& r, Statement& why_not) const {
     switch (r.role) {
       case joint::Role::rough_sweep:
         return sweep_torque(r, c_.rough, why_not);
@@ -84,15 +92,15 @@ class Maker {
     return gravity_Nm_ * std::cos(q - (c_.q_peak_rad ? c_.q_peak_rad->value : middle));
   }
 
-  [[nodiscard]] std::vector<double> sliding(const joint::Recording& r,
-                                            const method::motion::MotionSegments& motion,
-                                            const friction::StaticFriction& friction,
-                                            double offset_Nm, double inertia_kgm2) const {
-    std::vector<double> torque(r.size());
+  [[nodiscard]] ModelTorque sliding(const joint::Recording& r,
+                                    const method::motion::MotionSegments& motion,
+                                    const friction::StaticFriction& friction, double offset_Nm,
+                                    double inertia_kgm2) const {
+    ModelTorque torque(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
-      torque[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm +
-                  friction.torque_Nm(n_ * motion.speed_rad_s[i]) +
-                  inertia_kgm2 * n_ * motion.acceleration_rad_s2[i];
+      torque.friction_Nm[i] = friction.torque_Nm(n_ * motion.speed_rad_s[i]);
+      torque.whole_Nm[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm + torque.friction_Nm[i] +
+                           inertia_kgm2 * n_ * motion.acceleration_rad_s2[i];
     }
     return torque;
   }
@@ -101,9 +109,9 @@ class Maker {
     return std::max(1e-9, rest_share * n_ * motion.fastest_rad_s);
   }
 
-  [[nodiscard]] std::vector<double> sweep_torque(const joint::Recording& r,
-                                                 const method::gravity::CogSweepResult& sweep,
-                                                 Statement& why_not) const {
+  [[nodiscard]] ModelTorque sweep_torque(const joint::Recording& r,
+                                         const method::gravity::CogSweepResult& sweep,
+                                         Statement& why_not) const {
     if (!sweep.found) {
       why_not = {"truth.sweep_without_gravity"};
       return {};
@@ -115,24 +123,24 @@ class Maker {
     const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
     const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
     const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
-    std::vector<double> torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
+    ModelTorque torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
     if (sweep.load_coulomb_Nm) add_load_friction(r, motion, sweep, torque);
     return torque;
   }
 
   /// Friction that grows with the gravity torque.
   void add_load_friction(const joint::Recording& r, const method::motion::MotionSegments& motion,
-                         const method::gravity::CogSweepResult& sweep,
-                         std::vector<double>& torque) const {
+                         const method::gravity::CogSweepResult& sweep, ModelTorque& torque) const {
     const SlidingFriction per_load(present(sweep.load_coulomb_Nm).value, 0.0, rest_speed(motion));
     for (std::size_t i = 0; i < r.size(); ++i) {
-      torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
-                   std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
+      const double added = per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
+                           std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
+      torque.friction_Nm[i] += added;
+      torque.whole_Nm[i] += added;
     }
   }
 
-  [[nodiscard]] std::vector<double> run_torque(const joint::Recording& r,
-                                               Statement& why_not) const {
+  [[nodiscard]] ModelTorque run_torque(const joint::Recording& r, Statement& why_not) const {
     const method::selection::FrictionParametersResult& f = c_.friction;
     if (runs_follow_waiboer(c_)) {
       return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
@@ -152,8 +160,7 @@ class Maker {
     return {};
   }
 
-  [[nodiscard]] std::vector<double> loop_torque(const joint::Recording& r,
-                                                Statement& why_not) const {
+  [[nodiscard]] ModelTorque loop_torque(const joint::Recording& r, Statement& why_not) const {
     if (!c_.lugre || !c_.lugre->converged) {
       why_not = {"truth.no_loop_model"};
       return {};
@@ -195,7 +202,7 @@ class Maker {
     std::vector<double> z(r.size());
     std::vector<double> dz(r.size());
     simulate::integrate_bristle(friction, motor, 0.0, dt, start_deflection(r), z, dz);
-    std::vector<double> torque(r.size());
+    ModelTorque torque(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
       // A clock that jitters: between the two instants of the even grid around it.
       const double t = r.t_s[i] - r.t_s.front();
@@ -203,8 +210,9 @@ class Maker {
       const double x = t / dt - static_cast<double>(k);
       const double z_t = z[k] + x * (z[k + 1] - z[k]);
       const double dz_t = dz[k] + x * (dz[k + 1] - dz[k]);
-      torque[i] = gravity(r.q_rad[i], input.centre_rad()) +
-                  friction.torque_Nm(z_t, dz_t, motor.speed(t)) + inertia * motor.acceleration(t);
+      torque.friction_Nm[i] = friction.torque_Nm(z_t, dz_t, motor.speed(t));
+      torque.whole_Nm[i] = gravity(r.q_rad[i], input.centre_rad()) + torque.friction_Nm[i] +
+                           inertia * motor.acceleration(t);
     }
     return torque;
   }
@@ -308,8 +316,8 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
                                        : recorded;
     joint::Recording r = shortened(whole);
     Statement why_not;
-    std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
-    if (torque.empty()) {
+    ModelTorque torque = r.size() < 4 ? ModelTorque{} : maker.torque(r, why_not);
+    if (torque.whole_Nm.empty()) {
       if (why_not.empty()) why_not = {"truth.too_few_samples"};
       out.left_out.push_back({"truth.not_simulated", {{"recording", r.name}, {"why", why_not}}});
       continue;
@@ -327,7 +335,8 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
       out.left_out.push_back(
           {shortened_to, {{"recording", r.name}, {"samples", r.size()}, {"all", whole.size()}}});
     }
-    r.torque_Nm = std::move(torque);
+    r.torque_Nm = std::move(torque.whole_Nm);
+    out.friction_Nm.push_back(std::move(torque.friction_Nm));
     r.z_rad.clear();
     r.dz_rad_s.clear();
     out.dataset.recordings.push_back(std::move(r));

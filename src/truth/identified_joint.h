@@ -2,6 +2,8 @@
 // The noise of a dataset as its recordings show it: what a repetition of the measurement would
 // have.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,7 @@ struct IdentifiedJoint {
   /// The dataset with the model's torque, without noise. Recordings that the model cannot follow
   /// are left out.
   joint::Dataset dataset;
+  std::vector<std::vector<double>> friction_Nm;  ///< In the torque of each recording.
   std::vector<Reading> put_in;   ///< The numbers it was made with, each an estimate of no width.
   std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
   std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
@@ -55,5 +58,8 @@ struct IdentifiedJoint {
 /// @param dataset the one that the calibration was made from.
 IdentifiedJoint identified_joint(const joint::Dataset& dataset,
                                  const calibration::Calibration& calibration);
+
+/// The joint's torque with the noise of one run, and its ripple at phases of that run.
+joint::Dataset with_noise(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run);
 
 }  // namespace tribolog::truth

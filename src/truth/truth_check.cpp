@@ -3,22 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/parallel_for.h"
 #include "statistics/order_statistics.h"
-#include "statistics/random_stream.h"
 #include "truth/identified_joint.h"
+#include "truth/what_if.h"
 
 namespace tribolog::truth {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-constexpr std::uint64_t first_recording_stream = 1ULL << 32;
 
 /// A deviation below this is of no consequence, however narrow the interval.
 double what_matters(const Reading& put_in) {
@@ -36,33 +33,6 @@ double what_matters(const Reading& put_in) {
       break;
   }
   return curve_share * std::abs(put_in.estimate.value);
-}
-
-/// The joint's torque with the noise of one run.
-joint::Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run) {
-  joint::Dataset dataset = joint.dataset;
-  statistics::RandomStream phases(seed, run);
-  std::vector<simulate::Noise::Ripple> ripple = joint.ripple;
-  for (simulate::Noise::Ripple& one : ripple)
-    one.phase_rad = 2 * std::numbers::pi * phases.uniform();
-  const double n = dataset.manifest.drive.gear_ratio();
-  for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {
-    joint::Recording& r = dataset.recordings[k];
-    // Streams of the recordings lie beyond those of the phases, each of its own.
-    statistics::RandomStream random(seed,
-                                    first_recording_stream + run * dataset.recordings.size() + k);
-    const double step = joint.torque_step_Nm[k];
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      double& torque = r.torque_Nm[i];
-      for (const simulate::Noise::Ripple& one : ripple) {
-        torque +=
-            one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
-      }
-      if (joint.white_Nm[k] > 0) torque += joint.white_Nm[k] * random.normal();
-      if (step > 0) torque = step * std::round(torque / step);
-    }
-  }
-  return dataset;
 }
 
 calibration::ReturnedQuantity returned(const Reading& put_in,
@@ -140,7 +110,7 @@ calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
   parallel_for(
       options.runs,
       [&](std::size_t run) {
-        runs[run] = readings_of(identify(noisy(joint, options.seed, run), options.seed + run));
+        runs[run] = readings_of(identify(with_noise(joint, options.seed, run), options.seed + run));
       },
       options.threads);
   for (const Reading& put_in : joint.put_in) {
@@ -155,7 +125,10 @@ calibration::TruthCheckResult check_known_truth(const joint::Dataset& dataset,
                                                 const calibration::Calibration& calibration,
                                                 const PlainIdentification& identify,
                                                 const TruthCheckOptions& options) {
-  return check_known_truth(identified_joint(dataset, calibration), identify, options);
+  const IdentifiedJoint joint = identified_joint(dataset, calibration);
+  calibration::TruthCheckResult out = check_known_truth(joint, identify, options);
+  out.what_if = what_if(joint, calibration, identify, options);
+  return out;
 }
 
 }  // namespace tribolog::truth

@@ -47,8 +47,11 @@ class LimitJudge {
              double gear_ratio, calibration::QuantityVerdict& quantity)
       : limit_(limit), key_(key), quantity_(quantity) {
     if (quantity.estimate) {
-      estimate_ =
-          statistics::scaled(*quantity.estimate, key.factor * std::pow(gear_ratio, key.gear_power));
+      const statistics::Estimate stated =
+          quantity.budget
+              ? calibration::expanded_at(*quantity.budget, *quantity.estimate, key.gear_power)
+              : *quantity.estimate;
+      estimate_ = statistics::scaled(stated, key.factor * std::pow(gear_ratio, key.gear_power));
     }
   }
 

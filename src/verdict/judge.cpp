@@ -15,6 +15,7 @@
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
+#include "verdict/uncertainty_budget.h"
 
 namespace tribolog::verdict {
 
@@ -233,6 +234,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::warns)) {
     add(finding_of(*check));
   }
+  add(what_is_not_stated(c, judgement.quantities));
   return findings;
 }
 
@@ -272,6 +274,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
     // Friction is a job of its own: nothing is missing.
     for (const Quantity quantity : gravity) verdict_on(quantity, out.quantities).decides = false;
   }
+  state_budgets(c, out.quantities);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);
   const auto is_known = [&](Quantity quantity) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;

@@ -36,6 +36,7 @@ const Messages& general_messages() {
        text("{interval}, mean over the angle as the motion has a second harmonic")},
       {"interval.widened_by_methods",
        text("{interval}, widened by the spread between methods that disagree")},
+      {"interval.with_type_b", text("{interval}, with what the manifest states of other errors")},
       {"interval.widened_by_twist",
        text("{interval}, and the error of the gear's twist, which the rough sweep shows")},
       {"interval.widened_by_rough_sweep_ripple",

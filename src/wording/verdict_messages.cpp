@@ -187,6 +187,31 @@ const Messages& verdict_messages() {
             "which")},
       {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
 
+      // What the recordings cannot exclude.
+      {"what_if.lag", text("torque late by {size}")},
+      {"what_if.asymmetry", text("friction larger by {size} while the angle rises")},
+      {"what_if.load", text("friction larger by {size} of the gravity torque")},
+      {"what_if.angle", text("friction changing by {size} with the angle")},
+      {"what_if.warm_up", text("friction changing by {size} over the session")},
+      {"what_if.offset_drift", text("offset drifting by {size} over the session")},
+
+      // The uncertainty budget.
+      {"influence.recordings", text("the recordings")},
+      {"influence.disagreement", text("methods that disagree")},
+      {"influence.torque_constant", text("torque constant")},
+      {"influence.gear_ratio", text("gear ratio")},
+      {"influence.surrogate_distance", text("distance of the surrogate mass")},
+      {"influence.gravity", text("acceleration of gravity")},
+      {"influence.angle_zero", text("zero of the angle")},
+      {"budget.torque_constant_not_stated",
+       text("the uncertainty of the torque constant is not stated, and is in no interval: every "
+            "torque is wrong by as many percent as the torque constant is; state "
+            "torque_constant_percent in [uncertainty]")},
+      {"budget.torque_scale_not_stated",
+       text("the uncertainty of the torque's scale is not stated, and is in no interval: every "
+            "torque is wrong by as many percent as the calibration of the torque sensor or the "
+            "drive's torque constant is; state torque_constant_percent in [uncertainty]")},
+
       // Limits of the manifest.
       {"limit.min", text("the limit of at least {limit:.6g} {unit}")},
       {"limit.max", text("the limit of at most {limit:.6g} {unit}")},

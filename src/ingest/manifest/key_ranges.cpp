@@ -26,6 +26,7 @@ const NamedRange ranges[] = {
     {"exponent", {1e-3, 100, ""}},
     {"power", {1e-3, 100, ""}},
     {"half_width_percent", {1e-6, 1e6, "%"}},
+    {"_percent", {1e-6, 1e6, "%"}},
     {"degC", {0, 1e4, "°C"}},
     // A thousand turns to either side; below a billionth of a radian nothing is measured.
     {"_deg_s2", {1e-6, 1e9, "deg/s²"}},

@@ -99,6 +99,27 @@ joint::IntervalSettings read_intervals(const TomlTable& table) {
   return settings;
 }
 
+joint::StatedUncertainty read_uncertainty(const TomlTable& table) {
+  joint::StatedUncertainty stated;
+  const auto percent = [&](const char* key) {
+    const auto value = table.find_number(key, Sign::not_negative);
+    constexpr double most = 50;  // beyond it no number is known
+    if (value && *value > most) {
+      table.refuse(key, {"is more than half of the number", fmt::format("{}", *value),
+                         fmt::format("percent, from 0 to {}", most),
+                         "the half width of the interval that holds it in 95 of 100 cases"});
+    }
+    return value;
+  };
+  stated.torque_constant_percent = percent("torque_constant_percent");
+  stated.gear_ratio_percent = percent("gear_ratio_percent");
+  stated.surrogate_distance_percent = percent("surrogate_distance_percent");
+  stated.gravity_percent = percent("gravity_percent");
+  stated.angle_zero_deg = table.find_number("angle_zero_deg", Sign::not_negative);
+  table.refuse_unknown_keys();
+  return stated;
+}
+
 void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
   if (const auto payload = top.find_table("payload")) {
     manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
@@ -116,6 +137,9 @@ void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
     manifest.gravity_m_s2 =
         surrogate->number_or("gravity_m_s2", manifest.gravity_m_s2, Sign::positive);
     surrogate->refuse_unknown_keys();
+  }
+  if (const auto uncertainty = top.find_table("uncertainty")) {
+    manifest.uncertainty = read_uncertainty(*uncertainty);
   }
   if (const auto intervals = top.find_table("intervals")) {
     manifest.intervals = read_intervals(*intervals);

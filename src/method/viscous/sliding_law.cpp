@@ -638,6 +638,7 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
     out.lowest_exponent = hulls.exponent.low;
     out.highest_exponent = hulls.exponent.high;
   }
+  out.freedom = choice.freedom;
   out.residual_Nm = residual_of(out, laws.means(), choice.law.load_Nm);
   out.coulomb_Nm.estimate = hulls.coulomb.about(choice.law.coulomb_Nm);
   out.viscous_Nms_rad.estimate = hulls.slope.about(choice.law.slope);

@@ -66,6 +66,7 @@ struct SlidingLaw {
   /// Of half the difference of the directions, between speeds, where it is significant; else 0.
   double direction_scatter_Nm{};
   double residual_Nm{};  ///< Root mean square over the speeds.
+  double freedom{};      ///< Degrees of freedom that the law leaves.
   std::size_t speeds{};  ///< That took part.
   std::vector<StrayFriction> left_out;
   std::vector<Statement> findings;  ///< "cause.stribeck...", "cause.outliers...", "check..."

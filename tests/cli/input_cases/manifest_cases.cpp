@@ -64,7 +64,7 @@ std::vector<InputCase> manifest_cases() {
       manifest("48j", "Include", in_front_of_effort("[include]\nfile = \"dataset.toml\""),
                ":7:1: unknown key 'include'; hint: known here: 'columns', 'effort', 'intervals', "
                "'joint', 'known_gravity', 'known_load', 'limit', 'log', 'payload', 'recording', "
-               "'reference', 'robot', 'schema', 'surrogate', 'temperature'"),
+               "'reference', 'robot', 'schema', 'surrogate', 'temperature', 'uncertainty'"),
       manifest("48k", "DeepNesting", in_front_of_effort("x = " + std::string(10'000, '[')),
                ":7:37: brackets nested too deeply"),
       manifest("48l", "DeepKey", in_front_of_effort([] {

@@ -334,6 +334,27 @@ TEST(ManifestLimits, AreReadWithTheirNumbers) {
   EXPECT_EQ(m.manifest.limits[1].min, -23);
 }
 
+TEST(ManifestUncertainty, IsReadAsHalfWidths) {
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
+      minimal + "[uncertainty]\ntorque_constant_percent = 2\nangle_zero_deg = 0.05\n", "m.toml");
+  EXPECT_EQ(m.manifest.uncertainty.torque_constant_percent, 2);
+  EXPECT_EQ(m.manifest.uncertainty.angle_zero_deg, 0.05);
+  EXPECT_FALSE(m.manifest.uncertainty.gear_ratio_percent);
+  EXPECT_FALSE(m.manifest.uncertainty.surrogate_distance_percent);
+}
+
+TEST(ManifestUncertainty, ThatCannotBeMeantIsRefused) {
+  const auto stated = [](const std::string& keys) {
+    return refusal(minimal + "[uncertainty]\n" + keys);
+  };
+  EXPECT_NE(stated("torque_constant_percent = 80\n").find("more than half of the number"),
+            std::string::npos);
+  EXPECT_NE(stated("torque_constant_percent = -1\n").find(">= 0"), std::string::npos);
+  EXPECT_NE(stated("torque_constant = 2\n").find("did you mean 'torque_constant_percent'"),
+            std::string::npos)
+      << stated("torque_constant = 2\n");
+}
+
 TEST(ManifestLimits, ThatCannotBeMeantAreRefused) {
   const auto limit = [](const std::string& keys) {
     return refusal(minimal + "[[limit]]\n" + keys);

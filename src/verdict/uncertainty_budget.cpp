@@ -1,0 +1,184 @@
+#include "verdict/uncertainty_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "joint/degrees.h"
+
+namespace tribolog::verdict {
+namespace {
+
+using calibration::BudgetPart;
+using calibration::Influence;
+using calibration::UncertaintyBudget;
+using joint::Quantity;
+
+constexpr double well_known = std::numeric_limits<double>::infinity();
+
+/// How the measured torque and angle became those at the motor and at the joint.
+struct LoggedSides {
+  bool effort_at_joint{};
+  bool angle_at_motor{};
+};
+
+LoggedSides sides_of(const calibration::Calibration& c) {
+  LoggedSides sides;
+  sides.effort_at_joint = c.manifest.drive.side() == joint::Side::joint;
+  for (const joint::InputFile& file : c.inputs) {
+    for (const joint::ColumnConversion& column : file.conversions) {
+      if (column.signal != joint::LoggedSignal::angle) continue;
+      for (const joint::ConversionStep& step : column.steps) {
+        sides.angle_at_motor |= step.reason == joint::ConversionStep::Reason::gear;
+      }
+    }
+  }
+  return sides;
+}
+
+/// Exponents of the influences in a quantity; 0: it does not hang on it.
+struct Exponents {
+  double torque{}, gear{}, distance{}, gravity{};
+  bool has_zero{};  ///< Of the angle.
+};
+
+Exponents exponents_of(Quantity quantity, const LoggedSides& sides) {
+  const double of_torque = sides.effort_at_joint ? -1 : 0;  // the motor's torque is the joint's / n
+  const double of_motion =
+      sides.angle_at_motor ? 0 : 1;  // the motor's angle is n times the joint's
+  switch (quantity) {
+    case Quantity::cog_angle:
+      return {0, of_motion - 1, 0, 0, true};
+    case Quantity::gravity_torque:
+    case Quantity::break_away_torque:
+    case Quantity::coulomb_torque:
+      return {1, of_torque, 0, 0, false};
+    case Quantity::surrogate_mass:
+      return {1, 1 + of_torque, -1, -1, false};
+    case Quantity::bristle_stiffness:
+    case Quantity::bristle_damping:
+    case Quantity::viscous_coefficient:
+    case Quantity::inertia:
+      return {1, of_torque - of_motion, 0, 0, false};
+    case Quantity::stribeck_speed:
+      return {0, of_motion, 0, 0, false};
+    case Quantity::viscous_curve:
+      break;
+  }
+  return {};
+}
+
+/// Degrees of freedom of the interval as the recordings gave it; infinite where the stage that made
+/// it does not tell: the standard uncertainty is then, if anything, too large.
+double freedom_of(Quantity quantity, const calibration::Calibration& c) {
+  const bool is_of_law = quantity == Quantity::coulomb_torque ||
+                         quantity == Quantity::stribeck_speed ||
+                         quantity == Quantity::viscous_coefficient;
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  return is_of_law && law.fitted && law.freedom > 0 ? law.freedom : well_known;
+}
+
+/// Share of the half width that methods which disagree have added.
+double share_of_disagreement(Quantity quantity, const calibration::Calibration& c) {
+  const bool is_of_mass =
+      quantity == Quantity::gravity_torque || quantity == Quantity::surrogate_mass;
+  if (!is_of_mass || !c.cross_checks.widened_gravity_Nm) return 0;
+  for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
+    if (!check.is_recommended) continue;
+    const double wide = c.cross_checks.widened_gravity_Nm->half_width();
+    const double narrow = std::min(wide, check.gravity_Nm.half_width());
+    return std::sqrt(1 - narrow * narrow / (wide * wide));
+  }
+  return 0;
+}
+
+class BudgetMaker {
+ public:
+  BudgetMaker(const calibration::Calibration& c, const LoggedSides& sides,
+              const calibration::QuantityVerdict& q)
+      : c_(c), sides_(sides), estimate_(*q.estimate), quantity_(q.quantity) {}
+
+  UncertaintyBudget made() {
+    add_recordings();
+    const Exponents e = exponents_of(quantity_, sides_);
+    const joint::StatedUncertainty& stated = c_.manifest.uncertainty;
+    add(Influence::torque_constant, e.torque, stated.torque_constant_percent);
+    if (c_.manifest.drive.gear_ratio() != 1)
+      add(Influence::gear_ratio, e.gear, stated.gear_ratio_percent);
+    add(Influence::surrogate_distance, e.distance, stated.surrogate_distance_percent);
+    add(Influence::gravity, e.gravity, stated.gravity_percent);
+    if (e.has_zero) add_zero(stated.angle_zero_deg);
+    return calibration::combined(estimate_, std::move(parts_), std::move(not_stated_));
+  }
+
+ private:
+  void add_recordings() {
+    const double freedom = freedom_of(quantity_, c_);
+    const double whole = estimate_.half_width() / calibration::coverage_factor(freedom);
+    const double added = share_of_disagreement(quantity_, c_);
+    parts_.push_back({Influence::recordings, false, std::nullopt, 1,
+                      whole * std::sqrt(1 - added * added), freedom, 0});
+    if (added > 0) {
+      parts_.push_back(
+          {Influence::disagreement, false, std::nullopt, 1, whole * added, freedom, 0});
+    }
+  }
+
+  void add(Influence influence, double exponent, const std::optional<double>& percent) {
+    const bool is_of_joint_side = influence == Influence::gear_ratio && percent.has_value();
+    if (exponent == 0 && !is_of_joint_side) return;
+    if (!percent) {
+      not_stated_.push_back(influence);
+      return;
+    }
+    const double uncertainty = std::abs(exponent * estimate_.value) * *percent / 100 /
+                               calibration::coverage_factor(well_known);
+    parts_.push_back({influence, true, percent, exponent, uncertainty, well_known, 0});
+  }
+
+  void add_zero(const std::optional<double>& degrees) {
+    if (!degrees) {
+      not_stated_.push_back(Influence::angle_zero);
+      return;
+    }
+    parts_.push_back({Influence::angle_zero, true, degrees, 1,
+                      *degrees * joint::rad_per_degree / calibration::coverage_factor(well_known),
+                      well_known, 0});
+  }
+
+  const calibration::Calibration& c_;
+  const LoggedSides& sides_;
+  const statistics::Estimate& estimate_;
+  Quantity quantity_;
+  std::vector<BudgetPart> parts_;
+  std::vector<Influence> not_stated_;
+};
+
+}  // namespace
+
+void state_budgets(const calibration::Calibration& c,
+                   std::vector<calibration::QuantityVerdict>& quantities) {
+  const LoggedSides sides = sides_of(c);
+  for (calibration::QuantityVerdict& q : quantities) {
+    if (q.estimate && std::isfinite(q.estimate->half_width()))
+      q.budget = BudgetMaker(c, sides, q).made();
+  }
+}
+
+Statement what_is_not_stated(const calibration::Calibration& c,
+                             const std::vector<calibration::QuantityVerdict>& quantities) {
+  if (c.manifest.uncertainty.torque_constant_percent) return {};
+  const bool has_torque = std::any_of(quantities.begin(), quantities.end(), [](const auto& q) {
+    const auto* const budget = q.budget ? &*q.budget : nullptr;
+    return budget != nullptr && q.verdict == calibration::Verdict::usable &&
+           std::find(budget->not_stated.begin(), budget->not_stated.end(),
+                     Influence::torque_constant) != budget->not_stated.end();
+  });
+  if (!has_torque) return {};
+  return c.manifest.drive.kind() == joint::EffortKind::motor_current
+             ? Statement{"budget.torque_constant_not_stated"}
+             : Statement{"budget.torque_scale_not_stated"};
+}
+
+}  // namespace tribolog::verdict

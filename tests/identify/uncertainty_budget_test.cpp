@@ -1,0 +1,138 @@
+// What each quantity hangs on: the sensitivities of its budget against the quantity itself, found
+// once more with one influence changed.
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "identify/identify.h"
+#include "support/paper_joint.h"
+
+namespace tribolog::uncertainty_budget_test {
+namespace {
+
+using calibration::BudgetPart;
+using calibration::Influence;
+using joint::Dataset;
+using joint::Quantity;
+
+constexpr double percent = 1;
+
+Dataset stated(Dataset d) {
+  d.manifest.uncertainty = {percent, percent, percent, percent, 0.1};
+  return d;
+}
+
+calibration::Calibration identified(const Dataset& d) {
+  identify::IdentifyOptions options;
+  options.resamples = 0;
+  options.truth_runs = 0;
+  return identify::identify(d, options);
+}
+
+const BudgetPart* part_of(const calibration::QuantityVerdict& q, Influence influence) {
+  for (const BudgetPart& part : q.budget->parts) {
+    if (part.influence == influence) return &part;
+  }
+  return nullptr;
+}
+
+/// d ln(quantity) / d ln(influence) against the sensitivity that the budget states.
+void expect_sensitivities(Influence influence,
+                          const std::function<void(Dataset&, double)>& change) {
+  Dataset d = stated(simulate::simulated_dataset(test::noisy_paper_joint(4)));
+  const calibration::Calibration before = identified(d);
+  constexpr double factor = 1.01;
+  change(d, factor);
+  const calibration::Calibration after = identified(d);
+  std::size_t compared = 0;
+  for (const calibration::QuantityVerdict& q : before.judgement.quantities) {
+    if (!q.estimate || q.quantity == Quantity::cog_angle) continue;
+    const auto* changed = after.judgement.find(q.quantity);
+    ASSERT_TRUE(changed != nullptr && changed->estimate) << to_string(q.quantity);
+    const double exponent =
+        std::log(changed->estimate->value / q.estimate->value) / std::log(factor);
+    const BudgetPart* part = part_of(q, influence);
+    EXPECT_NEAR(exponent, part == nullptr ? 0 : part->sensitivity, 0.03) << to_string(q.quantity);
+    ++compared;
+  }
+  EXPECT_GE(compared, 8U);
+}
+
+TEST(Budget, TorquesAreInProportionToTheTorqueConstant) {
+  expect_sensitivities(Influence::torque_constant, [](Dataset& d, double factor) {
+    for (joint::Recording& r : d.recordings) {
+      for (double& torque : r.torque_Nm) torque *= factor;
+    }
+  });
+}
+
+TEST(Budget, HangsOnTheGearRatioAsTheSidesOfTheLogSay) {
+  expect_sensitivities(Influence::gear_ratio, [](Dataset& d, double factor) {
+    d.manifest.drive = joint::Drive(factor * d.manifest.drive.gear_ratio(),
+                                    joint::EffortKind::motor_torque, joint::Side::motor);
+  });
+}
+
+TEST(Budget, OnlyTheMassHangsOnDistanceAndGravity) {
+  expect_sensitivities(Influence::surrogate_distance, [](Dataset& d, double factor) {
+    d.manifest.surrogate_distance_m *= factor;
+  });
+  expect_sensitivities(Influence::gravity,
+                       [](Dataset& d, double factor) { d.manifest.gravity_m_s2 *= factor; });
+}
+
+/// A wrong constant of which the manifest knows is inside of every expanded interval.
+TEST(Budget, HoldsTheTruthBesideAWrongTorqueConstant) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  const calibration::Calibration right = identified(d);
+  d.manifest.uncertainty.torque_constant_percent = 2;
+  for (joint::Recording& r : d.recordings) {
+    for (double& torque : r.torque_Nm) torque *= 1.018;
+  }
+  const calibration::Calibration wrong = identified(d);
+  for (const Quantity quantity : {Quantity::gravity_torque, Quantity::surrogate_mass,
+                                  Quantity::break_away_torque, Quantity::bristle_stiffness}) {
+    const double truth = right.judgement.find(quantity)->estimate->value;
+    const calibration::QuantityVerdict& q = *wrong.judgement.find(quantity);
+    ASSERT_TRUE(q.budget) << to_string(quantity);
+    EXPECT_LE(q.budget->expanded.low, truth) << to_string(quantity);
+    EXPECT_GE(q.budget->expanded.high, truth) << to_string(quantity);
+  }
+  const calibration::QuantityVerdict& mass = *wrong.judgement.find(Quantity::surrogate_mass);
+  EXPECT_GT(mass.estimate->low, right.judgement.find(Quantity::surrogate_mass)->estimate->value);
+  EXPECT_NEAR(mass.budget->expanded.half_width() / mass.estimate->value, 0.02, 0.0005);
+}
+
+TEST(Budget, SaysThatNobodyStatedTheTorqueConstant) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  const auto told = [](const calibration::Calibration& c) {
+    for (const Statement& finding : c.judgement.findings) {
+      if (std::string(finding.code().text()).starts_with("budget.torque")) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(told(identified(d)));
+  d.manifest.uncertainty.torque_constant_percent = 0;
+  EXPECT_FALSE(told(identified(d)));
+}
+
+/// A limit that the recordings alone would keep is not shown to be kept by a vague torque constant.
+TEST(Budget, DecidesTheManifestsLimits) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  joint::AcceptanceLimit limit;
+  limit.quantity = "surrogate_mass_kg";
+  limit.half_width_percent = 1;
+  d.manifest.limits = {limit};
+  const auto state = [&] {
+    return identified(d).judgement.find(Quantity::surrogate_mass)->limits.front().state;
+  };
+  EXPECT_EQ(state(), calibration::LimitState::inside);
+  d.manifest.uncertainty.torque_constant_percent = 2;
+  EXPECT_EQ(state(), calibration::LimitState::outside);
+}
+
+}  // namespace
+}  // namespace tribolog::uncertainty_budget_test
