@@ -31,11 +31,10 @@ std::string largest_parts(const UncertaintyBudget& budget) {
   std::vector<std::string> parts;
   for (const BudgetPart& part : budget.parts) {
     if (parts.size() == shown || !(part.share > 0)) break;
-    parts.push_back(
-        tr("{influence} {percent} % ({type})",
-           {{"influence", name_of(part.influence)},
-            {"percent", part.share < 0.01 ? "< 1" : wording::fixed(100 * part.share, 0)},
-            {"type", part.is_type_b ? "B" : "A"}}));
+    const std::string share = part.share < 0.01 ? "< 1" : wording::fixed(100 * part.share, 0);
+    parts.push_back(tr("{influence} {share} ({type})", {{"influence", name_of(part.influence)},
+                                                        {"share", wording::with_unit(share, "%")},
+                                                        {"type", part.is_type_b ? "B" : "A"}}));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
