@@ -380,6 +380,10 @@ const Messages& check_messages() {
                 "motor; {recordings} recording clipped",
                 "{flat_percent:.1f} % of the samples are stuck at {extreme_Nm:.4g} N·m at the "
                 "motor; {recordings} recordings clipped")},
+      {"torque_saturation.same_at_all_speeds",
+       text("runs at {speeds} speeds have the same largest torque, {torque_Nm:.4g} N·m at the "
+            "motor, where those of the other direction differ: the drive's limit sets it, not the "
+            "joint")},
       {"torque_saturation.peaks_cut_off",
        text("the largest torques are cut off: gravity and friction come out too small, and the "
             "angle of the peak is set by the clipping")},

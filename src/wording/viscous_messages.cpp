@@ -100,10 +100,6 @@ const Messages& viscous_messages() {
        text("the difference of the two directions jumps from speed to speed, by {scatter_Nm:.2g} "
             "N·m or {percent:.2g} % of the Coulomb torque, more than the runs themselves scatter: "
             "single runs are wrong, or something other than friction acts in them")},
-      {"check.torque_saturation_of_runs",
-       text("{runs} runs of different speeds have the same largest torque, {torque_Nm:.4g} N·m at "
-            "the motor, where those of the other direction differ: the drive's limit sets it, not "
-            "the joint")},
       {"curve_model.no_coulomb_torque",
        text(
            "the curve follows Waiboer's eq. (6), which has no Coulomb torque: without its Stribeck "

@@ -26,6 +26,8 @@ constexpr std::size_t seeds = 200;
 /// that the program promises.
 constexpr double least_coverage = 0.91;
 constexpr double largest_coverage = 0.99;
+/// Of the band, whose points share the error of gravity: they count as few.
+constexpr double least_of_band = 0.9;
 
 simulate::Scenario with_ripple(simulate::Scenario s, std::uint64_t seed) {
   statistics::RandomStream random(seed, 777);
@@ -126,7 +128,7 @@ TEST(IntervalCoverage, OfEveryStatedIntervalInRealisticNoise) {
   const Coverage c = coverage_of(test::noisy_paper_joint);
   EXPECT_GE(c.share.size(), 20U);
   expect_coverage(c.share);
-  EXPECT_GE(c.band, least_coverage);
+  EXPECT_GE(c.band, least_of_band);
   EXPECT_LE(c.band, largest_coverage);
   EXPECT_LT(c.largest_mass_error, 1e-3);
   // Closed form and bootstrap agree within a quarter, on average, where the closed form is stated.
@@ -140,7 +142,7 @@ TEST(IntervalCoverage, WithRippleFromOnePositionIsAsWideAsTheRippleDemands) {
   const Coverage c = coverage_of(
       [](std::uint64_t seed) { return with_ripple(test::noisy_paper_joint(seed), seed); });
   expect_coverage(c.share);
-  EXPECT_GE(c.band, least_coverage);
+  EXPECT_GE(c.band, least_of_band);
   // Two lines of 0.02 N·m can add up to 1 %.
   EXPECT_GT(c.largest_mass_error, 3e-3);
   EXPECT_LT(c.largest_mass_error, 1.1e-2);
@@ -151,7 +153,7 @@ TEST(IntervalCoverage, WithRippleFromEightPositions) {
     return from_eight_positions(with_ripple(test::noisy_paper_joint(seed), seed));
   });
   expect_coverage(c.share);
-  EXPECT_GE(c.band, least_coverage);
+  EXPECT_GE(c.band, least_of_band);
   EXPECT_LT(c.largest_mass_error, 3e-3);
 }
 

@@ -117,5 +117,27 @@ TEST(Saturation, IsNotTheTopOfACosineNorCoarseSteps) {
             method::checks::CheckState::passed);
 }
 
+TEST(Saturation, IsSeenBelowNoiseInRunsWhoseLargestTorquesAreTheSame) {
+  simulate::Scenario s = test::noisy_paper_joint(2);
+  const auto state = [&] {
+    const joint::Dataset d = simulate::simulated_dataset(s);
+    return method::checks::check_torque_saturation(method::checks::look_at(d)).state;
+  };
+  EXPECT_EQ(state(), method::checks::CheckState::passed);
+  for (const double limit_Nm : {4.4, 4.0}) {
+    s.noise.effects.torque_limit_Nm = limit_Nm;
+    EXPECT_EQ(state(), method::checks::CheckState::fails) << limit_Nm;
+  }
+}
+
+/// Without gravity all runs are flat, and friction that hardly grows makes them alike.
+TEST(Saturation, IsNotFrictionThatIsTheSameAtAllSpeeds) {
+  simulate::Scenario s = test::noisy_paper_joint(2);
+  s.load = joint::GravityLoad(1e-6, 1, s.load.q_peak_rad());
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  EXPECT_EQ(method::checks::check_torque_saturation(method::checks::look_at(d)).state,
+            method::checks::CheckState::passed);
+}
+
 }  // namespace
 }  // namespace tribolog::data_checks_test

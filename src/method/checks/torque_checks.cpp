@@ -5,6 +5,7 @@
 
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
+#include "method/checks/torque_ceiling.h"
 #include "method/motion/encoder_resolution.h"
 #include "statistics/sampled_signal.h"
 
@@ -257,13 +258,18 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
     value_Nm = s.value_Nm;
   }
   if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
-  if (clipped == 0) {
+  const TorqueCeiling ceiling = clipped > 0 ? TorqueCeiling{} : torque_ceiling(data.recordings);
+  if (clipped == 0 && ceiling.speeds == 0) {
     return passed_by_all(check, {"torque_saturation.none"});
   }
   check.state = CheckState::fails;
-  check.found = {
-      "torque_saturation.clipped",
-      {{"flat_percent", *check.measured}, {"extreme_Nm", value_Nm}, {"recordings", clipped}}};
+  check.found = clipped > 0
+                    ? Statement{"torque_saturation.clipped",
+                                {{"flat_percent", *check.measured},
+                                 {"extreme_Nm", value_Nm},
+                                 {"recordings", clipped}}}
+                    : Statement{"torque_saturation.same_at_all_speeds",
+                                {{"speeds", ceiling.speeds}, {"torque_Nm", ceiling.torque_Nm}}};
   check.consequence = {"torque_saturation.peaks_cut_off"};
   check.experiment = {"torque_saturation.widen_range"};
   return check;

@@ -9,7 +9,6 @@
 
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
-#include "method/viscous/torque_ceiling.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -328,11 +327,6 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
   if (out.chosen_any && !curves.from_sweep) {
     out.sliding = fit_sliding_law(samples, out.chosen);
     follow_waiboer(out, out.sliding);
-    const TorqueCeiling ceiling = torque_ceiling(curves);
-    if (ceiling.runs > 0) {
-      out.sliding.doubt({"check.torque_saturation_of_runs",
-                         {{"runs", ceiling.runs}, {"torque_Nm", ceiling.torque_Nm}}});
-    }
   }
   return out;
 }
