@@ -142,6 +142,15 @@ std::optional<Measured> coloured_noise(const Calibration& c) {
                    {{"coloured_Nm", c.rough.coloured_Nm}, {"white_Nm", c.rough.white_Nm}}}};
 }
 
+/// The same as a share of the friction: loops and runs are too short to average it out.
+std::optional<Measured> coloured_noise_in_friction(const Calibration& c) {
+  const double friction = largest_friction_Nm(c);
+  std::optional<Measured> found = coloured_noise(c);
+  if (!found || !(friction > 0)) return std::nullopt;
+  found->value = 100 * c.rough.coloured_Nm / friction;
+  return found;
+}
+
 }  // namespace
 
 std::vector<Rule> gravity_rules() {
@@ -161,7 +170,15 @@ std::vector<Rule> gravity_rules() {
       {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
-      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise}};
+      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise},
+      {"coloured_noise_in_friction",
+       "%",
+       3,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping, Quantity::stribeck_speed,
+        Quantity::viscous_coefficient},
+       "record.more_of_the_same",
+       coloured_noise_in_friction}};
 }
 
 bool is_without_gravity(const Calibration& c) {

@@ -42,6 +42,21 @@ std::optional<Measured> torque_lag(const Calibration& c) {
        {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
 }
 
+/// What a clear lag makes of the bristle damping, stiffness times lag, as a share of it: a delay
+/// and a filter that look alike where the joint starts and stops differ by a part of that in the
+/// loops.
+std::optional<Measured> lag_in_damping(const Calibration& c) {
+  using method::hysteresis::LuGreParameterName;
+  if (!c.lugre || !c.torque_lag.lag_s) return std::nullopt;
+  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
+  const auto damping = c.lugre->shown(LuGreParameterName::bristle_damping);
+  if (!stiffness || !damping || damping->value == 0) return std::nullopt;
+  if (!c.torque_lag.is_clear()) return Measured{0, {}};
+  const double lag_s = std::abs(c.torque_lag.lag_s->value);
+  const double percent = 100 * stiffness->value * lag_s / std::abs(damping->value);
+  return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
+}
+
 /// The same where the break-away torque comes from the loops, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
@@ -80,6 +95,13 @@ const std::vector<Rule>& rules() {
        "record.runs",
        torque_lag,
        "verdict.lag_unknown"},
+      {"lag_in_damping",
+       "%",
+       30,
+       Verdict::doubtful,
+       {Quantity::bristle_damping},
+       "record.no_lag",
+       lag_in_damping},
       {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
       {"many_torque_outliers",
        "%",

@@ -39,6 +39,8 @@ const Messages& general_messages() {
       {"interval.with_type_b", text("{interval}, with what the manifest states of other errors")},
       {"interval.widened_by_twist",
        text("{interval}, and the error of the gear's twist, which the rough sweep shows")},
+      {"interval.widened_by_torque_step",
+       text("{interval}, and the error of the torque's coarse steps")},
       {"interval.widened_by_rough_sweep_ripple",
        text("{interval}, widened by the ripple that the rough sweep shows")},
       {"interval.curve_fit", text("curve fit, scatter of the runs")},

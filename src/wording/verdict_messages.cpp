@@ -31,6 +31,7 @@ const Messages& verdict_messages() {
 
       // The verdict's rules, each by what it measures.
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
+      {"rule.lag_in_damping", text("What the lag changes of the bristle damping")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
@@ -50,6 +51,8 @@ const Messages& verdict_messages() {
       {"rule.ripple", text("Torque ripple, of the gravity torque")},
       {"rule.vibration", text("Vibration of the torque, of the gravity torque")},
       {"rule.coloured_noise", text("Noise that hangs together in time, of the white noise")},
+      {"rule.coloured_noise_in_friction",
+       text("Noise that hangs together in time, by the friction")},
 
       // What was found to be wrong with the joint or the log.
       {"cause.no_gravity",
@@ -101,6 +104,10 @@ const Messages& verdict_messages() {
       {"cause.lag", text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than "
                          "the angle; it was "
                          "moved back by that before the loops were fitted")},
+      {"cause.lag_in_damping",
+       text("stiffness times lag is {percent:.0f} % of the bristle damping: whether the torque is "
+            "delayed or filtered changes it by a third of that, and starts and stops do not tell "
+            "which")},
       {"cause.lag_of_angle",
        text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque; the "
             "torque was moved by that before the loops were fitted")},
@@ -239,6 +246,7 @@ const Messages& verdict_messages() {
       {"record.sweep_and_oscillation",
        text("slow sweep over the joint's range in both directions, and a micro-oscillation about "
             "the gravity peak")},
+      {"record.no_lag", text("log torque and angle in the same cycle of the drive, unfiltered")},
       {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
                                     "check shows how far off the recovered value is")},
       {"record.with_load", text("a load on the arm, or another posture, gives the joint gravity")},

@@ -8,6 +8,7 @@
 #include "joint/degrees.h"
 #include "method/gravity/sweep_curves.h"
 #include "method/gravity/sweep_regression.h"
+#include "method/motion/encoder_resolution.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
@@ -167,6 +168,35 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
   };
   fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle);
   fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity);
+}
+
+/// Coarse steps of the torque pull amplitude and angle as far as rounding the fitted curve does;
+/// noise of half a step or more averages that out (Widrow: by exp(-2 pi^2 (sd/step)^2)).
+void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design, double middle,
+                          SweepGravityFit& fit) {
+  double step = 0;
+  for (const joint::Recording* r : sweep.recordings)
+    step = std::max(step, motion::common_step(r->torque_Nm));
+  if (!(step > 0)) return;
+  const double rounding = step * step / 12;
+  const double variance = std::max(0.0, white_torque_variance(sweep) - rounding);
+  const double left = std::exp(-2 * std::pow(std::numbers::pi / step, 2) * variance);
+  const Eigen::VectorXd smooth = design.y - fit.regression.residuals;
+  const Eigen::VectorXd rounded =
+      step * (smooth / step).unaryExpr([](double x) { return std::round(x); });
+  const Eigen::Vector2d pulled = left * effect_on_coefficients(design, rounded - smooth).head<2>();
+  const double from_middle = fit.q_peak_rad.value - middle;
+  const Eigen::Vector2d along(std::cos(from_middle), std::sin(from_middle));
+  const Eigen::Vector2d across = Eigen::Vector2d(-along(1), along(0)) / fit.gravity_Nm.value;
+  const auto widened = [](const statistics::Estimate& e, double by) {
+    const double wide = std::hypot(e.half_width(), by);
+    return wide > 1.01 * e.half_width()
+               ? statistics::symmetric_estimate(
+                     e.value, wide, {"interval.widened_by_torque_step", {{"interval", e.method}}})
+               : e;
+  };
+  fit.q_peak_rad = widened(fit.q_peak_rad, across.dot(pulled));
+  fit.gravity_Nm = widened(fit.gravity_Nm, along.dot(pulled));
 }
 
 /// How far the error of a twist taken from another sweep moves the angle.
@@ -366,6 +396,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   }
   if (!amplitude_known) {
     widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, fit);
+    widen_by_torque_step(sweep, design, middle, fit);
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,

@@ -268,10 +268,12 @@ std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ra
   std::vector<double> readings;
   std::vector<double> levels;
   double by_gravity = 0;
+  double by_inertia = 0;
   for (const BreakAwayRamp& ramp : ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
     if (is_level) levels.push_back(present(ramp.level_Nm));
+    by_inertia += std::abs(ramp.inertia_Nm);
     if (gravity) {
       by_gravity += gravity->amplitude_Nm.half_width() *
                     std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
@@ -280,8 +282,11 @@ std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ra
   const std::optional<RampMean> reading = mean_over(readings);
   if (!reading) return std::nullopt;
   by_gravity /= static_cast<double>(readings.size());
+  by_inertia /= static_cast<double>(readings.size());
   if (!is_level) {
-    return statistics::symmetric_estimate(reading->value, std::hypot(reading->scatter, by_gravity),
+    // What accelerates at the moment of breaking away is known no better than to its own size.
+    return statistics::symmetric_estimate(reading->value,
+                                          std::hypot(reading->scatter, by_gravity, by_inertia),
                                           {"interval.scatter_of_ramps"});
   }
   const RampMean level = present(mean_over(levels));

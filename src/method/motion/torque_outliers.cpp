@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 
@@ -92,6 +93,14 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
     if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale)) && !motion.at(i)) {
       out.push_back(i);
     }
+  }
+  // A torque in coarse steps flickers between two of them.
+  constexpr double flicker = 1.5;
+  const double step = out.empty() ? 0 : common_step(y);
+  if (step > 0) {
+    std::erase_if(out, [&](std::size_t i) {
+      return std::abs(y[i] - median_about(y, i, beside)) < flicker * step;
+    });
   }
   if (static_cast<double>(out.size()) > most_share * static_cast<double>(y.size())) return {};
   return out;
