@@ -16,6 +16,8 @@ constexpr double same = 4;        // standard errors
 constexpr double different = 10;  // the same
 constexpr double far_apart = 5;   // times the spread of those on the ceiling
 constexpr double same_speed = 0.01;
+constexpr double least_share = 0.15;   // of the speeds: among many a few lie together by chance
+constexpr double least_overlap = 0.5;  // of the angles of the two directions
 
 /// The torque of one plateau at its largest and at its smallest.
 struct Extent {
@@ -23,7 +25,13 @@ struct Extent {
   double largest_Nm{-std::numeric_limits<double>::infinity()};
   double smallest_Nm{std::numeric_limits<double>::infinity()};
   double error_Nm{};  ///< Of a block's mean, from the white noise.
+  double low_rad{}, high_rad{};
 };
+
+bool share_their_angles(const Extent& a, const Extent& b) {
+  const double common = std::min(a.high_rad, b.high_rad) - std::max(a.low_rad, b.low_rad);
+  return common > least_overlap * std::max(a.high_rad - a.low_rad, b.high_rad - b.low_rad);
+}
 
 Extent extent_of(const joint::Recording& r, const motion::Plateau& plateau) {
   const std::size_t block = std::max(fewest_per_block, plateau.size() / blocks_per_run);
@@ -31,6 +39,8 @@ Extent extent_of(const joint::Recording& r, const motion::Plateau& plateau) {
   const std::vector<double> torque(begin, begin + static_cast<std::ptrdiff_t>(plateau.size()));
   Extent out;
   out.speed_rad_s = plateau.speed_rad_s;
+  out.low_rad = std::min(r.q_rad[plateau.first], r.q_rad[plateau.last - 1]);
+  out.high_rad = std::max(r.q_rad[plateau.first], r.q_rad[plateau.last - 1]);
   out.error_Nm = statistics::white_sd_beside_jumps(statistics::third_differences(torque)) /
                  std::sqrt(static_cast<double>(block));
   for (std::size_t from = 0; from + block <= torque.size(); from += block) {
@@ -59,7 +69,10 @@ std::vector<AtSpeed> pairs_of(const std::vector<Extent>& extents, double sign) {
     if (taken[i]) continue;
     for (std::size_t k = i + 1; k < extents.size(); ++k) {
       const double apart = std::abs(extents[i].speed_rad_s + extents[k].speed_rad_s);
-      if (taken[k] || apart > same_speed * std::abs(extents[i].speed_rad_s)) continue;
+      if (taken[k] || apart > same_speed * std::abs(extents[i].speed_rad_s) ||
+          !share_their_angles(extents[i], extents[k])) {
+        continue;
+      }
       taken[k] = true;
       const bool is_first = largest(extents[i]) > largest(extents[k]);
       const Extent& a = is_first ? extents[i] : extents[k];
@@ -100,7 +113,8 @@ TorqueCeiling torque_ceiling(const std::vector<CheckedRecording>& recordings) {
       largest_error = std::max(largest_error, at.error_Nm);
       ++count;
     }
-    if (count < fewest_on_ceiling) continue;
+    const double needed = least_share * static_cast<double>(pairs.size());
+    if (count < fewest_on_ceiling || static_cast<double>(count) < needed) continue;
     const double spread = pairs.front().torque_Nm - pairs[count - 1].torque_Nm;
     if (highest - lowest > std::max(different * largest_error, far_apart * spread)) {
       return {count, sign * pairs.front().torque_Nm};
