@@ -57,6 +57,15 @@ std::optional<Measured> lag_in_damping(const Calibration& c) {
   return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
 }
 
+/// Inertia by starts alone or by stops alone, against that by both.
+std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
+  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
+  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
+  if (!inertia || (of_sweep && of_sweep->half_width() < inertia->half_width())) return std::nullopt;
+  const double percent = 100 * c.torque_lag.inertia_apart;
+  return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
+}
+
 /// The same where the break-away torque comes from the loops, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
@@ -102,6 +111,13 @@ const std::vector<Rule>& rules() {
        {Quantity::bristle_damping},
        "record.no_lag",
        lag_in_damping},
+      {"inertia_of_starts_and_stops",
+       "%",
+       10,
+       Verdict::doubtful,
+       {Quantity::inertia},
+       "record.slower_starts",
+       inertia_of_starts_and_stops},
       {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
       {"many_torque_outliers",
        "%",

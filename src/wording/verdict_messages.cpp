@@ -32,6 +32,7 @@ const Messages& verdict_messages() {
       // The verdict's rules, each by what it measures.
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
       {"rule.lag_in_damping", text("What the lag changes of the bristle damping")},
+      {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
@@ -108,6 +109,10 @@ const Messages& verdict_messages() {
        text("stiffness times lag is {percent:.0f} % of the bristle damping: whether the torque is "
             "delayed or filtered changes it by a third of that, and starts and stops do not tell "
             "which")},
+      {"cause.inertia_apart",
+       text("inertia by the starts or by the stops alone differs by {percent:.0f} % from that by "
+            "both: something other than inertia acts in them, or they are too short for the "
+            "sampling")},
       {"cause.lag_of_angle",
        text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque; the "
             "torque was moved by that before the loops were fitted")},
@@ -246,6 +251,8 @@ const Messages& verdict_messages() {
       {"record.sweep_and_oscillation",
        text("slow sweep over the joint's range in both directions, and a micro-oscillation about "
             "the gravity peak")},
+      {"record.slower_starts",
+       text("sweeps or runs that speed up and slow down over fifty samples or more")},
       {"record.no_lag", text("log torque and angle in the same cycle of the drive, unfiltered")},
       {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
                                     "check shows how far off the recovered value is")},

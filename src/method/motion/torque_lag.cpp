@@ -191,6 +191,24 @@ statistics::BlockRegression regression(const std::vector<Row>& rows,
   return statistics::block_regression(x, y, blocks);
 }
 
+/// How far inertia by starts alone and by stops alone is from that by both: what is neither inertia
+/// nor friction of the speed acts the other way round in them. 0 where either are too few.
+double inertia_apart(const std::vector<Row>& rows, const std::vector<double>& knots, double lag_s,
+                     double by_both) {
+  constexpr std::size_t fewest_rows = 50;
+  double farthest = 0;
+  for (const bool is_start : {false, true}) {
+    std::vector<Row> some;
+    for (const Row& row : rows) {
+      if ((row.motion.speed * row.motion.acceleration > 0) == is_start) some.push_back(row);
+    }
+    if (some.size() < fewest_rows) return 0;
+    const double alone = regression(some, knots, lag_s).coefficients(inertia);
+    if (std::isfinite(alone)) farthest = std::max(farthest, std::abs(alone - by_both));
+  }
+  return farthest;
+}
+
 /// 95 % half width of a ratio of two coefficients.
 double half_width_of_ratio(const statistics::BlockRegression& fit, Eigen::Index top,
                            Eigen::Index bottom) {
@@ -266,6 +284,8 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
       std::hypot(half_width_of_ratio(fit, lag, inertia), unlike_a_delay * lag_s);
   constexpr Code method{"interval.transients"};
   out.lag_s = statistics::symmetric_estimate(lag_s, half_width, method);
+  out.inertia_apart =
+      inertia_apart(rows, knots, lag_s, fit.coefficients(inertia)) / fit.coefficients(inertia);
   out.inertia_kgm2 = statistics::symmetric_estimate(fit.coefficients(inertia) / gear_ratio,
                                                     inertia_half_width / gear_ratio, method);
   return out;

@@ -27,6 +27,8 @@ struct TorqueLag {
   std::optional<statistics::Estimate> lag_s;
   /// Of all that turns with the joint, reflected to the motor [kg·m²].
   std::optional<statistics::Estimate> inertia_kgm2;
+  /// By starts alone or stops alone less by both, whichever is farther, as a share of it.
+  double inertia_apart{};
   std::size_t transients{};  ///< Starts and stops that were looked at.
   Statement why_not;         ///< Empty where lag_s is there.
 
