@@ -50,6 +50,8 @@ std::optional<Measured> by_load(const Calibration& c) {
 /// What it does to the slope over the speed, where runs at different speeds cross different loads.
 std::optional<Measured> by_load_on_slope(const Calibration& c) {
   std::optional<Measured> found = by_load(c);
+  // In a sweep of varying speed the fastest samples and the heaviest are not told apart.
+  if (!c.session.load.examined && c.viscous.from_sweep) return found;
   const auto& line = c.friction.coulomb_viscous;
   if (!found || !c.session.load.examined || !line || !(line->viscous_Nms_rad.value > 0))
     return std::nullopt;
