@@ -131,10 +131,6 @@ Json rules(const std::vector<RuleOutcome>& outcomes) {
   return all;
 }
 
-}  // namespace
-
-namespace {
-
 /// null: infinite.
 Json freedom(double degrees) { return std::isinf(degrees) ? Json(nullptr) : number(degrees); }
 

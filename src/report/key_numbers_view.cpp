@@ -70,10 +70,16 @@ std::string at_joint(const std::string& quantity) {
 
 void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
                     const Gear& gear, wording::Scale (*scale_for)(double), Table& table) {
-  table.rows.push_back(estimate_row(gear.ratio == 1.0 ? quantity : at_motor(quantity), motor,
+  add_both_sides(quantity, motor, statistics::scaled(motor, gear.to_joint), gear.ratio, scale_for,
+                 table);
+}
+
+void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
+                    const statistics::Estimate& joint, double gear_ratio,
+                    wording::Scale (*scale_for)(double), Table& table) {
+  table.rows.push_back(estimate_row(gear_ratio == 1.0 ? quantity : at_motor(quantity), motor,
                                     scale_for(motor.value)));
-  if (gear.ratio == 1.0) return;
-  const statistics::Estimate joint = statistics::scaled(motor, gear.to_joint);
+  if (gear_ratio == 1.0) return;
   table.rows.push_back(estimate_row(at_joint(quantity), joint, scale_for(joint.value)));
 }
 
@@ -148,14 +154,13 @@ class KeyNumbers {
   /// One row per side: at the joint it is larger by the gear ratio to `gear_power`.
   void sides(const std::string& name, Quantity quantity, const statistics::Estimate& motor,
              int gear_power, wording::Scale (*scale_for)(double), const std::string& from) {
-    const auto row = [&](const std::string& shown, int power) {
+    const auto stated = [&](int power) {
       statistics::Estimate e =
           statistics::scaled(expanded(quantity, motor, power), std::pow(n_, power));
       e.method = Statement::verbatim(from);
-      table_.rows.push_back(estimate_row(shown, e, scale_for(e.value)));
+      return e;
     };
-    row(n_ == 1.0 ? name : at_motor(name), 0);
-    if (n_ != 1.0) row(at_joint(name), gear_power);
+    add_both_sides(name, stated(0), stated(gear_power), n_, scale_for, table_);
   }
 
   void missing(const std::string& quantity, StageId stage) {

@@ -107,6 +107,10 @@ struct Gear {
 /// A row at the motor and one at the joint; where the gear ratio is 1 a single one.
 void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
                     const Gear& gear, wording::Scale (*scale_for)(double), Table& table);
+/// The same where the interval at the joint is one of its own.
+void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
+                    const statistics::Estimate& joint, double gear_ratio,
+                    wording::Scale (*scale_for)(double), Table& table);
 
 /// What tables call the estimators: "Mid-line", "Point B".
 std::string estimator_name(method::hysteresis::Estimator estimator);

@@ -92,11 +92,23 @@ double standard_deviation(const std::vector<simulate::Noise::Ripple>& ripple) {
   return std::sqrt(variance);
 }
 
-}  // namespace
+/// What each simulation's identification found.
+std::vector<std::vector<Reading>> simulated_readings(const IdentifiedJoint& joint,
+                                                     const PlainIdentification& identify,
+                                                     const TruthCheckOptions& options) {
+  std::vector<std::vector<Reading>> runs(options.runs);
+  parallel_for(
+      options.runs,
+      [&](std::size_t run) {
+        runs[run] = readings_of(identify(with_noise(joint, options.seed, run), options.seed + run));
+      },
+      options.threads);
+  return runs;
+}
 
-calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
-                                                const PlainIdentification& identify,
-                                                const TruthCheckOptions& options) {
+calibration::TruthCheckResult compared(const IdentifiedJoint& joint,
+                                       const std::vector<std::vector<Reading>>& runs,
+                                       const TruthCheckOptions& options) {
   calibration::TruthCheckResult out;
   out.runs = options.runs;
   out.seed = options.seed;
@@ -106,13 +118,6 @@ calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
     out.white_Nm = statistics::median(joint.white_Nm);
     out.torque_step_Nm = statistics::median(joint.torque_step_Nm);
   }
-  std::vector<std::vector<Reading>> runs(options.runs);
-  parallel_for(
-      options.runs,
-      [&](std::size_t run) {
-        runs[run] = readings_of(identify(with_noise(joint, options.seed, run), options.seed + run));
-      },
-      options.threads);
   for (const Reading& put_in : joint.put_in) {
     out.quantities.push_back(returned(put_in, runs));
     const calibration::ReturnedQuantity& last = out.quantities.back();
@@ -121,13 +126,22 @@ calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
   return out;
 }
 
+}  // namespace
+
+calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
+                                                const PlainIdentification& identify,
+                                                const TruthCheckOptions& options) {
+  return compared(joint, simulated_readings(joint, identify, options), options);
+}
+
 calibration::TruthCheckResult check_known_truth(const joint::Dataset& dataset,
                                                 const calibration::Calibration& calibration,
                                                 const PlainIdentification& identify,
                                                 const TruthCheckOptions& options) {
   const IdentifiedJoint joint = identified_joint(dataset, calibration);
-  calibration::TruthCheckResult out = check_known_truth(joint, identify, options);
-  out.what_if = what_if(joint, calibration, identify, options);
+  const std::vector<std::vector<Reading>> runs = simulated_readings(joint, identify, options);
+  calibration::TruthCheckResult out = compared(joint, runs, options);
+  out.what_if = what_if(joint, calibration, runs.front(), identify, options);
   return out;
 }
 

@@ -103,34 +103,28 @@ IdentifiedJoint with_effect(const IdentifiedJoint& joint, const WhatIf& effect, 
 }  // namespace
 
 std::vector<WhatIf> what_if(const IdentifiedJoint& joint, const calibration::Calibration& c,
+                            const std::vector<Reading>& without,
                             const PlainIdentification& identify, const TruthCheckOptions& options) {
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   if (mass == nullptr || joint.put_in.empty()) return {};
   const double q_peak_rad = c.q_peak_rad ? c.q_peak_rad->value : 0;
   std::vector<WhatIf> effects = effects_of(joint, c);
-  // The first is without any.
-  std::vector<std::vector<Reading>> found(effects.size() + 1);
   parallel_for(
-      found.size(),
+      effects.size(),
       [&](std::size_t k) {
-        const joint::Dataset simulated =
-            k == 0
-                ? with_noise(joint, options.seed, 0)
-                : with_noise(with_effect(joint, effects[k - 1], mass->gravity_Nm.value, q_peak_rad),
-                             options.seed, 0);
-        found[k] = readings_of(identify(simulated, options.seed));
+        const joint::Dataset simulated = with_noise(
+            with_effect(joint, effects[k], mass->gravity_Nm.value, q_peak_rad), options.seed, 0);
+        const std::vector<Reading> with = readings_of(identify(simulated, options.seed));
+        for (const Reading& put_in : joint.put_in) {
+          const Reading* before = find_reading(without, put_in.name);
+          const Reading* after = find_reading(with, put_in.name);
+          if (before == nullptr || after == nullptr) continue;
+          effects[k].shifts.push_back(
+              {put_in.name, unit_of(put_in.quantity), before->estimate.value,
+               after->estimate.value - before->estimate.value, before->estimate.half_width()});
+        }
       },
       options.threads);
-  for (std::size_t k = 0; k < effects.size(); ++k) {
-    for (const Reading& put_in : joint.put_in) {
-      const Reading* before = find_reading(found.front(), put_in.name);
-      const Reading* after = find_reading(found[k + 1], put_in.name);
-      if (before == nullptr || after == nullptr) continue;
-      effects[k].shifts.push_back({put_in.name, unit_of(put_in.quantity), before->estimate.value,
-                                   after->estimate.value - before->estimate.value,
-                                   before->estimate.half_width()});
-    }
-  }
   return effects;
 }
 

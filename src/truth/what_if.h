@@ -13,8 +13,10 @@ namespace tribolog::truth {
 
 /// An effect of which the recordings say nothing is left out, but for the lag: it is then taken to
 /// be one sample.
+/// @param without readings of the first simulation of the known-truth check: the same noise.
 std::vector<calibration::WhatIf> what_if(const IdentifiedJoint& joint,
                                          const calibration::Calibration& calibration,
+                                         const std::vector<Reading>& without,
                                          const PlainIdentification& identify,
                                          const TruthCheckOptions& options);
 

@@ -66,7 +66,7 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
-/// The same where the break-away torque comes from the loops, for want of ramps.
+/// Misfit of the loops where the break-away torque comes from them, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
 }

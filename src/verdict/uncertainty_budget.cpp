@@ -170,10 +170,9 @@ Statement what_is_not_stated(const calibration::Calibration& c,
                              const std::vector<calibration::QuantityVerdict>& quantities) {
   if (c.manifest.uncertainty.torque_constant_percent) return {};
   const bool has_torque = std::any_of(quantities.begin(), quantities.end(), [](const auto& q) {
-    const auto* const budget = q.budget ? &*q.budget : nullptr;
-    return budget != nullptr && q.verdict == calibration::Verdict::usable &&
-           std::find(budget->not_stated.begin(), budget->not_stated.end(),
-                     Influence::torque_constant) != budget->not_stated.end();
+    if (!q.budget || q.verdict != calibration::Verdict::usable) return false;
+    const std::vector<Influence>& missing = q.budget->not_stated;
+    return std::find(missing.begin(), missing.end(), Influence::torque_constant) != missing.end();
   });
   if (!has_torque) return {};
   return c.manifest.drive.kind() == joint::EffortKind::motor_current

@@ -131,6 +131,21 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   return fit;
 }
 
+/// What a change of the first two coefficients does to amplitude and angle: along them, and across.
+struct Lever {
+  Eigen::Vector2d on_gravity, on_angle;
+  Lever(const SweepGravityFit& fit, double middle) {
+    const double from_middle = fit.q_peak_rad.value - middle;
+    on_gravity = {std::cos(from_middle), std::sin(from_middle)};
+    on_angle = Eigen::Vector2d(-on_gravity(1), on_gravity(0)) / fit.gravity_Nm.value;
+  }
+};
+
+statistics::Estimate widened(const statistics::Estimate& e, double by, Code why) {
+  return statistics::symmetric_estimate(e.value, std::hypot(e.half_width(), by),
+                                        {why, {{"interval", e.method}}});
+}
+
 /// Ripple of few periods a motor turn looks like gravity, or like a twist of the gear, where the
 /// motor turns less than a few times: as large as that seen, of any such period and at any phase,
 /// it moves angle and amplitude by so much.
@@ -140,10 +155,7 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
   constexpr double fewest_periods = 3;
   const double turns = gear_ratio * (out.highest_rad - out.lowest_rad) / (2 * std::numbers::pi);
   if (turns >= fewest_turns || out.ripple.lines.empty()) return;
-  const double g = fit.gravity_Nm.value;
-  const double from_middle = fit.q_peak_rad.value - middle;
-  const Eigen::Vector2d along(std::cos(from_middle), std::sin(from_middle));
-  const Eigen::Vector2d across = Eigen::Vector2d(-along(1), along(0)) / g;
+  const Lever lever(fit, middle);
   double on_gravity = 0;
   double on_angle = 0;
   const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
@@ -157,17 +169,13 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
     }
     const Eigen::Vector2d c = effect_on_coefficients(design, cosine).head<2>();
     const Eigen::Vector2d s = effect_on_coefficients(design, sine).head<2>();
-    on_gravity = std::max(on_gravity, std::hypot(along.dot(c), along.dot(s)));
-    on_angle = std::max(on_angle, std::hypot(across.dot(c), across.dot(s)));
+    on_gravity = std::max(on_gravity, std::hypot(lever.on_gravity.dot(c), lever.on_gravity.dot(s)));
+    on_angle = std::max(on_angle, std::hypot(lever.on_angle.dot(c), lever.on_angle.dot(s)));
   }
   const double unseen = out.ripple.half_width_Nm();
-  const auto widened = [&](const statistics::Estimate& e, double by) {
-    return statistics::symmetric_estimate(
-        e.value, std::hypot(e.half_width(), by),
-        {"interval.widened_by_sweep_ripple", {{"interval", e.method}}});
-  };
-  fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle);
-  fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity);
+  constexpr Code why{"interval.widened_by_sweep_ripple"};
+  fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle, why);
+  fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity, why);
 }
 
 /// Coarse steps of the torque pull amplitude and angle as far as rounding the fitted curve does;
@@ -185,18 +193,13 @@ void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design,
   const Eigen::VectorXd rounded =
       step * (smooth / step).unaryExpr([](double x) { return std::round(x); });
   const Eigen::Vector2d pulled = left * effect_on_coefficients(design, rounded - smooth).head<2>();
-  const double from_middle = fit.q_peak_rad.value - middle;
-  const Eigen::Vector2d along(std::cos(from_middle), std::sin(from_middle));
-  const Eigen::Vector2d across = Eigen::Vector2d(-along(1), along(0)) / fit.gravity_Nm.value;
-  const auto widened = [](const statistics::Estimate& e, double by) {
-    const double wide = std::hypot(e.half_width(), by);
-    return wide > 1.01 * e.half_width()
-               ? statistics::symmetric_estimate(
-                     e.value, wide, {"interval.widened_by_torque_step", {{"interval", e.method}}})
-               : e;
+  const Lever lever(fit, middle);
+  const auto widen = [](statistics::Estimate& e, double by) {
+    const statistics::Estimate wide = widened(e, by, "interval.widened_by_torque_step");
+    if (wide.half_width() > 1.01 * e.half_width()) e = wide;
   };
-  fit.q_peak_rad = widened(fit.q_peak_rad, across.dot(pulled));
-  fit.gravity_Nm = widened(fit.gravity_Nm, along.dot(pulled));
+  widen(fit.q_peak_rad, lever.on_angle.dot(pulled));
+  widen(fit.gravity_Nm, lever.on_gravity.dot(pulled));
 }
 
 /// How far the error of a twist taken from another sweep moves the angle.

@@ -14,8 +14,7 @@ namespace {
 constexpr double worst_normal_condition =
     1e-10;  // of the normal matrix, columns scaled to length 1
 
-using TermColumns = Eigen::MatrixXd;  // constant, viscous term, load, excess
-constexpr std::size_t most_terms = 4;
+constexpr std::size_t most_terms = 4;  // constant, viscous term, load, excess
 
 struct WeightedFit {
   bool is_distinct{};
@@ -50,7 +49,7 @@ WeightedFit fit_of(const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, 
   return out;
 }
 
-WeightedFit weighted_fit(const TermColumns& columns, const Eigen::VectorXd& y) {
+WeightedFit weighted_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
   switch (columns.cols()) {
     case 2:
       return fit_of<2>(columns, y);
@@ -66,14 +65,14 @@ struct Rows {
   Eigen::ArrayXd weight, log_share;  // share: of the fastest speed
   Eigen::VectorXd friction;
   double fastest{};
-  TermColumns fixed;
+  Eigen::MatrixXd fixed;
 
   Rows(const std::vector<SpeedMean>& means, double scatter2, bool load) {
     const auto n = static_cast<Eigen::Index>(means.size());
     weight.resize(n);
     friction.resize(n);
     log_share.resize(n);
-    fixed = TermColumns::Zero(n, load ? 3 : 2);
+    fixed = Eigen::MatrixXd::Zero(n, load ? 3 : 2);
     for (const SpeedMean& m : means) fastest = std::max(fastest, m.speed_rad_s);
     for (Eigen::Index i = 0; i < n; ++i) {
       const SpeedMean& m = means[static_cast<std::size_t>(i)];
@@ -119,7 +118,7 @@ std::vector<LawPoint> scan_laws(const std::vector<SpeedMean>& means, double scat
   Rows rows(means, scatter2, grid.load);
   const Eigen::Index fixed = rows.fixed.cols();
   const auto excess = static_cast<std::size_t>(fixed);
-  TermColumns columns(rows.fixed.rows(), fixed + 1);
+  Eigen::MatrixXd columns(rows.fixed.rows(), fixed + 1);
   std::vector<LawPoint> points;
   for (const double power : grid.powers) {
     rows.raise(power);
@@ -137,7 +136,7 @@ std::vector<LawPoint> scan_laws(const std::vector<SpeedMean>& means, double scat
         if (!s.is_distinct) continue;
         if (s.x[1] < 0) {
           // Friction that falls with speed all along: the best law a joint can have has no slope.
-          TermColumns without(columns.rows(), fixed);
+          Eigen::MatrixXd without(columns.rows(), fixed);
           without << columns.col(0), columns.rightCols(fixed - 1);
           const WeightedFit level = weighted_fit(without, rows.friction);
           if (!level.is_distinct) continue;
