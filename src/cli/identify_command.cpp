@@ -59,7 +59,9 @@ The manifest says, for example:
   torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
                                 # gravity_percent, angle_zero_deg
   [[recording]]
-  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
+  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away;
+                                # friction_points: of a curve read elsewhere, a row each,
+                                # columns speed, effort, optional temperature, load
   file = "sweep.csv"
   [[limit]]                     # optional: what you accept; the report says whether it is met
   quantity = "coulomb_joint_Nm" # a wrong name prints the list

@@ -210,8 +210,8 @@ constexpr Step papers_chain[] = {
     {"viscous curves",
      [](Progress& p) {
        p.curves = method::viscous::identify_viscous_curves(
-           p.recordings(Role::constant_speed), p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
-           p.n, stated_gravity(p.c));
+           p.recordings(Role::constant_speed), p.dataset.friction_points, p.rough_sweep, p.c.rough,
+           p.c.masses, p.c.q_peak_rad, p.n, stated_gravity(p.c));
        p.c.viscous = p.curves.result;
      }},
     {"quality errors",

@@ -129,8 +129,9 @@ struct Manifest {
 struct Dataset {
   Manifest manifest;
   std::vector<Recording> recordings;  ///< In the manifest's order.
-  std::vector<InputFile> inputs;      ///< The manifest, the robot's description, the logs.
-  std::vector<Statement> notes;       ///< What the reader noticed and the user should know.
+  std::vector<FrictionPoints> friction_points;
+  std::vector<InputFile> inputs;  ///< The manifest, the robot's description, the logs.
+  std::vector<Statement> notes;   ///< What the reader noticed and the user should know.
   std::shared_ptr<const robot::RobotDescription>
       robot;  ///< For drawings; null where none is stated.
 

@@ -59,6 +59,8 @@ std::string to_string(LoggedSignal signal) {
       return "bristle_rate";
     case LoggedSignal::temperature:
       return "temperature";
+    case LoggedSignal::load:
+      return "load";
   }
   return "unknown";
 }

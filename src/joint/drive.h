@@ -55,7 +55,7 @@ class Drive {
 // current to torque and across the gear. The same object is applied to every row and shown in the
 // report.
 
-enum class LoggedSignal { time, angle, speed, effort, bristle, bristle_rate, temperature };
+enum class LoggedSignal { time, angle, speed, effort, bristle, bristle_rate, temperature, load };
 
 std::string to_string(LoggedSignal signal);
 

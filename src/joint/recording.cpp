@@ -14,6 +14,8 @@ std::string to_string(Role role) {
       return "constant_speed";
     case Role::break_away:
       return "break_away";
+    case Role::friction_points:
+      return "friction_points";
   }
   return "unknown";
 }

@@ -16,6 +16,8 @@ enum class Role {
   oscillation,     ///< Micro-oscillation, within or just beyond pre-sliding.
   constant_speed,  ///< One or more plateaus of constant speed.
   break_away,      ///< From rest, torque rising slowly until the joint slides.
+  /// Read elsewhere: points of the friction curve, no recording (FrictionPoints).
+  friction_points,
 };
 
 std::string to_string(Role role);
@@ -41,6 +43,21 @@ struct Recording {
   std::vector<SkippedRows> skipped;   ///< rows_read = size() + the sum of these counts.
 
   [[nodiscard]] std::size_t size() const { return t_s.size(); }
+};
+
+/// Points of the friction curve that another tool, a test stand or a publication gives: friction
+/// alone, for gravity was taken off before or there is none. Vectors are as long as speed_rad_s,
+/// but the last two, which may be empty.
+struct FrictionPoints {
+  std::string name;                   ///< File as the manifest names it.
+  std::vector<double> speed_rad_s;    ///< Signed, motor side [rad/s]; none is 0.
+  std::vector<double> torque_Nm;      ///< Friction torque, motor side; of the speed's sign.
+  std::vector<double> temperature_C;  ///< [°C]
+  std::vector<double> load_Nm;        ///< Torque that loads the gear, motor side.
+  std::size_t rows_read{};
+  std::vector<SkippedRows> skipped;  ///< rows_read = size() + the sum of these counts.
+
+  [[nodiscard]] std::size_t size() const { return speed_rad_s.size(); }
 };
 
 }  // namespace tribolog::joint

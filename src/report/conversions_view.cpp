@@ -36,6 +36,8 @@ std::string signal_in_words(joint::LoggedSignal signal) {
       return tr("Bristle rate");
     case joint::LoggedSignal::temperature:
       return tr("Temperature");
+    case joint::LoggedSignal::load:
+      return tr("Load of the gear");
   }
   return "–";
 }
@@ -145,6 +147,8 @@ std::string way_to_speed(joint::Role role) {
       return tr(
           "derivative of the curve fitted to the angle: harmonics, or a smoothing spline where a "
           "torque drives it");
+    case joint::Role::friction_points:
+      break;
     case joint::Role::break_away:
       return tr("travel divided by time across 20 steps of the angle or a tenth of the travel");
   }

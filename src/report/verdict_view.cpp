@@ -108,7 +108,9 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
     row.words = wording::words_for("quantity", to_string(q.quantity));
-    row.outcome = outcome_of(q.verdict);
+    // What nothing rests on, and does not show, is no fault.
+    const bool is_merely_absent = !q.decides && q.verdict == calibration::Verdict::not_identifiable;
+    row.outcome = is_merely_absent ? Outcome::absent : outcome_of(q.verdict);
     row.verdict_word = verdict_in_words(q.verdict);
     add_estimate(q, row);
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));

@@ -120,6 +120,14 @@ joint::Dataset with_noise(const IdentifiedJoint& joint, std::uint64_t seed, std:
       if (step > 0) torque = step * std::round(torque / step);
     }
   }
+  constexpr std::uint64_t first_stream_of_points = 1ULL << 48;
+  for (std::size_t k = 0; k < dataset.friction_points.size(); ++k) {
+    statistics::RandomStream random(
+        seed, first_stream_of_points + run * dataset.friction_points.size() + k);
+    for (double& torque : dataset.friction_points[k].torque_Nm) {
+      torque += joint.scatter_of_points_Nm[k] * random.normal();
+    }
+  }
   return dataset;
 }
 

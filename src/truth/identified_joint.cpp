@@ -66,6 +66,20 @@ struct ModelTorque {
 
 class Maker {
  public:
+  /// Friction of the law that points follow; empty without one.
+  [[nodiscard]] std::vector<double> friction_at(const std::vector<double>& speed_rad_s) const {
+    const method::selection::FrictionParametersResult& f = c_.friction;
+    const auto torques = [&](const friction::StaticFriction& law) {
+      std::vector<double> out;
+      for (const double speed : speed_rad_s) out.push_back(law.torque_Nm(speed));
+      return out;
+    };
+    constexpr double at_once = 1e-9;
+    if (runs_follow_waiboer(c_)) return torques(method::viscous::waiboer_of(*f.waiboer));
+    if (c_.curve_model.sliding.fitted) return torques(LawOfRuns(c_.curve_model.sliding, at_once));
+    return {};
+  }
+
   Maker(const calibration::Calibration& calibration, double gravity_Nm)
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
 
@@ -82,6 +96,7 @@ class Maker {
         why_not = {"truth.ramp_is_its_answer"};
         return {};
       case joint::Role::constant_speed:
+      case joint::Role::friction_points:
         break;
     }
     return run_torque(r, why_not);
@@ -250,12 +265,14 @@ bool is_read_from(const Reading& reading, joint::Role role) {
 
 /// Of the identified readings those that the model was made with and that its recordings can show.
 std::vector<Reading> put_in(const calibration::Calibration& c, double gravity_Nm,
-                            const std::vector<joint::Recording>& recordings) {
+                            const joint::Dataset& dataset) {
+  const std::vector<joint::Recording>& recordings = dataset.recordings;
   std::vector<Reading> kept;
   for (Reading reading : readings_of(c)) {
     const bool is_recorded =
         std::any_of(recordings.begin(), recordings.end(),
-                    [&](const joint::Recording& r) { return is_read_from(reading, r.role); });
+                    [&](const joint::Recording& r) { return is_read_from(reading, r.role); }) ||
+        (!dataset.friction_points.empty() && is_read_from(reading, joint::Role::constant_speed));
     if (!is_recorded || is_single_point(reading.name)) continue;
     // Where eq. (6) is put in, no other law is, and the other way round.
     using enum ReadingKind;
@@ -341,8 +358,24 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
     r.dz_rad_s.clear();
     out.dataset.recordings.push_back(std::move(r));
   }
+  for (const joint::FrictionPoints& points : dataset.friction_points) {
+    joint::FrictionPoints simulated = points;
+    simulated.torque_Nm = maker.friction_at(points.speed_rad_s);
+    if (simulated.torque_Nm.empty()) {
+      out.left_out.push_back({"truth.not_simulated",
+                              {{"recording", points.name}, {"why", Statement{"truth.no_curve"}}}});
+      continue;
+    }
+    simulated.load_Nm.clear();  // its part is not in the law
+    double squares = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      squares += std::pow(points.torque_Nm[i] - simulated.torque_Nm[i], 2);
+    }
+    out.scatter_of_points_Nm.push_back(std::sqrt(squares / static_cast<double>(points.size())));
+    out.dataset.friction_points.push_back(std::move(simulated));
+  }
   out.ripple = ripple_of(dataset, c.rough, c.curves.rough);
-  out.put_in = put_in(c, gravity, out.dataset.recordings);
+  out.put_in = put_in(c, gravity, out.dataset);
   const method::selection::FrictionParametersResult& f = c.friction;
   if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {
     out.dataset.manifest.reference =

@@ -49,7 +49,8 @@ struct IdentifiedJoint {
   std::vector<std::vector<double>> friction_Nm;  ///< In the torque of each recording.
   std::vector<Reading> put_in;   ///< The numbers it was made with, each an estimate of no width.
   std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
-  std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
+  std::vector<double> torque_step_Nm;        ///< Step of the torque in each; 0: continuous.
+  std::vector<double> scatter_of_points_Nm;  ///< Of friction points about the law, each file's.
   std::vector<simulate::Noise::Ripple>
       ripple;                       ///< Found in the rough sweep; laid on all recordings.
   std::vector<Statement> left_out;  ///< What could not be simulated, and why.

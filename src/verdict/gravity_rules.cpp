@@ -30,15 +30,14 @@ double largest_friction_Nm(const Calibration& c) {
 /// Friction as a share of the gravity torque.
 std::optional<Measured> friction_over_gravity(const Calibration& c) {
   const double friction = largest_friction_Nm(c);
-  const bool is_stated = c.manifest.known_gravity && c.manifest.known_gravity->amplitude_Nm() == 0;
-  double gravity = c.rough.gravity_Nm.value;
-  if (is_stated) gravity = 0;
-  // A sweep that shows no gravity has to be sure that there is none.
-  if (!c.rough.found && !is_stated) gravity = c.rough.gravity_Nm.high;
-  if (!is_stated && (!(friction > 0) || c.rough.samples_used == 0 || !(gravity > 0))) {
-    return std::nullopt;
-  }
   constexpr double no_gravity_at_all = 1e6;
+  if (has_stated_no_gravity(c)) {
+    return Measured{no_gravity_at_all, has_points_alone(c) ? Code{"cause.gravity_taken_off"}
+                                                           : Code{"cause.no_gravity_stated"}};
+  }
+  // A sweep that shows no gravity has to be sure that there is none.
+  const double gravity = c.rough.found ? c.rough.gravity_Nm.value : c.rough.gravity_Nm.high;
+  if (!(friction > 0) || c.rough.samples_used == 0 || !(gravity > 0)) return std::nullopt;
   const double percent = std::min(no_gravity_at_all, 100 * friction / std::max(gravity, 1e-300));
   return Measured{percent,
                   {"cause.no_gravity", {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
@@ -179,6 +178,17 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_coefficient},
        "record.more_of_the_same",
        coloured_noise_in_friction}};
+}
+
+bool has_stated_no_gravity(const Calibration& c) {
+  return c.manifest.known_gravity && c.manifest.known_gravity->amplitude_Nm() == 0;
+}
+
+bool has_points_alone(const Calibration& c) {
+  const auto& runs = c.viscous.runs;
+  return c.speed_sources.empty() && !runs.empty() &&
+         std::none_of(runs.begin(), runs.end(),
+                      [](const method::viscous::ConstantSpeedRun& run) { return run.has_angle(); });
 }
 
 bool is_without_gravity(const Calibration& c) {

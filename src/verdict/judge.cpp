@@ -1,6 +1,7 @@
 #include "verdict/judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -202,6 +203,11 @@ Statement finding_of(const method::checks::DataCheck& check) {
       {{"check", Statement(Code::of("check." + to_string(check.name)))}, {"found", check.found}}};
 }
 
+bool is_of_gravity(const statistics::StageReport& stage) {
+  constexpr std::array names{"cog_rough", "cog_precise", "surrogate_masses", "selection"};
+  return std::find(names.begin(), names.end(), stage.name) != names.end();
+}
+
 /// Most important first: what is wrong with the data, what does not agree, broken limits, what is
 /// missing, what is to be noted.
 std::vector<Statement> collect_findings(const calibration::Calibration& c,
@@ -226,7 +232,10 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     }
   }
   for (const statistics::StageReport& stage : c.stages()) {
-    if (stage.state != statistics::StageState::done) add(stage.reason);
+    const bool is_asked_for =
+        !(has_stated_no_gravity(c) && is_of_gravity(stage)) &&
+        !(has_points_alone(c) && stage.state == statistics::StageState::skipped);
+    if (stage.state != statistics::StageState::done && is_asked_for) add(stage.reason);
   }
   for (const Statement& one : curve_findings(c)) add(one);
   for (const calibration::TruthFinding& one : c.truth_check.findings) add(one.finding);
@@ -252,6 +261,7 @@ Statement sentence_of(const calibration::Calibration& c, calibration::Verdict ov
     return has_mass ? Statement{"verdict.no_angle"} : Statement{"verdict.neither_angle_nor_mass"};
   }
   if (overall == calibration::Verdict::usable) {
+    if (has_points_alone(c)) return {"verdict.usable_friction_points"};
     return is_without_gravity(c) ? Statement{"verdict.usable_without_gravity"}
                                  : Statement{"verdict.usable"};
   }
@@ -272,7 +282,20 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   const bool without_gravity = is_without_gravity(c);
   if (without_gravity) {
     // Friction is a job of its own: nothing is missing.
-    for (const Quantity quantity : gravity) verdict_on(quantity, out.quantities).decides = false;
+    for (const Quantity quantity : gravity) {
+      calibration::QuantityVerdict& q = verdict_on(quantity, out.quantities);
+      q.decides = false;
+      if (!has_stated_no_gravity(c)) continue;
+      q.estimate.reset();
+      q.reasons = {Statement(has_points_alone(c) ? Code{"cause.gravity_taken_off"}
+                                                 : Code{"cause.no_gravity_stated"})};
+      q.experiment = {};
+    }
+  }
+  if (has_points_alone(c)) {
+    for (const Quantity quantity : {Quantity::break_away_torque, Quantity::bristle_stiffness}) {
+      verdict_on(quantity, out.quantities).decides = false;
+    }
   }
   state_budgets(c, out.quantities);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);

@@ -113,6 +113,7 @@ const Messages& reading_messages() {
       {"skipped.outside_window", text("outside the window {window}")},
       {"skipped.gap", text("gap (nan) in column {column}")},
       {"skipped.repeated_stamp", text("repeated time stamp")},
+      {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},
       {"skipped.not_usable", text("cannot be used (skip_bad_rows)")},
       {"skipped.at_rest", text("at rest before or after the motion")}};

@@ -60,6 +60,11 @@ const Messages& verdict_messages() {
        text("the gravity torque of {gravity_Nm:.2g} N·m is too small beside friction of "
             "{friction_Nm:.2g} N·m to be told from friction that changes with the angle: angle "
             "and mass cannot be known from this joint; friction can")},
+      {"cause.no_gravity_stated",
+       text("the manifest states that this joint has no gravity: friction alone is asked for")},
+      {"cause.gravity_taken_off",
+       text("the friction points are friction alone: gravity was taken off before, or there is "
+            "none")},
       {"cause.other_joint",
        text("the torque swings by {amplitude_Nm:.2g} N·m ({percent:.1f} % of gravity) with a "
             "period of {period_s:.1f} s, whatever the angle: gravity changes in time, as when "
@@ -150,6 +155,8 @@ const Messages& verdict_messages() {
       // The sentence at the top of the report.
       {"verdict.usable_without_gravity",
        text("The joint's friction is known; it has no gravity torque to speak of.")},
+      {"verdict.usable_friction_points",
+       text("The joint's friction curve is known; friction points show nothing else.")},
       {"verdict.no_torque",
        text("No torque was recorded: the motion alone shows neither gravity nor friction.")},
       {"verdict.data_cannot_carry", text("The data do not support an identification: {found}.")},

@@ -46,6 +46,7 @@ std::string part_title(joint::Role role) {
     case joint::Role::constant_speed:
       return tr("runs at constant speed");
     case joint::Role::break_away:
+    case joint::Role::friction_points:  // no part of a plan
       break;
   }
   return tr("break-away ramps");

@@ -20,6 +20,7 @@ const char* si_unit_of(joint::LoggedSignal signal) {
     case joint::LoggedSignal::bristle_rate:
       return "rad/s";
     case joint::LoggedSignal::effort:
+    case joint::LoggedSignal::load:
       return "N·m";
     case joint::LoggedSignal::temperature:
       return "°C";
@@ -30,6 +31,13 @@ const char* si_unit_of(joint::LoggedSignal signal) {
 void refer_to_joint(joint::ColumnConversion& conversion, joint::Side logged, double gear_ratio) {
   conversion.side = joint::Side::joint;
   if (logged == joint::Side::motor && gear_ratio != 1) {
+    conversion.steps.push_back({Reason::gear, gear_ratio, true});
+  }
+}
+
+void refer_to_motor(joint::ColumnConversion& conversion, joint::Side logged, double gear_ratio) {
+  conversion.side = joint::Side::motor;
+  if (logged == joint::Side::joint && gear_ratio != 1) {
     conversion.steps.push_back({Reason::gear, gear_ratio, true});
   }
 }
@@ -53,7 +61,8 @@ std::vector<LoggedColumn> logged_columns(const manifest::ColumnEntries& c) {
                                Column{speed, &c.speed},
                                Column{bristle, &c.bristle},
                                Column{bristle_rate, &c.bristle_rate},
-                               Column{temperature, &c.temperature}};
+                               Column{temperature, &c.temperature},
+                               Column{load, &c.load}};
   std::vector<LoggedColumn> columns;
   for (const auto& [signal, entry] : in_order) {
     if (entry->has_value()) columns.push_back({signal, &**entry});
@@ -74,6 +83,9 @@ joint::ColumnConversion conversion_of(const LoggedColumn& column, const joint::D
       break;
     case joint::LoggedSignal::effort:
       make_motor_torque(conversion, drive, effort_sign);
+      break;
+    case joint::LoggedSignal::load:
+      refer_to_motor(conversion, entry.side, drive.gear_ratio());
       break;
     case joint::LoggedSignal::bristle:
     case joint::LoggedSignal::bristle_rate:

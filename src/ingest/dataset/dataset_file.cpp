@@ -110,10 +110,12 @@ void compare_angles(joint::Dataset& dataset) {
 }
 
 /// What became of the rows, which a recording's files share.
-void count_rows(const joint::Recording& recording, joint::InputFile& input) {
-  input.rows_read = recording.rows_read;
-  input.rows_used = recording.size();
-  input.skipped = recording.skipped;
+/// @tparam Rows joint::Recording or joint::FrictionPoints
+template <class Rows>
+void count_rows(const Rows& read, joint::InputFile& input) {
+  input.rows_read = read.rows_read;
+  input.rows_used = read.size();
+  input.skipped = read.skipped;
 }
 
 /// The table with the columns of its companions, in the order of logged_columns().
@@ -124,6 +126,28 @@ log::LogTable joined(const manifest::RecordingEntry& entry, const log::LogTable&
   log::LogTable table = own;
   join_companions(entry, std::move(tables), table);
   return table;
+}
+
+/// Each, also where two recordings have the same one.
+void add_note(const manifest::RecordingEntry& entry, joint::Dataset& dataset) {
+  if (entry.note.empty()) return;
+  const Statement note = Statement::verbatim(entry.note);
+  dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.file)}, {"note", note}}});
+}
+
+void add_points(const manifest::RecordingEntry& entry, const manifest::ManifestFile& manifest,
+                KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused) {
+  const auto log = logs.read(entry, {}, dataset.notes);
+  unused.add(log->table);
+  joint::FrictionPoints points = make_friction_points(entry, log->table, dataset.manifest.drive,
+                                                      manifest.effort_sign, dataset.notes);
+  joint::InputFile input = log->file;
+  input.role = joint::to_string(entry.role);
+  count_rows(points, input);
+  input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
+  dataset.inputs.push_back(std::move(input));
+  add_note(entry, dataset);
+  dataset.friction_points.push_back(std::move(points));
 }
 
 void add_recording(const manifest::RecordingEntry& entry, const manifest::ManifestFile& manifest,
@@ -158,10 +182,7 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
     count_rows(recording, beside);
     dataset.inputs.push_back(std::move(beside));
   }
-  if (!entry.note.empty()) {  // each, also where two recordings have the same one
-    const Statement note = Statement::verbatim(entry.note);
-    dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.file)}, {"note", note}}});
-  }
+  add_note(entry, dataset);
   dataset.recordings.push_back(std::move(recording));
 }
 
@@ -179,7 +200,8 @@ joint::Dataset read_dataset(const std::string& manifest_path) {
   UnusedColumns unused;
   KeptLogs logs(manifest, directory);
   for (const manifest::RecordingEntry& entry : manifest.recordings) {
-    add_recording(entry, manifest, logs, dataset, unused);
+    const bool is_points = entry.role == joint::Role::friction_points;
+    (is_points ? add_points : add_recording)(entry, manifest, logs, dataset, unused);
   }
   if (const Statement note = unused.note(); !note.empty()) dataset.notes.push_back(note);
   if (dataset.robot) compare_angles(dataset);

@@ -89,6 +89,7 @@ constexpr const char* without_effort = "without torque or current nothing can be
 std::vector<double>& signal_of(joint::Recording& r, joint::LoggedSignal signal) {
   switch (signal) {
     case joint::LoggedSignal::time:
+    case joint::LoggedSignal::load:  // of friction points alone
       break;
     case joint::LoggedSignal::angle:
       return r.q_rad;

@@ -113,4 +113,13 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
                                 std::vector<Statement>& notes,
                                 std::vector<joint::KnownLoad>* loads = nullptr);
 
+// Friction points.
+
+/// Points at rest or with a gap in any column are left out and counted.
+/// @throw InputError for fewer than three points, and where more than half of a direction's torque
+///        is against the speed: then it is no friction, or its sign is another.
+joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry,
+                                           const log::LogTable& table, const joint::Drive& drive,
+                                           double effort_sign, std::vector<Statement>& notes);
+
 }  // namespace tribolog::ingest::dataset

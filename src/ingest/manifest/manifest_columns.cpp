@@ -129,6 +129,7 @@ ColumnEntries read_columns(const TomlTable& table, joint::EffortKind effort_kind
       read("bristle_rate", log::Quantity::angular_speed, false, otherwise.bristle_rate);
   entries.temperature =
       read("temperature", log::Quantity::temperature, false, otherwise.temperature);
+  entries.load = read("load", log::Quantity::torque, true, otherwise.load);
   table.refuse_unknown_keys();
   return entries;
 }

@@ -168,12 +168,43 @@ void refuse_missing_columns(const TomlTable& recording, joint::EffortKind kind,
        "= \"none\" checks the motion alone");
 }
 
+/// Friction points have neither time nor angle: what [columns] says of those is of the recordings.
+void keep_columns_of_points(const TomlTable& table, joint::EffortKind kind, RecordingEntry& entry) {
+  if (kind == joint::EffortKind::none) {
+    table.refuse("role", {"contradicts effort.kind", "friction points, effort of kind 'none'", "",
+                          "their torque is what they are there for"});
+  }
+  for (const char* key : {"from_s", "to_s"}) {
+    if (!table.has(key)) continue;
+    table.refuse(key, {"is not for friction points", "", "", "they have no time"});
+  }
+  ColumnEntries& c = entry.columns;
+  for (std::optional<ColumnEntry>* column : {&c.time, &c.angle, &c.bristle, &c.bristle_rate}) {
+    column->reset();
+  }
+  const auto need = [&](const std::optional<ColumnEntry>& column, const char* name) {
+    if (column) return;
+    throw InputError(
+        table.where(),
+        {fmt::format("no column is stated for the {} of friction points", name), "",
+         fmt::format("{} = {{name = ..., unit = ...}} in [recording.columns]", name), ""});
+  };
+  need(c.speed, "speed");
+  need(c.effort, "effort");
+  for (const auto* column : {&c.speed, &c.effort, &c.temperature, &c.load}) {
+    if (!*column || (*column)->file.empty()) continue;
+    throw InputError((*column)->where, {"stands in another file", in_quotes((*column)->file),
+                                        "all columns of friction points in one", ""});
+  }
+}
+
 RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
   entry.where = table.where();
-  entry.role = static_cast<joint::Role>(table.choice(
-      "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away"}));
+  entry.role = static_cast<joint::Role>(
+      table.choice("role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed",
+                            "break_away", "friction_points"}));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
   if (entry.file == "-") {
@@ -191,7 +222,17 @@ RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
   if (const auto columns = table.find_table("columns")) {
     entry.columns = read_columns(*columns, kind, common);
   }
-  refuse_missing_columns(table, kind, entry.columns);
+  if (entry.role == joint::Role::friction_points) {
+    keep_columns_of_points(table, kind, entry);
+  } else {
+    refuse_missing_columns(table, kind, entry.columns);
+    if (entry.columns.load) {
+      throw InputError(entry.columns.load->where,
+                       {"a load is for friction points alone", "", "",
+                        "state it in the [recording.columns] of those; a load that a recording "
+                        "follows is a [[known_load]]"});
+    }
+  }
   table.refuse_unknown_keys();
   return entry;
 }
@@ -250,6 +291,13 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
     result.recordings.push_back(read_recording(recording, kind, common));
   }
   top.refuse_unknown_keys();
+  const bool has_points_alone =
+      std::all_of(result.recordings.begin(), result.recordings.end(),
+                  [](const RecordingEntry& r) { return r.role == joint::Role::friction_points; });
+  // In friction points there is no gravity left to find.
+  if (has_points_alone && !result.manifest.known_gravity) {
+    result.manifest.known_gravity = joint::StatedGravity(0, 0);
+  }
   if (result.recordings.empty()) {
     throw InputError({file, 0, 0},
                      {"no [[recording]] is stated", "", "one or more", "each with role and file"});

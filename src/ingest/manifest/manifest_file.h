@@ -27,6 +27,8 @@
 //                 the others: file (relative to the manifest) where the column stands in another
 //                 file than the recording's, row by row; time = name of the time in that file
 //                 (optional; compared, as is a time of the same name)
+//                 friction_points: speed, effort; temperature, load (optional; side as an angle),
+//                 a row for each point, without time and angle; effort is friction alone
 //   [log]         decimal_comma = false; delimiter = "comma" | "semicolon" | "tab" | "spaces"
 //                 (found out unless stated); encoding = "utf8" | "latin1"; skip_bad_rows = false
 //                 (of text logs; optional)
@@ -36,8 +38,9 @@
 //   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
 //                 user accepts (manifest_tables.h; optional)
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
-//                 "break_away", file (relative to the manifest); from_s, to_s (of a clock that
-//                 counts from 1970: since its first reading), columns, note (optional)
+//                 "break_away" | "friction_points", file (relative to the manifest); from_s, to_s
+//                 (of a clock that counts from 1970: since its first reading), columns, note
+//                 (optional)
 
 #include <cstdint>
 #include <optional>
@@ -56,7 +59,9 @@ struct RecordingEntry {
   std::string file;  ///< As written.
   std::optional<double> from_s;
   std::optional<double> to_s;
-  ColumnEntries columns;  ///< Time, angle and effort (unless its kind is none) are there.
+  /// Time, angle and effort (unless its kind is none) are there; of friction points speed and
+  /// effort.
+  ColumnEntries columns;
   /// Of a file that stands beside the recording's (companion_columns.h): read behind the columns.
   std::optional<log::WantedColumn> time_to_compare{};
   std::string note;

@@ -31,7 +31,7 @@ struct ColumnEntry {
   log::Quantity quantity{};
   double si_factor{1.0};  ///< Negative: the column counts the other way round (`sign = -1`).
   joint::Side side{
-      joint::Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
+      joint::Side::joint};  ///< Of angle, speed and load; bristles are always on the motor side.
   Location where;
   log::ColumnReading reading{log::ColumnReading::number};
   /// In which the column stands, relative to the manifest; empty: the recording's.
@@ -48,6 +48,7 @@ struct ColumnEntries {
   std::optional<ColumnEntry> bristle;
   std::optional<ColumnEntry> bristle_rate;
   std::optional<ColumnEntry> temperature;
+  std::optional<ColumnEntry> load;  ///< Of friction points: torque that loads the gear.
 };
 
 /// Reads a `columns` table; what it does not mention is taken from `otherwise`.

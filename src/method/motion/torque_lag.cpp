@@ -166,30 +166,54 @@ double torque_behind(const Row& row, double lag_s) {
   return std::lerp(r.torque_Nm[above - 1], r.torque_Nm[above], std::clamp(share, 0.0, 1.0));
 }
 
-/// @param lag_s taken off the torque before: the coefficient of `lag` is what is left of it.
-statistics::BlockRegression regression(const std::vector<Row>& rows,
-                                       const std::vector<double>& knots, double lag_s) {
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd x =
-      Eigen::MatrixXd::Zero(size, friction + static_cast<Eigen::Index>(knots.size()));
-  Eigen::VectorXd y(size);
-  std::vector<std::size_t> blocks;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const Row& row = rows[static_cast<std::size_t>(i)];
-    x(i, inertia) = row.motion.acceleration;
-    x(i, lag) = -row.motion.jerk;
-    x(i, curvature) = row.motion.snap;
-    x(i, cosine) = std::cos(row.q);
-    x(i, sine) = std::sin(row.q);
-    x(i, offset) = 1;
-    Eigen::RowVectorXd polygon = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(knots.size()));
-    add_polygon(knots, row.motion.speed, polygon);
-    x.row(i).tail(polygon.size()) = polygon;
-    y(i) = torque_behind(row, lag_s);
-    blocks.push_back(row.transient);
+/// Torque over the rows' motion. What lag is taken off the torque before changes the right-hand
+/// side alone: the coefficient of `lag` is then what is left of it.
+class TransientRegression {
+ public:
+  TransientRegression(const std::vector<Row>& rows, const std::vector<double>& knots)
+      : rows_(rows) {
+    const auto size = static_cast<Eigen::Index>(rows.size());
+    const auto speeds = static_cast<Eigen::Index>(knots.size());
+    x_ = Eigen::MatrixXd::Zero(size, friction + speeds);
+    Eigen::RowVectorXd polygon(speeds);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Row& row = rows[static_cast<std::size_t>(i)];
+      x_(i, inertia) = row.motion.acceleration;
+      x_(i, lag) = -row.motion.jerk;
+      x_(i, curvature) = row.motion.snap;
+      x_(i, cosine) = std::cos(row.q);
+      x_(i, sine) = std::sin(row.q);
+      x_(i, offset) = 1;
+      polygon.setZero();
+      add_polygon(knots, row.motion.speed, polygon);
+      x_.row(i).tail(speeds) = polygon;
+    }
+    norms_ = x_.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
+    solved_.compute(x_ * norms_.cwiseInverse().asDiagonal());
   }
-  return statistics::block_regression(x, y, blocks);
-}
+  [[nodiscard]] Eigen::VectorXd coefficients(double lag_s) const {
+    return solved_.solve(torque(lag_s)).cwiseQuotient(norms_);
+  }
+  [[nodiscard]] statistics::BlockRegression with_intervals(double lag_s) const {
+    std::vector<std::size_t> blocks;
+    for (const Row& row : rows_) blocks.push_back(row.transient);
+    return statistics::block_regression(x_, torque(lag_s), blocks);
+  }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd torque(double lag_s) const {
+    Eigen::VectorXd y(x_.rows());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      y(static_cast<Eigen::Index>(i)) = torque_behind(rows_[i], lag_s);
+    }
+    return y;
+  }
+
+  const std::vector<Row>& rows_;
+  Eigen::MatrixXd x_;
+  Eigen::VectorXd norms_;
+  Eigen::HouseholderQR<Eigen::MatrixXd> solved_;
+};
 
 /// How far inertia by starts alone and by stops alone is from that by both: what is neither inertia
 /// nor friction of the speed acts the other way round in them. 0 where either are too few.
@@ -203,7 +227,7 @@ double inertia_apart(const std::vector<Row>& rows, const std::vector<double>& kn
       if ((row.motion.speed * row.motion.acceleration > 0) == is_start) some.push_back(row);
     }
     if (some.size() < fewest_rows) return 0;
-    const double alone = regression(some, knots, lag_s).coefficients(inertia);
+    const double alone = TransientRegression(some, knots).coefficients(lag_s)(inertia);
     if (std::isfinite(alone)) farthest = std::max(farthest, std::abs(alone - by_both));
   }
   return farthest;
@@ -265,13 +289,14 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
   constexpr int most_steps = 12;
   constexpr double last_step_s = 1e-6;
   double lag_s = 0;
-  statistics::BlockRegression fit = regression(rows, knots, lag_s);
+  const TransientRegression regression(rows, knots);
   for (int k = 0; k < most_steps; ++k) {
-    const double step = fit.coefficients(lag) / fit.coefficients(inertia);
+    const Eigen::VectorXd c = regression.coefficients(lag_s);
+    const double step = c(lag) / c(inertia);
     if (!(std::abs(step) > last_step_s) || std::abs(lag_s + step) > most_lag_s) break;
     lag_s += step;
-    fit = regression(rows, knots, lag_s);
   }
+  const statistics::BlockRegression fit = regression.with_intervals(lag_s);
   const double inertia_half_width = fit.half_width(inertia);
   if (!(fit.coefficients(inertia) > 2 * inertia_half_width)) {
     out.why_not = {"lag.inertia_not_shown"};

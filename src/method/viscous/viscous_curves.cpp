@@ -204,13 +204,99 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
   }
 }
 
+/// Points at one speed and direction, by their places.
+std::vector<std::vector<std::size_t>> repeated_points(const joint::FrictionPoints& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points.speed_rad_s[a] < points.speed_rad_s[b];
+  });
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t i : order) {
+    const double speed = points.speed_rad_s[i];
+    const double first = groups.empty() ? nan : points.speed_rad_s[groups.back().front()];
+    if (!(std::abs(speed - first) <= same_speed * std::abs(first))) groups.emplace_back();
+    groups.back().push_back(i);
+  }
+  return groups;
+}
+
+/// Each point is a run of one sample, and each pair of directions at one speed are partners.
+/// @param gravity_Nm amplitude, motor side, which loads are shares of; 0: of the largest.
+std::vector<ConstantSpeedRun> runs_of_points(const joint::FrictionPoints& points,
+                                             double gravity_Nm) {
+  const std::vector<std::vector<std::size_t>> groups = repeated_points(points);
+  double squares = 0;
+  double freedom = 0;
+  for (const std::vector<std::size_t>& group : groups) {
+    double mean = 0;
+    for (const std::size_t i : group)
+      mean += points.torque_Nm[i] / static_cast<double>(group.size());
+    for (const std::size_t i : group) squares += std::pow(points.torque_Nm[i] - mean, 2);
+    freedom += static_cast<double>(group.size()) - 1;
+  }
+  const double sd = freedom > 0 ? std::sqrt(squares / freedom) : 0;
+  double whole_load = gravity_Nm;
+  for (const double load : points.load_Nm) {
+    if (!(gravity_Nm > 0)) whole_load = std::max(whole_load, std::abs(load));
+  }
+  std::vector<ConstantSpeedRun> runs;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ConstantSpeedRun run;
+    run.recording = points.name;
+    run.speed_rad_s = points.speed_rad_s[i];
+    run.torque_Nm = points.torque_Nm[i];
+    run.torque_standard_error_Nm = sd;
+    run.torque_half_width_Nm = freedom > 0 ? statistics::student_t_975(freedom) * sd
+                                           : std::numeric_limits<double>::infinity();
+    run.q_rad = run.lowest_rad = run.highest_rad = nan;
+    run.samples = 1;
+    if (!points.load_Nm.empty() && whole_load > 0) {
+      run.mean_load = std::abs(points.load_Nm[i]) / whole_load;
+    }
+    run.direction_difference_Nm = run.direction_difference_half_width_Nm = nan;
+    run.direction_mean_Nm = run.direction_mean_cos = nan;
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+/// Points of both directions at one speed, each with one of the other.
+void pair_points(std::vector<ConstantSpeedRun>& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    ConstantSpeedRun& rising = runs[i];
+    if (rising.has_angle() || rising.speed_rad_s < 0) continue;
+    double nearest = same_speed;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const ConstantSpeedRun& other = runs[k];
+      if (other.has_angle() || other.partner >= 0 || other.recording != rising.recording) continue;
+      const double apart = std::abs(-other.speed_rad_s / rising.speed_rad_s - 1);
+      if (apart > nearest) continue;
+      nearest = apart;
+      rising.partner = static_cast<int>(k);
+    }
+    if (rising.partner < 0) continue;
+    ConstantSpeedRun& falling = runs[static_cast<std::size_t>(rising.partner)];
+    falling.partner = static_cast<int>(i);
+    const double difference = (rising.torque_Nm - falling.torque_Nm) / 2;
+    for (ConstantSpeedRun* run : {&rising, &falling}) {
+      run->direction_difference_Nm = run == &rising ? difference : -difference;
+      run->direction_difference_half_width_Nm = run->torque_half_width_Nm / std::sqrt(2.0);
+      run->direction_mean_Nm = (rising.torque_Nm + falling.torque_Nm) / 2;
+      run->direction_mean_cos = 0;
+    }
+  }
+}
+
 DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
   constexpr double least_travel_share = 0.25;
   double widest = 0;
-  for (const ConstantSpeedRun& run : runs)
-    widest = std::max(widest, run.highest_rad - run.lowest_rad);
+  for (const ConstantSpeedRun& run : runs) {
+    if (run.has_angle()) widest = std::max(widest, run.highest_rad - run.lowest_rad);
+  }
   DirectionAngles out;
   for (const ConstantSpeedRun& run : runs) {
+    if (!run.has_angle()) continue;
     if (run.highest_rad - run.lowest_rad < least_travel_share * widest) continue;
     const bool is_rising = run.speed_rad_s > 0;
     bool& has = is_rising ? out.has_rising : out.has_falling;
@@ -272,6 +358,7 @@ const ViscousCurve* ViscousCurvesResult::find(
 }
 
 ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& recordings,
+                                      const std::vector<joint::FrictionPoints>& points,
                                       const motion::Sweep& sweep,
                                       const gravity::CogSweepResult& rough,
                                       const hysteresis::SurrogateMassesResult& masses,
@@ -314,6 +401,12 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
     out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
   }
+  for (const joint::FrictionPoints& read : points) {
+    const std::vector<ConstantSpeedRun> runs = runs_of_points(read, gravity);
+    out.samples_used += runs.size();
+    out.runs.insert(out.runs.end(), runs.begin(), runs.end());
+  }
+  pair_points(out.runs);
   sort_by_speed(out.runs, made.block_friction_Nm);
   out.angles = direction_angles(out.runs);
   for (const hysteresis::SurrogateMass& mass : masses.masses) {

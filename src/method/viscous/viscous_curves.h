@@ -5,6 +5,7 @@
 // Where no constant-speed run was recorded but a sweep of varying speed in both directions was,
 // its samples are paired at equal angle instead: each angle gives a run of each direction.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ namespace tribolog::method::viscous {
 /// Speeds that differ by less count as one: share of the speed.
 inline constexpr double same_speed = 0.03;
 
-/// One plateau, or one angle bin of a paired sweep in one direction.
+/// One plateau, or one angle bin of a paired sweep in one direction, or a friction point that was
+/// read elsewhere: of that angles are NaN, and gravity has no part in it (mean_cos is 0).
 struct ConstantSpeedRun {
   std::string recording;
   double speed_rad_s{};  ///< Motor side, signed.
@@ -36,14 +38,19 @@ struct ConstantSpeedRun {
   /// NaN without a partner or a common angle.
   double direction_difference_Nm{};
   double direction_difference_half_width_Nm{};
-  double mean_sin{};    ///< Mean of sin(q - q_peak).
-  double mean_load{};   ///< Mean of |cos(q - q_peak)|: share of the gravity torque that loads it.
+  double mean_sin{};  ///< Mean of sin(q - q_peak).
+  /// Mean of |cos(q - q_peak)|: share of the gravity torque that loads it. Of a point with a load:
+  /// its share of the gravity torque, or of the largest load where there is none.
+  double mean_load{};
   double lowest_rad{};  ///< Joint angles that it covers.
   double highest_rad{};
   /// (T(+v) + T(-v))/2 over the angles that both directions share, and the mean of cos(q - q_peak)
   /// there; the same for both partners. NaN without a partner.
   double direction_mean_Nm{};
   double direction_mean_cos{};
+
+  /// A friction point has none.
+  [[nodiscard]] bool has_angle() const { return !std::isnan(q_rad); }
 };
 
 /// Angles of the runs that travel a quarter of the widest way or more.
@@ -85,11 +92,14 @@ struct ViscousCurves {
   std::vector<std::vector<double>> block_friction_Nm;
 };
 
+/// @param points of friction, which join the runs. What repeated points scatter about their speeds
+/// is the uncertainty of each.
 /// @param sweep the rough one, and what was found in it; paired at equal angle where no run was
 /// recorded.
 /// @param stated gravity known beforehand: the curve Estimator::stated, at its own angle of the
 /// peak.
 ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
+                                      const std::vector<joint::FrictionPoints>& points,
                                       const motion::Sweep& sweep,
                                       const gravity::CogSweepResult& rough,
                                       const hysteresis::SurrogateMassesResult& masses,

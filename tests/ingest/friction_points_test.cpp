@@ -1,0 +1,112 @@
+// A table of friction over speed, read as points of the curve.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
+
+namespace tribolog::friction_points_test {
+namespace {
+
+const std::string head = R"(schema = "tribolog-dataset-1"
+[robot]
+name = "R"
+[joint]
+name = "J"
+gear_ratio = 50
+[effort]
+kind = "joint_torque"
+side = "joint"
+)";
+
+const std::string points = R"([[recording]]
+role = "friction_points"
+file = "points.csv"
+)";
+
+const std::string columns = R"([recording.columns]
+speed = {name = "v", unit = "deg/s"}
+effort = {name = "tau", unit = "Nm"}
+load = {name = "load", unit = "Nm"}
+)";
+
+joint::Dataset read(const std::string& manifest, const std::string& csv) {
+  const test::TemporaryDirectory directory;
+  (void)directory.file("points.csv", csv);
+  return ingest::dataset::read_dataset(directory.file("dataset.toml", manifest));
+}
+
+std::string refusal(const std::string& manifest, const std::string& csv) {
+  return test::refusal_of<InputError>([&] { (void)read(manifest, csv); });
+}
+
+const std::string table = "v,tau,load\n90,10,0\n-90,-11,20\n0,0,5\n45,,5\n180,12,40\n";
+
+TEST(FrictionPoints, AreReadAtTheMotorAndEachRowLeftOutIsCounted) {
+  const joint::Dataset d = read(head + points + columns, table);
+  ASSERT_EQ(d.friction_points.size(), 1U);
+  EXPECT_TRUE(d.recordings.empty());
+  const joint::FrictionPoints& p = d.friction_points.front();
+  ASSERT_EQ(p.size(), 3U);
+  EXPECT_NEAR(p.speed_rad_s[1], -50 * 1.5707963267948966, 1e-12);
+  EXPECT_NEAR(p.torque_Nm[1], -11.0 / 50, 1e-15);
+  EXPECT_NEAR(p.load_Nm[1], 20.0 / 50, 1e-15);
+  EXPECT_EQ(p.rows_read, 5U);
+  ASSERT_EQ(p.skipped.size(), 2U);
+  EXPECT_EQ(p.skipped[0].count + p.skipped[1].count, 2U);
+  EXPECT_EQ(d.inputs.at(1).role, "friction_points");
+  EXPECT_EQ(d.inputs.at(1).rows_used, 3U);
+  // Nothing but friction is in them.
+  ASSERT_TRUE(d.manifest.known_gravity);
+  EXPECT_EQ(d.manifest.known_gravity->amplitude_Nm(), 0);
+}
+
+TEST(FrictionPoints, WithoutSpeedTimeOrSignAreRefused) {
+  EXPECT_NE(refusal(head + points + "[recording.columns]\neffort = {name = \"tau\", unit = \"Nm\"}\n",
+                    table)
+                .find("no column is stated for the speed"),
+            std::string::npos);
+  EXPECT_NE(refusal(head + points + "from_s = 3\n" + columns, table).find("they have no time"),
+            std::string::npos);
+  const std::string amounts = "v,tau,load\n90,10,0\n-90,11,20\n-45,9,5\n180,12,40\n";
+  EXPECT_NE(refusal(head + points + columns, amounts).find("at 2 of 2 points of negative speed"),
+            std::string::npos);
+  EXPECT_NE(refusal(head + points + columns, "v,tau,load\n90,10,0\n0,11,20\n")
+                .find("too few friction points"),
+            std::string::npos);
+  EXPECT_NE(refusal(head + points + columns, "v,tau,load\n90,10,0\n91,1e9,0\n92,10,0\n")
+                .find("points.csv:3"),
+            std::string::npos);
+}
+
+/// What [columns] says of time and angle is of the recordings beside them.
+TEST(FrictionPoints, StandBesideRecordings) {
+  std::string log = "t,q,tau\n";
+  for (int i = 0; i < 40; ++i) {
+    log += std::to_string(0.01 * i) + "," + std::to_string(0.01 * i) + ",3\n";
+  }
+  const test::TemporaryDirectory directory;
+  (void)directory.file("points.csv", table);
+  (void)directory.file("sweep.csv", log);
+  const std::string common =
+      "[columns]\ntime = {name = \"t\", unit = \"s\"}\nangle = {name = \"q\", unit = \"rad\"}\n"
+      "effort = {name = \"tau\", unit = \"Nm\"}\n";
+  const std::string sweep = "[[recording]]\nrole = \"rough_sweep\"\nfile = \"sweep.csv\"\n";
+  const joint::Dataset d = ingest::dataset::read_dataset(
+      directory.file("dataset.toml", head + common + sweep + points + columns));
+  EXPECT_EQ(d.recordings.size(), 1U);
+  EXPECT_EQ(d.friction_points.size(), 1U);
+  EXPECT_FALSE(d.manifest.known_gravity);
+  EXPECT_NE(test::refusal_of<InputError>([&] {
+              (void)ingest::dataset::read_dataset(directory.file(
+                  "wrong.toml", head + common + sweep +
+                                    "columns = {load = {name = \"tau\", unit = \"Nm\"}}\n"));
+            }).find("for friction points alone"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tribolog::friction_points_test
