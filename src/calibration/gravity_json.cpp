@@ -9,6 +9,15 @@ namespace tribolog::calibration {
 
 namespace {
 
+Json torque_of_angle(const std::optional<method::gravity::TorqueOfAngle>& t) {
+  if (!t) return nullptr;
+  return {{"about_rad", number(t->about_rad)},
+          {"cosine_Nm", number(t->cosine_Nm)},
+          {"sine_Nm", number(t->sine_Nm)},
+          {"spring_Nm_rad", number(t->spring_Nm)},
+          {"amplitude_Nm", number(t->amplitude_Nm)}};
+}
+
 /// Standard deviations, and the lines in time.
 Json residual_causes(const method::gravity::CogSweepResult& r) {
   Json lines = Json::array();
@@ -49,6 +58,7 @@ Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
           {"torque_offset_Nm", interval(r.torque_offset_Nm)},
           {"offset_drift_Nm", interval(r.offset_drift_Nm)},
           {"twist_rad", interval(r.twist_rad)},
+          {"torque_of_angle", torque_of_angle(r.of_angle)},
           {"residual_Nm", if_found(r.residual_Nm)},
           {"residual_causes", residual_causes(r)},
           {"lowest_rad", if_found(r.lowest_rad)},

@@ -9,6 +9,7 @@
 #include "calibration/calibration.h"
 #include "method/checks/data_checks.h"
 #include "method/hysteresis/break_away.h"
+#include "method/hysteresis/loop_ripple.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
 #include "method/selection/independent_gravity.h"
@@ -48,6 +49,12 @@ struct Progress {
 
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
     return c.torque_outliers.replaced > 0 ? cleaned.with_role(role) : dataset.with_role(role);
+  }
+  [[nodiscard]] method::gravity::KnownOfSweep known_of_sweep() const {
+    const std::optional<joint::StatedGravity>& stated = dataset.manifest.known_gravity;
+    method::gravity::KnownOfSweep known;
+    known.has_no_gravity = stated && stated->amplitude_Nm() == 0;
+    return known;
   }
   [[nodiscard]] const method::hysteresis::SurrogateMass* recommended_mass() const {
     return c.masses.find(c.selection.recommended);
@@ -111,7 +118,8 @@ std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
 /// rest, and no static torque that a ramp has exceeded.
 std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (!p.loop.lugre) return std::nullopt;
-  method::hysteresis::LuGreFit fit = p.loop.lugre->fit;
+  method::hysteresis::LuGreFit fit =
+      method::hysteresis::with_ripple_of_loops(p.loop.lugre->fit, p.c.rough.ripple);
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
   if (dip || (p.friction.waiboer && p.friction.waiboer->converged)) {
     fit = method::hysteresis::with_experiments(
@@ -149,14 +157,16 @@ constexpr Step papers_chain[] = {
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
-       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n);
+       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n,
+                                                     p.known_of_sweep());
        p.c.rough = p.rough.result;
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
-       method::gravity::KnownOfSweep known;
+       method::gravity::KnownOfSweep known = p.known_of_sweep();
        if (p.c.rough.found) {
-         known = {p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.ripple};
+         known = {false, p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.of_angle,
+                  p.c.rough.ripple};
        }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
        p.precise =
@@ -311,7 +321,10 @@ void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);
     for (const Step& step : papers_chain) step.run(chain);
-    if (chain.loop.lugre) chain.c.lugre = std::move(chain.loop.lugre->fit);
+    if (chain.loop.lugre) {
+      chain.c.lugre = method::hysteresis::with_ripple_of_loops(std::move(chain.loop.lugre->fit),
+                                                               chain.c.rough.ripple);
+    }
     chain.c.friction = std::move(chain.friction);
     return std::move(chain.c);
   };

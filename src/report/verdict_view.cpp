@@ -121,6 +121,8 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
     row.experiment = as_sentence(q.experiment);
     rows.push_back(std::move(row));
   }
+  std::stable_partition(rows.begin(), rows.end(),
+                        [](const QuantityRow& row) { return row.outcome != Outcome::absent; });
   return rows;
 }
 

@@ -43,6 +43,18 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
                   {"cause.no_gravity", {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
 }
 
+/// What changes with the joint's angle as no weight does.
+std::optional<Measured> torque_of_angle(const Calibration& c) {
+  if (!c.rough.found) return std::nullopt;
+  if (!c.rough.of_angle) return Measured{};
+  const double percent = 100 * c.rough.of_angle->amplitude_Nm / c.rough.gravity_Nm.value;
+  return Measured{percent,
+                  {c.rough.of_angle->cosine_Nm == 0 && c.rough.of_angle->sine_Nm == 0
+                       ? Code{"cause.spring"}
+                       : Code{"cause.torque_of_angle"},
+                   {{"amplitude_Nm", c.rough.of_angle->amplitude_Nm}, {"percent", percent}}}};
+}
+
 std::optional<Measured> gear_twist(const Calibration& c) {
   const std::optional<statistics::Estimate>& twist = c.rough.twist_rad;
   // Slow ripple of a motor that hardly turns looks the same.
@@ -134,6 +146,15 @@ std::optional<Measured> vibration(const Calibration& c) { return periodic_in_tim
 
 std::optional<Measured> other_joint(const Calibration& c) { return periodic_in_time(c, true); }
 
+/// The same as a share of the friction.
+std::optional<Measured> other_joint_on_friction(const Calibration& c) {
+  std::optional<Measured> found = other_joint(c);
+  const double friction = largest_friction_Nm(c);
+  if (!found || !(friction > 0)) return std::nullopt;
+  found->value *= c.rough.gravity_Nm.value / friction;
+  return found;
+}
+
 std::optional<Measured> coloured_noise(const Calibration& c) {
   if (!c.rough.found || !c.rough.both_directions || !(c.rough.white_Nm > 0)) return std::nullopt;
   return Measured{100 * c.rough.coloured_Nm / c.rough.white_Nm,
@@ -162,7 +183,19 @@ std::vector<Rule> gravity_rules() {
       // What changes slowly in time, by more than a small share, is gravity that changes.
       {"gravity_in_time", "%", 0.5, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
        other_joint},
+      // Against friction it need not be small beside gravity to be large.
+      {"gravity_in_time_on_friction",
+       "%",
+       5,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
+       "record.other_joints_at_rest",
+       other_joint_on_friction},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
+      {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
+      {"torque_of_angle_large", "%", 5, Verdict::doubtful, of_gravity, "record.sweep",
+       torque_of_angle},
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
       {"sweep_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
       {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},

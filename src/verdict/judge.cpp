@@ -265,6 +265,7 @@ Statement sentence_of(const calibration::Calibration& c, calibration::Verdict ov
     return is_without_gravity(c) ? Statement{"verdict.usable_without_gravity"}
                                  : Statement{"verdict.usable"};
   }
+  if (is_without_gravity(c)) return {"verdict.doubtful_without_gravity"};
   if (!failing.empty()) return {"verdict.checks_fail"};
   if (has_disagreement) return {"verdict.estimates_disagree"};
   if (limit_broken) return {"verdict.limit_not_kept"};

@@ -115,6 +115,12 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                        {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},
                        {"record.ramps"});
   }
+  constexpr double most_apart = 0.1;
+  if (from_ramps && ramps.apart > most_apart) {
+    calibration::lower(q, calibration::Verdict::doubtful,
+                       {"verdict.ramps_bend_otherwise", {{"percent", 100 * ramps.apart}}},
+                       {"record.ramps"});
+  }
   // Sliding friction cannot be larger than what it takes to start sliding.
   const std::optional<statistics::Estimate> coulomb = coulomb_torque(c);
   if (!from_ramps && loop_level_Nm && coulomb && loop_level_Nm->high < coulomb->low) {
@@ -209,6 +215,15 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
              {"record.speeds_about_the_dip"}),
       judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad, record_runs),
       viscous_curve(c)};
+  // All three are of one law: where its Coulomb torque cannot be, nor is the rest right.
+  if (headline.coulomb_Nm.estimate && headline.coulomb_Nm.estimate->value <= 0) {
+    for (const Quantity quantity : {Quantity::viscous_coefficient, Quantity::stribeck_speed}) {
+      calibration::lower(
+          verdict_on(quantity, all), calibration::Verdict::doubtful,
+          {"verdict.of_law_without_coulomb", {{"coulomb_Nm", headline.coulomb_Nm.estimate->value}}},
+          record_runs);
+    }
+  }
   // A curve without a dip has no Stribeck velocity, and one that follows eq. (6) neither of the
   // other two.
   verdict_on(Quantity::stribeck_speed, all).decides = false;

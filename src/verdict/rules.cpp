@@ -66,6 +66,33 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
+/// By how much the dip of the curve is surely another than the exp(-(w/ws)^2) of the loops' model.
+std::optional<Measured> stribeck_exponent(const Calibration& c) {
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
+  const double flatter = 2 / law.highest_exponent;
+  const double sharper = law.lowest_exponent / 2;
+  return Measured{std::max(flatter, sharper),
+                  {"cause.stribeck_exponent", {{"exponent", law.stribeck_exponent}}}};
+}
+
+std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
+  return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent(c);
+}
+
+/// What a sweep of varying speed takes for inertia and is none, as a share of gravity.
+std::optional<Measured> inertia_of_sweep(const Calibration& c) {
+  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
+  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
+  if (!c.rough.found || !of_sweep || !inertia) return std::nullopt;
+  const double apart = std::abs(of_sweep->value - inertia->value);
+  const double noise = std::hypot(of_sweep->half_width(), inertia->half_width());
+  return Measured{100 * std::max(0.0, apart - noise) * c.rough.largest_acceleration_rad_s2 /
+                      c.rough.gravity_Nm.value,
+                  {"cause.inertia_of_sweep",
+                   {{"sweep_kgm2", of_sweep->value}, {"inertia_kgm2", inertia->value}}}};
+}
+
 /// Misfit of the loops where the break-away torque comes from them, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
@@ -118,6 +145,27 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        inertia_of_starts_and_stops},
+      {"inertia_of_sweep",
+       "%",
+       0.1,
+       Verdict::doubtful,
+       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass},
+       "record.sweep",
+       inertia_of_sweep},
+      {"stribeck_exponent",
+       "",
+       1.3,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping},
+       "record.compare_reversals",
+       stribeck_exponent},
+      {"stribeck_exponent_at_break_away",
+       "",
+       1.3,
+       Verdict::doubtful,
+       {Quantity::break_away_torque},
+       "record.ramps",
+       stribeck_exponent_without_ramps},
       {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
       {"many_torque_outliers",
        "%",

@@ -95,6 +95,7 @@ const Messages& check_messages() {
        text("no speed is logged with a moving angle; it is derived from the angle")},
       {"not_applicable.no_speed_logged", text("no speed is logged in a sweep or a run")},
       {"not_applicable.no_rough_sweep", text("no rough sweep was recorded")},
+      {"not_applicable.no_gravity", text("the manifest states that there is no gravity")},
       {"not_applicable.no_run", text("no run at constant speed was recorded")},
       {"not_applicable.joint_stands", text("the joint does not move")},
       {"not_applicable.one_direction", text("only one direction was recorded")},

@@ -62,6 +62,10 @@ const Messages& gravity_messages() {
 
       // The equation that was fitted to a sweep.
       {"sweep_fit.constant_speed", text("T = offset of each direction + G cos(q - q_peak)")},
+      {"sweep_fit.constant_speed_without_gravity", text("T = offset of each direction")},
+      {"sweep_fit.varying_speed_without_gravity",
+       text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈")},
+      {"gravity.stated_none", text("the manifest states that there is no gravity to find")},
       {"sweep_fit.constant_speed_known_gravity",
        text("T = offset of each direction + G cos(q - q_peak), G from the rough sweep")},
       {"sweep_fit.varying_speed",

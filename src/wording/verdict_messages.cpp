@@ -42,6 +42,31 @@ const Messages& verdict_messages() {
 
       {"rule.friction_over_gravity", text("Friction as a share of the gravity torque")},
       {"rule.gravity_in_time", text("Slow waves of the torque in time, of the gravity torque")},
+      {"rule.gravity_in_time_on_friction", text("Torque that changes in time, of friction")},
+      {"rule.inertia_of_sweep", text("Inertia of the sweep that is none, of gravity")},
+      {"rule.stribeck_exponent", text("Dip of the curve unlike that of the loops' model, factor")},
+      {"rule.stribeck_exponent_at_break_away",
+       text("Dip of the curve unlike that of the loops' model, for want of ramps, factor")},
+      {"cause.stribeck_exponent",
+       text(
+           "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the loops' model has "
+           "the exponent 2: what was read from the loops is bent by that")},
+      {"cause.inertia_of_sweep",
+       text("the sweep's inertia of {sweep_kgm2:.3g} kg·m² is not the {inertia_kgm2:.3g} kg·m² of "
+            "starts and stops: a spring, or a gear that twists, is in it, and in the angle")},
+      {"cause.too_few_speeds_for_a_dip",
+       text(
+           "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "
+           "dip: {needed} would")},
+      {"rule.torque_of_angle", text("Torque of the angle that is no gravity")},
+      {"rule.torque_of_angle_large", text("Torque of the angle that is no gravity, large")},
+      {"cause.spring",
+       text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) grows "
+            "with the joint's angle, as of a spring or of hoses: it was taken off")},
+      {"cause.torque_of_angle",
+       text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
+            "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
+            "not centred: it was taken off")},
       {"rule.gear_twist", text("Twist of the gear under gravity, as far as it is sure")},
       {"rule.direction_asymmetry",
        text("Asymmetry of friction between the directions, as far as it is sure")},
@@ -155,6 +180,9 @@ const Messages& verdict_messages() {
       // The sentence at the top of the report.
       {"verdict.usable_without_gravity",
        text("The joint's friction is known; it has no gravity torque to speak of.")},
+      {"verdict.doubtful_without_gravity",
+       text("This joint has no gravity torque to speak of, and is judged by its friction, which is "
+            "known in part.")},
       {"verdict.usable_friction_points",
        text("The joint's friction curve is known; friction points show nothing else.")},
       {"verdict.no_torque",
@@ -182,6 +210,11 @@ const Messages& verdict_messages() {
       // Why a quantity is not usable.
       {"verdict.check", text("{check}: {found}")},
       {"verdict.check_fails", text("{found}: {consequence}")},
+      {"verdict.ramps_bend_otherwise",
+       text("the torque at which the ramps are seen to slide is {percent:.0f} % away from what "
+            "their resting part tends to: the contact is another than the one assumed")},
+      {"verdict.of_law_without_coulomb",
+       text("the same law has a Coulomb torque of {coulomb_Nm:.2g} N·m, which no joint has")},
       {"verdict.interval_reaches_below_zero",
        text("the data do not show it: its 95 % interval reaches below zero")},
       {"verdict.interval_reaches_zero",

@@ -42,6 +42,11 @@ struct CheckedDataset {
   bool has_torque{};
 
   [[nodiscard]] std::vector<const CheckedRecording*> with_role(joint::Role role) const;
+  /// So stated.
+  [[nodiscard]] bool has_no_gravity() const {
+    return manifest != nullptr && manifest->known_gravity &&
+           manifest->known_gravity->amplitude_Nm() == 0;
+  }
   [[nodiscard]] bool has_role(joint::Role role) const { return !with_role(role).empty(); }
 };
 

@@ -88,6 +88,7 @@ DataCheck check_common_angles(const CheckedDataset& data, joint::Role role, Chec
   if (recordings.empty()) {
     return not_applicable(name, none_of(role));
   }
+  if (data.has_no_gravity()) return not_applicable(name, {"not_applicable.no_gravity"});
   const DirectionDifference d = direction_difference(recordings, false);
   if (!(d.rising_travel_rad > 0) || !(d.falling_travel_rad > 0)) {
     return not_applicable(name, {"not_applicable.one_direction"});

@@ -35,6 +35,10 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
 }
 
 DataCheck check_angle_unit(const CheckedDataset& data) {
+  // An axis that nothing loads may turn as far as it will.
+  if (data.has_no_gravity()) {
+    return not_applicable(CheckName::angle_unit, {"not_applicable.no_gravity"});
+  }
   // A little more than one turn: few joints of a robot turn further, all do in degrees.
   constexpr double largest_likely_rad = 7.0;
   DataCheck check;

@@ -61,6 +61,7 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
       out.coulomb_Nm = statistics::symmetric_estimate(
           mean.dot(c), fit.regression.half_width_along(mean), method);
     }
+    out.largest_acceleration_rad_s2 = gear_ratio * d.x.col(d.acceleration).cwiseAbs().maxCoeff();
     out.viscous_Nms_rad = statistics::symmetric_estimate(c(d.speed) / gear_ratio,
                                                          half_width(d.speed) / gear_ratio, method);
     out.inertia_kgm2 = statistics::symmetric_estimate(
@@ -103,6 +104,30 @@ void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
   out.offset_drift_Nm = statistics::symmetric_estimate(2 * fit.regression.coefficients(d.drift),
                                                        2 * fit.regression.half_width(d.drift),
                                                        {"interval.least_squares_blocks"});
+}
+
+std::vector<std::size_t> blocks_of_strokes(const motion::SweepSamples& samples) {
+  const std::size_t strokes = samples.stroke.back() + 1;
+  return statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
+}
+
+/// Friction and offset of a joint that no gravity loads.
+void read_without_gravity(const motion::Sweep& sweep, double gear_ratio, CogSweepResult& out) {
+  const motion::SweepSamples& samples = sweep.samples;
+  const SweepDesign design = sweep_design(sweep, 0);
+  SweepGravityFit fit;
+  fit.regression = statistics::block_regression(design.x, design.y, blocks_of_strokes(samples));
+  out.residual_Nm = fit.regression.residual_sd;
+  out.white_Nm = std::sqrt(white_torque_variance(sweep));
+  out.method = samples.constant_speed ? Code{"sweep_fit.constant_speed_without_gravity"}
+                                      : Code{"sweep_fit.varying_speed_without_gravity"};
+  read_friction(design, samples, fit, gear_ratio, out);
+  out.stage.reason = {"gravity.stated_none"};
+  if (!samples.both_directions()) return;
+  const Eigen::VectorXd gradient = offset_gradient(design, samples);
+  out.offset_Nm = gradient.dot(fit.regression.coefficients);
+  out.torque_offset_Nm = statistics::symmetric_estimate(
+      out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
 }
 
 /// What the residual shows of ripple and vibration, and the fit without them.
@@ -373,6 +398,10 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
     return made;
   }
 
+  if (known.has_no_gravity) {
+    read_without_gravity(sweep, gear_ratio, out);
+    return made;
+  }
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
   // In a sweep of varying speed the inertia's torque has nearly the same shape.
@@ -381,8 +410,12 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
   SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
   const std::size_t strokes = samples.stroke.back() + 1;
-  const std::vector<std::size_t> blocks =
-      statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
+  const std::vector<std::size_t> blocks = blocks_of_strokes(samples);
+  if (amplitude_known && known.of_angle) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      design.y(static_cast<Eigen::Index>(i)) -= known.of_angle->torque_Nm(sweep.q_rad(i));
+    }
+  }
   SweepGravityFit fit = amplitude_known
                             ? fit_angle(sweep, design, middle, *gravity_Nm, known_twist, blocks)
                             : fit_amplitude_and_angle(sweep, design, middle, blocks);
@@ -390,6 +423,9 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
   } else {
+    if (!precise) {
+      fit = with_torque_of_angle_where_it_shows(sweep, design, middle, blocks, fit);
+    }
     fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
     fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out);
@@ -406,9 +442,15 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
   out.twist_rad = fit.twist_rad;
+  out.of_angle = torque_of_angle(sweep, design, middle, fit);
   made.blocks = blocks_of(design, samples, fit);
   if (amplitude_known) {
     made.blocks.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
+    if (known.of_angle) {
+      out.q_peak_rad =
+          widened(out.q_peak_rad, known.of_angle->slope_half_width_Nm_rad / gravity_Nm->value,
+                  "interval.widened_by_torque_of_angle");
+    }
     if (known.twist_rad) widen_by_twist(sweep, design, *known.twist_rad, out, made.blocks);
     widen_by_ripple(sweep, design, gear_ratio, known.ripple, out, made.blocks);
   }

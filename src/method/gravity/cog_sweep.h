@@ -26,6 +26,19 @@
 
 namespace tribolog::method::gravity {
 
+/// Torque that changes with the joint's angle as no weight does: of a spring, of hoses, of a
+/// linkage, of an encoder that is not centred. Motor side, beside gravity and offset.
+struct TorqueOfAngle {
+  double about_rad{};                ///< What angles count from: y = q - about.
+  double cosine_Nm{};                ///< Of cos 2y.
+  double sine_Nm{};                  ///< Of sin 2y.
+  double spring_Nm{};                ///< Of y [N·m/rad].
+  double amplitude_Nm{};             ///< Half of largest less smallest, over the sweep.
+  double slope_half_width_Nm_rad{};  ///< 95 % of its slope at the gravity peak [N·m/rad].
+
+  [[nodiscard]] double torque_Nm(double q_rad) const;
+};
+
 struct CogSweepResult {
   statistics::StageReport stage;
   bool found{false};  ///< The values below are valid.
@@ -52,6 +65,9 @@ struct CogSweepResult {
   /// Twist of the gear under the whole gravity torque, joint side; absent where the range is too
   /// short to tell it from a turned peak.
   std::optional<statistics::Estimate> twist_rad;
+  /// Present where the mean of both directions shows it beside gravity and a twist of the gear: it
+  /// is then a term of the fit.
+  std::optional<TorqueOfAngle> of_angle;
   double offset_Nm{};  ///< Mean of both directions that is not gravity, motor side.
   /// The same with its interval, where both directions were recorded: an offset of the torque, or
   /// half the difference of friction in both directions.
@@ -67,6 +83,7 @@ struct CogSweepResult {
   std::vector<VibrationLine> vibration;  ///< What of the residual is periodic in time.
   double coloured_Nm{};  ///< Standard deviation of what hangs together in time without a period.
   double white_Nm{};     ///< That of white noise.
+  double largest_acceleration_rad_s2{};  ///< Of the motor, in a sweep of varying speed.
   double friction_by_angle_Nm{};  ///< Of what repeats with the angle, but turns with the direction.
   double lowest_rad{};            ///< Range of the samples used.
   double highest_rad{};
@@ -128,8 +145,10 @@ struct CogSweep {
 /// @param sweep of the recordings of one role; without any the stage is skipped and says so.
 /// What a short sweep takes from a long one.
 struct KnownOfSweep {
+  bool has_no_gravity{};                           ///< So stated: friction alone is read.
   std::optional<statistics::Estimate> gravity_Nm;  ///< Amplitude at the motor.
   std::optional<statistics::Estimate> twist_rad;   ///< Of the gear.
+  std::optional<TorqueOfAngle> of_angle;
   /// A short sweep cannot average it out: its angle's interval is as wide as the ripple at any
   /// phase demands.
   Ripple ripple;

@@ -234,6 +234,159 @@ GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult&
   return {effect(1) / g, effect(0)};
 }
 
+double TorqueOfAngle::torque_Nm(double q_rad) const {
+  const double y = q_rad - about_rad;
+  return cosine_Nm * std::cos(2 * y) + sine_Nm * std::sin(2 * y) + spring_Nm * y;
+}
+
+namespace {
+
+/// The design with further columns of the angle, in place of the twist's.
+SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool second, bool spring) {
+  SweepDesign d = sweep_design(sweep, 2, false);
+  Eigen::Index next = d.x.cols();
+  if (second) {
+    d.second = next;
+    next += 2;
+  }
+  if (spring) d.spring = next++;
+  d.x.conservativeResize(Eigen::NoChange, next);
+  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double y = sweep.q_rad(i) - middle;
+    if (second) {
+      d.x(row, d.second) = std::cos(2 * y);
+      d.x(row, d.second + 1) = std::sin(2 * y);
+    }
+    if (spring) d.x(row, d.spring) = y;
+  }
+  return d;
+}
+
+/// Whether a sum over coefficients is none that chance gives: beyond 3.3 standard errors of a
+/// normal number.
+bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient) {
+  constexpr double half_widths = 1.7;
+  return std::abs(gradient.dot(fit.regression.coefficients)) >
+         half_widths * fit.regression.half_width_along(gradient);
+}
+
+/// Of a design with cos 2y and sin 2y: what of them is even about the peak, and what is odd.
+Eigen::VectorXd second_about_peak(const SweepDesign& d, const SweepGravityFit& fit, double middle,
+                                  bool even) {
+  const double turned = 2 * (fit.q_peak_rad.value - middle);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
+  gradient(d.second) = even ? std::cos(turned) : -std::sin(turned);
+  gradient(d.second + 1) = even ? std::sin(turned) : std::cos(turned);
+  return gradient;
+}
+
+Eigen::VectorXd along(const SweepDesign& d, Eigen::Index column) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
+  gradient(column) = 1;
+  return gradient;
+}
+
+/// Whether two fits differ by what matters: half of an interval, a tenth of a per mille of the
+/// amplitude or a hundredth of a degree.
+bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
+  constexpr double share = 0.5;
+  constexpr double least_share = 1e-4;
+  constexpr double least_rad = 0.01 / joint::degrees_per_rad;
+  const double angle = std::abs(after.q_peak_rad.value - before.q_peak_rad.value);
+  const double amplitude = std::abs(after.gravity_Nm.value - before.gravity_Nm.value);
+  return angle > std::max(share * before.q_peak_rad.half_width(), least_rad) ||
+         amplitude > std::max(share * before.gravity_Nm.half_width(),
+                              least_share * before.gravity_Nm.value);
+}
+
+}  // namespace
+
+SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
+                                                    double middle,
+                                                    const std::vector<std::size_t>& blocks,
+                                                    const SweepGravityFit& fit) {
+  constexpr double least_range_rad = 40 / joint::degrees_per_rad;
+  if (!sweep.samples.both_directions()) return fit;
+  double lowest = sweep.q_rad(0);
+  double highest = lowest;
+  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+    lowest = std::min(lowest, sweep.q_rad(i));
+    highest = std::max(highest, sweep.q_rad(i));
+  }
+  if (highest - lowest < least_range_rad) return fit;
+
+  SweepDesign second = design_of_angle(sweep, middle, true, false);
+  const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);
+  const Eigen::VectorXd odd = second_about_peak(second, with_second, middle, false);
+  const bool is_even = shows(with_second, second_about_peak(second, with_second, middle, true));
+  const bool is_odd = shows(with_second, odd);
+  // A gear that gives under its load is the odd part, with the sign of gravity.
+  const bool is_twist = design.twist >= 0 && odd.dot(with_second.regression.coefficients) > 0;
+  if (!is_even && (!is_odd || is_twist)) return fit;
+  SweepGravityFit chosen = with_second;
+  if (design.twist >= 0 && !is_twist) {
+    SweepDesign both = design_of_angle(sweep, middle, true, true);
+    const SweepGravityFit of_both = fit_amplitude_and_angle(sweep, both, middle, blocks);
+    SweepDesign spring = design_of_angle(sweep, middle, false, true);
+    SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, spring, middle, blocks);
+    const bool needs_second = shows(of_both, second_about_peak(both, of_both, middle, true)) ||
+                              shows(of_both, second_about_peak(both, of_both, middle, false));
+    const bool needs_spring = shows(of_both, along(both, both.spring));
+    if (!needs_second && shows(of_spring, along(spring, spring.spring))) {
+      if (!needs_spring) {  // either may be
+        const auto hold = [](statistics::Estimate& e, const statistics::Estimate& other) {
+          const double reach =
+              std::max(std::abs(other.low - e.value), std::abs(other.high - e.value));
+          e = statistics::symmetric_estimate(
+              e.value, std::max(e.half_width(), reach),
+              {"interval.widened_by_torque_of_angle", {{"interval", e.method}}});
+        };
+        hold(of_spring.q_peak_rad, with_second.q_peak_rad);
+        hold(of_spring.gravity_Nm, with_second.gravity_Nm);
+      }
+      chosen = std::move(of_spring);
+      second = std::move(spring);
+    } else if (needs_second && needs_spring) {
+      chosen = of_both;
+      second = std::move(both);
+    }
+  }
+  if (!matters(fit, chosen)) return fit;
+  design = std::move(second);
+  return chosen;
+}
+
+std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& d,
+                                             double middle, const SweepGravityFit& fit) {
+  if (d.second < 0 && d.spring < 0) return std::nullopt;
+  const Eigen::VectorXd& c = fit.regression.coefficients;
+  TorqueOfAngle out;
+  out.about_rad = middle;
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(c.size());
+  const double y = fit.q_peak_rad.value - middle;
+  if (d.second >= 0) {
+    out.cosine_Nm = c(d.second);
+    out.sine_Nm = c(d.second + 1);
+    slope(d.second) = -2 * std::sin(2 * y);
+    slope(d.second + 1) = 2 * std::cos(2 * y);
+  }
+  if (d.spring >= 0) {
+    out.spring_Nm = c(d.spring);
+    slope(d.spring) = 1;
+  }
+  double smallest = INFINITY;
+  double largest = -INFINITY;
+  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+    const double torque = out.torque_Nm(sweep.q_rad(i));
+    smallest = std::min(smallest, torque);
+    largest = std::max(largest, torque);
+  }
+  out.amplitude_Nm = (largest - smallest) / 2;
+  out.slope_half_width_Nm_rad = fit.regression.half_width_along(slope);
+  return out;
+}
+
 namespace {
 
 constexpr std::size_t fewest_strokes = 4;

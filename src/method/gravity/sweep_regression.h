@@ -49,9 +49,11 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
-  Eigen::Index drift{-1};  // of the offset with the time, where both directions were recorded
-  Eigen::Index twist{-1};  // of the gear; where the range tells it
-  Eigen::Index load{-1};   // sgn(q') |cos(q - q_peak)|, last; only where it pays
+  Eigen::Index drift{-1};   // of the offset with the time, where both directions were recorded
+  Eigen::Index twist{-1};   // of the gear; where the range tells it
+  Eigen::Index second{-1};  // of twice the angle: cosine, and sine behind it
+  Eigen::Index spring{-1};  // of the angle
+  Eigen::Index load{-1};    // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
 };
 
@@ -108,6 +110,24 @@ struct GravityShift {
 /// @param amplitude_known the sweep's fit took the gravity torque from elsewhere.
 GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult& found,
                                bool amplitude_known, const Eigen::VectorXd& extra_Nm);
+
+// Internal to the sweep stage: torque of the angle that is no gravity.
+//
+// Its columns are cos 2y and sin 2y, y from the sweep's middle, in place of the twist's; or y
+// alone, of a spring, where a twist would be negative (no gear gives against its load) and the data
+// do not ask for the other two. At varying speed a spring looks like inertia and takes no part.
+
+/// @param fit of the design without them, its columns of gravity filled.
+/// @return the fit with them, `design` with them in place; or `fit` with `design` as it was, where
+/// they do not show, or move neither angle nor amplitude by what matters.
+SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
+                                                    double middle_rad,
+                                                    const std::vector<std::size_t>& blocks,
+                                                    const SweepGravityFit& fit);
+
+/// What was found with such columns; absent without them.
+std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& design,
+                                             double middle_rad, const SweepGravityFit& fit);
 
 // Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
 // the regression of a sweep of varying speed.

@@ -63,6 +63,33 @@ std::size_t moved_on(const statistics::Summits& travel, std::size_t i, double ne
   return travel.first(i + 1, [&](double there) { return there - here >= need; });
 }
 
+/// Mean speed up to where the torque has risen half as far as at a sample, its first twentieth left
+/// out; asked for samples in their order.
+class SpeedOfFirstHalf {
+ public:
+  SpeedOfFirstHalf(const joint::Recording& r, double sign) : r_(r), sign_(sign) {}
+  /// @param least travel that can be seen.
+  [[nodiscard]] double before(std::size_t i, const std::vector<double>& travel, double least) {
+    constexpr double begin = 0.05;
+    constexpr double half = 0.5;
+    const double risen = rise(i);
+    while (begin_ < i && rise(begin_) < begin * risen) ++begin_;
+    half_ = std::max(half_, begin_);
+    while (half_ < i && rise(half_) < half * risen) ++half_;
+    const double time_s = r_.t_s[half_] - r_.t_s[begin_];
+    return time_s > 0 ? std::max(travel[half_] - travel[begin_], least) / time_s : INFINITY;
+  }
+
+ private:
+  [[nodiscard]] double rise(std::size_t i) const {
+    return sign_ * (r_.torque_Nm[i] - r_.torque_Nm.front());
+  }
+  const joint::Recording& r_;
+  double sign_;
+  std::size_t begin_{0};
+  std::size_t half_{0};
+};
+
 /// Travel from break-away at sample `at` to where the joint has slowed down to a third of the speed
 /// by which break-away was told.
 std::optional<double> slip_until_stop(const joint::Recording& r, const statistics::Summits& summits,
@@ -197,6 +224,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   std::size_t furthest_at_rest = furthest;
   std::size_t at = furthest;
   std::size_t beside = 0;
+  SpeedOfFirstHalf first_half(r, sign);
   for (std::size_t i = 1; i < furthest; ++i) {
     const double need = std::max(least, share_of_travel * travel[i]);
     const std::size_t j = moved_on(summits, i, need);
@@ -206,7 +234,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);
     if (yield > yield_that_may_slide) furthest_at_rest = std::min(furthest_at_rest, i);
-    if (yield > yield_at_break_away) {
+    const double speed_up = need / (r.t_s[j] - r.t_s[i]) / first_half.before(i, travel, least);
+    if (yield > yield_at_break_away || speed_up > speed_up_at_break_away) {
       ramp.broke_away = true;
       at = i;
       beside = j - i;
@@ -262,9 +291,11 @@ std::optional<RampMean> mean_over(const std::vector<double>& values) {
 }
 
 /// @param is_level the levels at rest are the values, and the readings what they are held against.
+/// @param apart is raised to what these two differ by beyond their noise.
 std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
                                             bool is_level,
-                                            const std::optional<KnownGravity>& gravity) {
+                                            const std::optional<KnownGravity>& gravity,
+                                            double& apart) {
   std::vector<double> readings;
   std::vector<double> levels;
   double by_gravity = 0;
@@ -291,9 +322,13 @@ std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ra
   }
   const RampMean level = present(mean_over(levels));
   const double difference = std::abs(reading->value - share_at_reading * level.value);
-  const double by_contact = std::max(0.0, difference - std::hypot(reading->scatter, level.scatter));
+  const double noise = std::hypot(reading->scatter, level.scatter);
+  // Which of the two is the joint's, another contact decides: beyond their noise the interval holds
+  // both.
+  const double by_contact = difference > noise ? difference : 0;
+  apart = std::max(apart, by_contact / level.value);
   return statistics::symmetric_estimate(level.value,
-                                        std::hypot(level.scatter, by_gravity, by_contact),
+                                        std::hypot(level.scatter, by_gravity) + by_contact,
                                         {"interval.scatter_of_ramps_at_rest"});
 }
 
@@ -342,8 +377,8 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
                  std::all_of(
                      out.ramps.begin(), out.ramps.end(),
                      [](const auto& ramp) { return !ramp.broke_away || ramp.level_Nm; });
-  out.rising_Nm = mean_of(out.ramps, true, out.is_level, gravity);
-  out.falling_Nm = mean_of(out.ramps, false, out.is_level, gravity);
+  out.rising_Nm = mean_of(out.ramps, true, out.is_level, gravity, out.apart);
+  out.falling_Nm = mean_of(out.ramps, false, out.is_level, gravity, out.apart);
   if (out.rising_Nm && out.falling_Nm) {
     out.mean_Nm = statistics::symmetric_estimate(
         (out.rising_Nm->value + out.falling_Nm->value) / 2,

@@ -5,7 +5,10 @@
 // break-away it yields without limit. The moment is found without a scale of its own: where the
 // joint, over a tenth of its travel so far (and twenty of its usual steps), moves
 // `yield_at_break_away` times faster than on average since the ramp began. A LuGre contact does so
-// 0.7 % below its static torque, whatever its stiffness and the rate.
+// 0.7 % below its static torque, whatever its stiffness and the rate. A heavy joint that runs away
+// slowly never does: its mean speed grows along. It has broken away where it moves
+// `speed_up_at_break_away` times faster than up to half of the torque, which a LuGre contact does
+// 0.7 % below its static torque, too.
 //
 // Where the torque rises fast for the contact, the joint is already being sped up when it is seen
 // to yield, and more torque is read than friction holds. The part of the ramp in which it rests
@@ -32,6 +35,7 @@
 namespace tribolog::method::hysteresis {
 
 inline constexpr double yield_at_break_away = 30;
+inline constexpr double speed_up_at_break_away = 100;
 
 /// Gravity torque at the motor, to be taken off the driving torque.
 struct KnownGravity {
@@ -66,6 +70,9 @@ struct BreakAwayResult {
   std::vector<BreakAwayRamp> ramps;
   std::size_t censored{};
   bool is_level{};  ///< The values are the ramps' levels, not their readings.
+  /// What levels and readings differ by beyond their scatter, of the larger direction's, as a
+  /// share.
+  double apart{};
   /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
   /// scatter of the ramps, absent with fewer than two that broke away.
   std::optional<statistics::Estimate> rising_Nm;

@@ -30,8 +30,9 @@ struct SweepOffset {
   double friction_Nm{};  ///< Of the sweep.
   double drift_Nm{};     ///< Within the sweep; 0 where none shows.
   bool is_known{};
+  const std::optional<gravity::TorqueOfAngle>& of_angle;
 
-  explicit SweepOffset(const gravity::CogSweepResult& rough) {
+  explicit SweepOffset(const gravity::CogSweepResult& rough) : of_angle(rough.of_angle) {
     // A short sweep cannot tell an offset from gravity: taking off its error would do harm.
     constexpr double widest_share = 0.02;
     if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
@@ -43,7 +44,15 @@ struct SweepOffset {
   }
 
   /// @param friction_Nm mean of what friction the reading holds, there and back.
-  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm) const {
+  /// @param q_rad where it was read.
+  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm, double q_rad) const {
+    OffsetTaken taken = of_torque(friction_of_reading_Nm);
+    if (of_angle) taken.value_Nm += of_angle->torque_Nm(q_rad);
+    return taken;
+  }
+
+ private:
+  [[nodiscard]] OffsetTaken of_torque(double friction_of_reading_Nm) const {
     if (!is_known) return {};
     constexpr double largest_ratio = 3;
     const double ratio = std::clamp(friction_of_reading_Nm / friction_Nm, 0.0, largest_ratio);
@@ -113,7 +122,7 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
   const SweepOffset offset(rough);
   // At the trough the amplitude stands in the torque with a minus.
   const double side = cosine_at(context, hysteresis.midline_q_rad) < 0 ? -1.0 : 1.0;
-  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm);
+  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm, hysteresis.midline_q_rad);
   for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -133,7 +142,7 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const statistics::Estimate torque = statistics::symmetric_estimate(
         (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
-    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2);
+    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2, angle);
     out.masses.push_back(make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine,
                                    context, of_pair, offset.half_width_Nm));
   }

@@ -24,16 +24,31 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
 }
 
 /// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the
-/// middle half, within its noise.
+/// middle half, within its noise. A speed that is another over a tenth of the stretch and more
+/// drifts, and is no ramp: it is allowed as much.
 std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, std::size_t first,
                                                 std::size_t last, double noise) {
   constexpr double tight = 1e-3;
+  constexpr double loosest = 0.02;
   const std::size_t quarter = (last - first) / 4;
   const auto at = [&](std::size_t i) { return v.begin() + static_cast<std::ptrdiff_t>(i); };
   const double speed = statistics::median({at(first + quarter), at(last - quarter)});
-  const double tolerance = std::max(tight * std::abs(speed), 4 * noise);
-  while (first < last && std::abs(v[first] - speed) > tolerance) ++first;
-  while (last > first && std::abs(v[last - 1] - speed) > tolerance) --last;
+  const std::size_t longest_ramp = (last - first) / 10;
+  const auto ramp = [&](auto speed_at) {
+    std::size_t length = 0;
+    for (double share = tight; share <= loosest; share *= 2) {
+      const double tolerance = std::max(share * std::abs(speed), 4 * noise);
+      length = 0;
+      while (length < last - first && std::abs(speed_at(length) - speed) > tolerance) ++length;
+      if (length <= longest_ramp) break;
+    }
+    return length;
+  };
+  const std::size_t begin = ramp([&](std::size_t k) { return v[first + k]; });
+  const std::size_t end = ramp([&](std::size_t k) { return v[last - 1 - k]; });
+  if (begin + end >= last - first) return {first, first};
+  first += begin;
+  last -= end;
   return {first, last};
 }
 

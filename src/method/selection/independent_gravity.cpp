@@ -167,6 +167,7 @@ std::vector<Bin> bins_of(const motion::Sweep& sweep, const gravity::CogSweepResu
       const std::size_t after = std::min(recording.size() - 1, i + 10);
       const int side = recording.q_rad[after] > recording.q_rad[before] ? 1 : 0;
       bins[bin].torque[side] += recording.torque_Nm[i] - rough.ripple.torque_Nm(gear_ratio * q);
+      if (rough.of_angle) bins[bin].torque[side] -= rough.of_angle->torque_Nm(q);
       bins[bin].angle[side] += q;
       bins[bin].count[side] += 1;
     }
@@ -296,7 +297,8 @@ IndependentGravities independent_gravity(const motion::Sweep& sweep,
   IndependentGravities out;
   if (auto one = gravity_of_sweep_directions(sweep, rough, gear_ratio))
     out.gravity.push_back(std::move(*one));
-  if (q_peak_rad) {
+  // Runs and plain regression do not tell it from gravity.
+  if (q_peak_rad && !rough.of_angle) {
     if (auto one = gravity_of_run_directions(curves, rough)) out.gravity.push_back(std::move(*one));
     std::vector<const joint::Recording*> moving = sweep.recordings;
     moving.insert(moving.end(), runs.begin(), runs.end());

@@ -548,7 +548,77 @@ Choice choose(Laws& laws, double direction_scatter) {
   return out;
 }
 
-Hulls hulls_about(const Laws& laws, const Choice& choice) {
+/// Shapes close about a curved law, ever closer until some beside it are not excluded: on a coarse
+/// grid there may be none.
+void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
+  double exponent_step = 1.0 / 4;  // octaves
+  double power_step = 0.05;
+  constexpr int rounds = 5;
+  for (int k = 0; k < rounds; ++k) {
+    LawGrid grid = laws.whole_grid();
+    grid.exponents.clear();
+    grid.powers.clear();
+    for (int j = -2; j <= 2; ++j) {
+      if (choice.law.has_excess || j == 0) {
+        grid.exponents.push_back(choice.law.exponent * std::exp2(j * exponent_step));
+      }
+      grid.powers.push_back(std::max(0.05, choice.law.power + j * power_step));
+    }
+    Hulls near = hulls;
+    Hull power;
+    if (choice.law.has_excess) {
+      constexpr double reach = 3;
+      grid.slowest_speed = std::max(grid.slowest_speed, choice.law.speed_rad_s / reach);
+      grid.fastest_speed = std::min(grid.fastest_speed, choice.law.speed_rad_s * reach);
+      const std::vector<LawPoint> points = laws.scan(grid);
+      add_points(points, choice.limit, near);
+      for (const LawPoint& point : points) {
+        if (point.chi2 <= choice.limit) power.add(point.power);
+      }
+    } else {
+      for (const double p : grid.powers) {
+        const LawPoint point = laws.line(p);
+        add_points({point}, choice.limit, near);
+        if (point.chi2 <= choice.limit) power.add(p);
+      }
+    }
+    hulls = near;
+    if (power.any() && power.high > power.low) return;
+    exponent_step /= 3;
+    power_step /= 3;
+  }
+}
+
+/// Another law of a curve that is no straight line: linear and quadratic in the speed. Of it what
+/// is not excluded, if it describes the speeds about as well.
+void add_quadratic_rival(const Laws& laws, const Choice& choice, Hulls& hulls) {
+  std::vector<SpeedMean> means = laws.means();
+  for (SpeedMean& m : means) m.load = std::pow(m.speed_rad_s / laws.fastest(), 2);
+  Laws quadratic(std::move(means), true);
+  quadratic.set_scatter2(laws.scatter2());
+  LawPoint law = quadratic.line();
+  if (choice.has_dip && quadratic.can_dip()) {
+    const std::optional<LawPoint> dip = quadratic.best_law(quadratic.whole_grid());
+    if (dip && dip->chi2 < law.chi2) law = *dip;
+  }
+  if (!(law.chi2 <= choice.limit)) return;
+  const double limit = law.chi2 + (choice.limit - choice.law.chi2);
+  if (law.has_excess) {
+    LawGrid grid = quadratic.whole_grid();
+    grid.exponents = exponents(2);
+    const Hulls of_rival = hulls_of(quadratic, grid, law, limit);
+    hulls.coulomb.add(of_rival.coulomb.low);
+    hulls.coulomb.add(of_rival.coulomb.high);
+    if (of_rival.speed.any()) {
+      hulls.speed.add(of_rival.speed.low);
+      hulls.speed.add(of_rival.speed.high);
+    }
+    return;
+  }
+  hulls.coulomb.add(law.coulomb_Nm, std::sqrt(limit - law.chi2) * law.coulomb_error);
+}
+
+Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
   LawGrid grid = laws.whole_grid();
   grid.exponents = exponents();
   const bool is_curved = choice.law.power != 1;
@@ -566,6 +636,10 @@ Hulls hulls_about(const Laws& laws, const Choice& choice) {
     hulls = hulls_of(laws, grid, choice.law, choice.limit);
   for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, hulls);
   add_points({choice.law}, choice.limit, hulls);
+  if (is_curved) {
+    add_shapes_nearby(laws, choice, hulls);
+    if (with_rival) add_quadratic_rival(laws, choice, hulls);
+  }
   return hulls;
 }
 
@@ -621,7 +695,7 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
   laws.find_scatter();
   const double direction_scatter = direction_scatter2(speeds, laws.scatter2());
   const Choice choice = choose(laws, direction_scatter);
-  const Hulls hulls = hulls_about(laws, choice);
+  const Hulls hulls = hulls_about(laws, choice, !terms.load);
 
   out.fitted = true;
   out.speeds = speeds.size();
@@ -653,6 +727,11 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
     out.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
                                    {{"exponent", out.viscous_exponent}}};
     out.findings.push_back(out.viscous_Nms_rad.why_not);
+  }
+  // A line through few speeds may lie within the dip, and none could tell.
+  if (!laws.can_dip()) {
+    out.doubt({"cause.too_few_speeds_for_a_dip",
+               {{"speeds", out.speeds}, {"needed", dip_parameters + 2}}});
   }
   // The mean of the directions is friction only where both tell of the same.
   constexpr double matters = 0.005;

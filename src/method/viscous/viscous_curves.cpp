@@ -261,15 +261,16 @@ std::vector<ConstantSpeedRun> runs_of_points(const joint::FrictionPoints& points
   return runs;
 }
 
-/// Points of both directions at one speed, each with one of the other.
-void pair_points(std::vector<ConstantSpeedRun>& runs) {
+/// Where the angle has no part in it: each rising one of a speed with a falling one. Friction
+/// points; of a joint without gravity the runs too.
+void pair_by_speed(std::vector<ConstantSpeedRun>& runs, bool is_free) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     ConstantSpeedRun& rising = runs[i];
-    if (rising.has_angle() || rising.speed_rad_s < 0) continue;
+    if ((rising.has_angle() && !is_free) || rising.speed_rad_s < 0) continue;
     double nearest = same_speed;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const ConstantSpeedRun& other = runs[k];
-      if (other.has_angle() || other.partner >= 0 || other.recording != rising.recording) continue;
+      if (other.has_angle() != rising.has_angle() || other.partner >= 0) continue;
       const double apart = std::abs(-other.speed_rad_s / rising.speed_rad_s - 1);
       if (apart > nearest) continue;
       nearest = apart;
@@ -281,7 +282,8 @@ void pair_points(std::vector<ConstantSpeedRun>& runs) {
     const double difference = (rising.torque_Nm - falling.torque_Nm) / 2;
     for (ConstantSpeedRun* run : {&rising, &falling}) {
       run->direction_difference_Nm = run == &rising ? difference : -difference;
-      run->direction_difference_half_width_Nm = run->torque_half_width_Nm / std::sqrt(2.0);
+      run->direction_difference_half_width_Nm =
+          std::hypot(rising.torque_half_width_Nm, falling.torque_half_width_Nm) / 2;
       run->direction_mean_Nm = (rising.torque_Nm + falling.torque_Nm) / 2;
       run->direction_mean_cos = 0;
     }
@@ -393,9 +395,11 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
     out.samples_left_out += r->size() - motion.samples_on_plateaus;
     if (motion.plateaus.empty()) ++out.recordings_without_plateau;
   }
+  const bool is_free = stated && stated->amplitude_Nm() == 0;
   if (!out.runs.empty()) {
-    pair_directions(out.runs, sources, {q_peak, gravity});
-  } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
+    if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity});
+  } else if (((rough.found && q_peak_rad) || (is_free && rough.coulomb_Nm)) &&
+             rough.both_directions && !rough.constant_speed) {
     out.runs = pair_sweep_by_angle(sweep, rough, gear_ratio, q_peak);
     out.from_sweep = !out.runs.empty();
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
@@ -406,7 +410,7 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
     out.samples_used += runs.size();
     out.runs.insert(out.runs.end(), runs.begin(), runs.end());
   }
-  pair_points(out.runs);
+  pair_by_speed(out.runs, is_free && !out.from_sweep);
   sort_by_speed(out.runs, made.block_friction_Nm);
   out.angles = direction_angles(out.runs);
   for (const hysteresis::SurrogateMass& mass : masses.masses) {
