@@ -46,6 +46,12 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
 /// What changes with the joint's angle as no weight does.
 std::optional<Measured> torque_of_angle(const Calibration& c) {
   if (!c.rough.found) return std::nullopt;
+  if (c.rough.torque_of_angle_left_Nm > 0) {
+    const double left = 100 * c.rough.torque_of_angle_left_Nm / c.rough.gravity_Nm.value;
+    return Measured{left,
+                    {"cause.torque_of_angle_left",
+                     {{"amplitude_Nm", c.rough.torque_of_angle_left_Nm}, {"percent", left}}}};
+  }
   if (!c.rough.of_angle) return Measured{};
   const double percent = 100 * c.rough.of_angle->amplitude_Nm / c.rough.gravity_Nm.value;
   return Measured{percent,

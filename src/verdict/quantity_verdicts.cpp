@@ -215,6 +215,19 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
              {"record.speeds_about_the_dip"}),
       judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad, record_runs),
       viscous_curve(c)};
+  // Above the dip, says the definition; a sweep's speeds may lie within it.
+  const bool is_of_sweep =
+      headline.source == calibration::HeadlineSource::sweep || c.viscous.from_sweep;
+  if (is_of_sweep || headline.source == calibration::HeadlineSource::line) {
+    for (const Quantity quantity : {Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
+      calibration::QuantityVerdict& q = verdict_on(quantity, all);
+      if (!q.estimate) continue;
+      calibration::lower(
+          q, calibration::Verdict::doubtful,
+          is_of_sweep ? Code{"verdict.friction_of_sweep"} : Code{"verdict.friction_of_few_speeds"},
+          {"record.runs"});
+    }
+  }
   // All three are of one law: where its Coulomb torque cannot be, nor is the rest right.
   if (headline.coulomb_Nm.estimate && headline.coulomb_Nm.estimate->value <= 0) {
     for (const Quantity quantity : {Quantity::viscous_coefficient, Quantity::stribeck_speed}) {

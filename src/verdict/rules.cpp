@@ -80,6 +80,15 @@ std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent(c);
 }
 
+/// Where friction was read from a sweep: how far its strokes are from one line over the speed.
+std::optional<Measured> strokes_of_sweep(const Calibration& c) {
+  if (!c.viscous.from_sweep || !c.rough.coulomb_Nm || c.rough.strokes_apart_Nm == 0) {
+    return std::nullopt;
+  }
+  const double percent = 100 * c.rough.strokes_apart_Nm / std::abs(c.rough.coulomb_Nm->value);
+  return Measured{percent, {"cause.strokes_apart", {{"percent", percent}}}};
+}
+
 /// What a sweep of varying speed takes for inertia and is none, as a share of gravity.
 std::optional<Measured> inertia_of_sweep(const Calibration& c) {
   const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
@@ -145,6 +154,14 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        inertia_of_starts_and_stops},
+      {"strokes_of_sweep",
+       "%",
+       3,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve},
+       "record.runs",
+       strokes_of_sweep},
       {"inertia_of_sweep",
        "%",
        0.1,

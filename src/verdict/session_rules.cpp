@@ -37,7 +37,12 @@ std::optional<Measured> by_load_of_sweep(const method::viscous::LoadDependenceRe
 /// What it adds to the friction that was recorded, as a share of what is there without load.
 std::optional<Measured> by_load(const Calibration& c) {
   const auto& l = c.session.load;
-  if (!l.examined) return by_load_of_sweep(c.load_dependence);
+  if (!l.examined) {
+    // Where friction falls with the speed, a sweep that is fastest under the largest load cannot
+    // tell the one from the other.
+    const bool has_dip = c.curve_model.sliding.fitted && c.curve_model.sliding.has_dip;
+    return has_dip && !c.viscous.from_sweep ? std::nullopt : by_load_of_sweep(c.load_dependence);
+  }
   return Measured{percent_if(l.found, (l.friction_Nm - l.unloaded_Nm) / l.unloaded_Nm),
                   {"cause.load",
                    {{"share_percent", 100 * l.per_load.value},

@@ -43,6 +43,10 @@ const Messages& verdict_messages() {
       {"rule.friction_over_gravity", text("Friction as a share of the gravity torque")},
       {"rule.gravity_in_time", text("Slow waves of the torque in time, of the gravity torque")},
       {"rule.gravity_in_time_on_friction", text("Torque that changes in time, of friction")},
+      {"rule.strokes_of_sweep", text("Strokes of the sweep off one line over the speed")},
+      {"cause.strokes_apart",
+       text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
+            "the speed: another law, or a torque that is not right at some speed")},
       {"rule.inertia_of_sweep", text("Inertia of the sweep that is none, of gravity")},
       {"rule.stribeck_exponent", text("Dip of the curve unlike that of the loops' model, factor")},
       {"rule.stribeck_exponent_at_break_away",
@@ -63,6 +67,10 @@ const Messages& verdict_messages() {
       {"cause.spring",
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) grows "
             "with the joint's angle, as of a spring or of hoses: it was taken off")},
+      {"cause.torque_of_angle_left",
+       text("the sweep's torque differs from gravity's by up to ±{amplitude_Nm:.3g} N·m "
+            "({percent:.2g} % of gravity), in the course of the angle or of the time: a spring, a "
+            "linkage, or gravity that changes; it is not taken off")},
       {"cause.torque_of_angle",
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
             "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
@@ -213,6 +221,12 @@ const Messages& verdict_messages() {
       {"verdict.ramps_bend_otherwise",
        text("the torque at which the ramps are seen to slide is {percent:.0f} % away from what "
             "their resting part tends to: the contact is another than the one assumed")},
+      {"verdict.friction_of_few_speeds",
+       text("so few speeds do not show whether they lie within the Stribeck dip")},
+      {"verdict.friction_of_sweep",
+       text(
+           "it is the friction at the sweep's speeds, and no run shows whether they lie within the "
+           "Stribeck dip")},
       {"verdict.of_law_without_coulomb",
        text("the same law has a Coulomb torque of {coulomb_Nm:.2g} N·m, which no joint has")},
       {"verdict.interval_reaches_below_zero",

@@ -106,6 +106,27 @@ void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
                                                        {"interval.least_squares_blocks"});
 }
 
+void read_strokes(const motion::SweepSamples& samples, const SweepGravityFit& fit,
+                  CogSweepResult& out) {
+  constexpr std::size_t fewest = 4;
+  std::vector<double> sum(samples.stroke.back() + 1);
+  std::vector<double> count(sum.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    sum[samples.stroke[i]] +=
+        samples.direction[i] * fit.regression.residuals(static_cast<Eigen::Index>(i));
+    count[samples.stroke[i]] += 1;
+  }
+  if (sum.size() < fewest) return;
+  double squares = 0;
+  double strokes = 0;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    if (count[k] == 0) continue;
+    squares += std::pow(sum[k] / count[k], 2);
+    strokes += 1;
+  }
+  out.strokes_apart_Nm = std::sqrt(squares / strokes);
+}
+
 std::vector<std::size_t> blocks_of_strokes(const motion::SweepSamples& samples) {
   const std::size_t strokes = samples.stroke.back() + 1;
   return statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
@@ -122,6 +143,7 @@ void read_without_gravity(const motion::Sweep& sweep, double gear_ratio, CogSwee
   out.method = samples.constant_speed ? Code{"sweep_fit.constant_speed_without_gravity"}
                                       : Code{"sweep_fit.varying_speed_without_gravity"};
   read_friction(design, samples, fit, gear_ratio, out);
+  read_strokes(samples, fit, out);
   out.stage.reason = {"gravity.stated_none"};
   if (!samples.both_directions()) return;
   const Eigen::VectorXd gradient = offset_gradient(design, samples);
@@ -129,6 +151,105 @@ void read_without_gravity(const motion::Sweep& sweep, double gear_ratio, CogSwee
   out.torque_offset_Nm = statistics::symmetric_estimate(
       out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
 }
+
+/// Lines of so few periods over the sweep that gravity has taken part of them, and hidden their
+/// period: they are fitted beside it, with three columns each: cosine, sine, and what a change of
+/// their period does.
+class SlowLines {
+ public:
+  static constexpr Eigen::Index columns = 3;
+
+  SlowLines(const motion::Sweep& sweep, double gear_ratio, CogSweepResult& out, SweepDesign& design)
+      : first_(design.x.cols()) {
+    constexpr double fewest_periods = 2;
+    constexpr double most_periods = 15;
+    constexpr std::size_t most_lines = 3;
+    const double range = gear_ratio * (out.highest_rad - out.lowest_rad);
+    middle_ = gear_ratio * (out.highest_rad + out.lowest_rad) / 2;
+    for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
+      motor_rad_.push_back(gear_ratio * sweep.q_rad(i));
+    }
+    for (RippleLine& line : out.ripple.lines) {
+      const double periods = line.periods_per_turn * range / (2 * std::numbers::pi);
+      if (periods < fewest_periods || periods > most_periods || lines_.size() == most_lines) {
+        continue;
+      }
+      lines_.push_back(&line);
+    }
+    if (lines_.empty()) return;
+    design.x.conservativeResize(Eigen::NoChange,
+                                first_ + columns * static_cast<Eigen::Index>(lines_.size()));
+  }
+  [[nodiscard]] bool any() const { return !lines_.empty(); }
+
+  /// Of the lines as they stand.
+  [[nodiscard]] Eigen::VectorXd torque_Nm() const {
+    Eigen::VectorXd torque = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motor_rad_.size()));
+    for (const RippleLine* line : lines_) {
+      for (Eigen::Index i = 0; i < torque.size(); ++i) {
+        torque(i) += line->amplitude_Nm *
+                     std::cos(line->periods_per_turn * motor_rad_[static_cast<std::size_t>(i)] +
+                              line->phase_rad);
+      }
+    }
+    return torque;
+  }
+  /// Gauss-Newton on their periods. @param design with the lines in its torque.
+  void settle(SweepDesign& design) {
+    constexpr int rounds = 6;
+    constexpr double settled = 1e-6;
+    for (int k = 0; k < rounds; ++k) {
+      fill(design);
+      const Eigen::VectorXd c = effect_on_coefficients(design, design.y);
+      if (take(c) < settled) break;
+    }
+    fill(design);
+  }
+  /// @param c all coefficients of the design.
+  /// @return the largest relative change of a period.
+  double take(const Eigen::VectorXd& c) {
+    constexpr double largest_step = 0.05;
+    double largest = 0;
+    Eigen::Index column = first_;
+    for (RippleLine* line : lines_) {
+      line->amplitude_Nm = std::hypot(c(column), c(column + 1));
+      line->phase_rad = std::atan2(-c(column + 1), c(column));
+      const double step = std::clamp(c(column + 2), -largest_step, largest_step);
+      // About the sweep's middle the phase stays.
+      line->phase_rad -= step * line->periods_per_turn * middle_;
+      line->periods_per_turn *= 1 + step;
+      largest = std::max(largest, std::abs(step));
+      column += columns;
+    }
+    return largest;
+  }
+  [[nodiscard]] Eigen::VectorXd fitted_Nm(const SweepDesign& design,
+                                          const Eigen::VectorXd& c) const {
+    const Eigen::Index count = columns * static_cast<Eigen::Index>(lines_.size());
+    return design.x.middleCols(first_, count) * c.segment(first_, count);
+  }
+
+ private:
+  void fill(SweepDesign& design) const {
+    Eigen::Index column = first_;
+    for (const RippleLine* line : lines_) {
+      for (std::size_t i = 0; i < motor_rad_.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const double angle = line->periods_per_turn * motor_rad_[i];
+        design.x(row, column) = std::cos(angle);
+        design.x(row, column + 1) = std::sin(angle);
+        design.x(row, column + 2) = -line->amplitude_Nm * line->periods_per_turn *
+                                    (motor_rad_[i] - middle_) * std::sin(angle + line->phase_rad);
+      }
+      column += columns;
+    }
+  }
+
+  Eigen::Index first_;
+  double middle_{};
+  std::vector<double> motor_rad_;
+  std::vector<RippleLine*> lines_;
+};
 
 /// What the residual shows of ripple and vibration, and the fit without them.
 SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
@@ -150,9 +271,16 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   const Eigen::Map<const Eigen::VectorXd> torque(causes.lines_Nm.data(),
                                                  static_cast<Eigen::Index>(causes.lines_Nm.size()));
   if (torque.isZero(0)) return first;
-  design.y -= torque;
+  SlowLines slow(sweep, gear_ratio, out, design);
+  const Eigen::VectorXd taken = torque - slow.torque_Nm();
+  design.y -= taken;
+  if (slow.any()) slow.settle(design);
   SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
-  fit.regression.residuals += torque;  // what the smooth fit leaves
+  fit.regression.residuals += taken;  // what the smooth fit leaves
+  if (slow.any()) {
+    fit.regression.residuals += slow.fitted_Nm(design, fit.regression.coefficients);
+    static_cast<void>(slow.take(fit.regression.coefficients));
+  }
   return fit;
 }
 
@@ -285,6 +413,22 @@ SweepBlocks blocks_of(const SweepDesign& design, const motion::SweepSamples& sam
   }
   kept.freedom = fit.freedom;
   return kept;
+}
+
+/// Noise that hangs together for longer than a block is larger than its blocks tell. Longer ones,
+/// if fewer, can: the wider of the two intervals is stated.
+SweepGravityFit with_longer_blocks_where_coloured(const motion::Sweep& sweep, SweepDesign& design,
+                                                  double middle, const SweepGravityFit& fit,
+                                                  const CogSweepResult& out) {
+  constexpr double noticeable = 0.1;
+  if (!(out.coloured_Nm > noticeable * out.white_Nm)) return fit;
+  const std::size_t strokes = sweep.samples.stroke.back() + 1;
+  constexpr std::size_t in_all = 10;
+  const std::size_t per_stroke = std::max<std::size_t>(2, in_all / strokes);
+  SweepGravityFit longer = fit_amplitude_and_angle(
+      sweep, design, middle, statistics::equal_blocks(sweep.samples.stroke, per_stroke));
+  longer.regression.residuals = fit.regression.residuals;
+  return longer.q_peak_rad.half_width() > fit.q_peak_rad.half_width() ? longer : fit;
 }
 
 /// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
@@ -424,11 +568,13 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
   } else {
     if (!precise) {
-      fit = with_torque_of_angle_where_it_shows(sweep, design, middle, blocks, fit);
+      fit = with_torque_of_angle_where_it_shows(sweep, design, middle, blocks, fit,
+                                                out.torque_of_angle_left_Nm);
     }
     fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
     fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out);
+    fit = with_longer_blocks_where_coloured(sweep, design, middle, fit, out);
     if (!samples.constant_speed && strokes > 2) {
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
@@ -456,6 +602,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   }
   out.method = equation_of(design, samples.constant_speed, amplitude_known);
   read_friction(design, samples, fit, gear_ratio, out);
+  read_strokes(samples, fit, out);
   read_offset(design, samples, fit, out);
 
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated

@@ -68,6 +68,8 @@ struct CogSweepResult {
   /// Present where the mean of both directions shows it beside gravity and a twist of the gear: it
   /// is then a term of the fit.
   std::optional<TorqueOfAngle> of_angle;
+  /// Amplitude of one that was too large to be a term; 0: none.
+  double torque_of_angle_left_Nm{};
   double offset_Nm{};  ///< Mean of both directions that is not gravity, motor side.
   /// The same with its interval, where both directions were recorded: an offset of the torque, or
   /// half the difference of friction in both directions.
@@ -85,7 +87,10 @@ struct CogSweepResult {
   double white_Nm{};     ///< That of white noise.
   double largest_acceleration_rad_s2{};  ///< Of the motor, in a sweep of varying speed.
   double friction_by_angle_Nm{};  ///< Of what repeats with the angle, but turns with the direction.
-  double lowest_rad{};            ///< Range of the samples used.
+  /// Root mean square over the strokes of what the fit leaves of their friction; what strokes of
+  /// several speeds do not share with one straight line. 0 with fewer than four.
+  double strokes_apart_Nm{};
+  double lowest_rad{};  ///< Range of the samples used.
   double highest_rad{};
   bool both_directions{};
   bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.

@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/requirements.h"
 #include "statistics/distributions.h"
 #include "statistics/sampled_signal.h"
 
@@ -305,7 +306,7 @@ bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
                                                     double middle,
                                                     const std::vector<std::size_t>& blocks,
-                                                    const SweepGravityFit& fit) {
+                                                    const SweepGravityFit& fit, double& left_Nm) {
   constexpr double least_range_rad = 40 / joint::degrees_per_rad;
   if (!sweep.samples.both_directions()) return fit;
   double lowest = sweep.q_rad(0);
@@ -353,6 +354,12 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     }
   }
   if (!matters(fit, chosen)) return fit;
+  constexpr double largest_share = 0.05;
+  const double amplitude_Nm = present(torque_of_angle(sweep, second, middle, chosen)).amplitude_Nm;
+  if (amplitude_Nm > largest_share * fit.gravity_Nm.value) {
+    left_Nm = amplitude_Nm;
+    return fit;
+  }
   design = std::move(second);
   return chosen;
 }

@@ -120,10 +120,12 @@ GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult&
 /// @param fit of the design without them, its columns of gravity filled.
 /// @return the fit with them, `design` with them in place; or `fit` with `design` as it was, where
 /// they do not show, or move neither angle nor amplitude by what matters.
+/// @param left_Nm receives the amplitude of one that is too large to be taken for one: then
+/// something else is wrong, and the fit stays as it was.
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
                                                     double middle_rad,
                                                     const std::vector<std::size_t>& blocks,
-                                                    const SweepGravityFit& fit);
+                                                    const SweepGravityFit& fit, double& left_Nm);
 
 /// What was found with such columns; absent without them.
 std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& design,
