@@ -2,6 +2,23 @@
 
 namespace tribolog::calibration {
 
+namespace {
+
+using method::hysteresis::LuGreParameterName;
+
+method::viscous::SlidingQuantity of_loops(const method::hysteresis::LuGreFit& fit,
+                                          LuGreParameterName name) {
+  method::viscous::SlidingQuantity out;
+  for (const method::hysteresis::LuGreParameter& parameter : fit.parameters) {
+    if (parameter.name != name) continue;
+    out.estimate = parameter.estimate;
+    if (!parameter.estimate) out.why_not = parameter.why_not;
+  }
+  return out;
+}
+
+}  // namespace
+
 CurveHeadline curve_headline(const Calibration& c) {
   CurveHeadline out;
   const method::viscous::SlidingLaw& law = c.curve_model.sliding;
@@ -10,6 +27,13 @@ CurveHeadline curve_headline(const Calibration& c) {
     out.coulomb_Nm = law.coulomb_Nm;
     out.stribeck_speed_rad_s = law.stribeck_speed_rad_s;
     out.viscous_Nms_rad = law.viscous_Nms_rad;
+    return out;
+  }
+  if (c.lugre && c.lugre->converged && c.lugre->shown(LuGreParameterName::coulomb_torque)) {
+    out.source = HeadlineSource::loops;
+    out.coulomb_Nm = of_loops(*c.lugre, LuGreParameterName::coulomb_torque);
+    out.stribeck_speed_rad_s = of_loops(*c.lugre, LuGreParameterName::stribeck_speed);
+    out.viscous_Nms_rad = of_loops(*c.lugre, LuGreParameterName::viscous);
     return out;
   }
   const Statement& why = c.friction.stage.reason;

@@ -314,6 +314,9 @@ class KeyNumbers {
     if (headline.source == HeadlineSource::sweep) {
       return tr("stage {stage}, sweep", {{"stage", stage_number(StageId::cog_rough)}});
     }
+    if (headline.source == HeadlineSource::loops) {
+      return tr("stage {stage}, loops", {{"stage", stage_number(StageId::parameters)}});
+    }
     const int stage = stage_number(StageId::parameters);
     return headline.source == HeadlineSource::sliding_law
                ? tr("stage {stage}, sliding law", {{"stage", stage}})

@@ -63,7 +63,9 @@ void read_loop_fit(const method::hysteresis::LuGreFit& fit, Reader& out) {
 
 void read_curve(const calibration::Calibration& c, Reader& out) {
   const calibration::CurveHeadline headline = calibration::curve_headline(c);
-  if (headline.source != calibration::HeadlineSource::sweep) {
+  const bool is_of_curve = headline.source != calibration::HeadlineSource::sweep &&
+                           headline.source != calibration::HeadlineSource::loops;
+  if (is_of_curve) {
     out.add(ReadingName::coulomb, ReadingKind::coulomb, headline.coulomb_Nm.estimate);
     out.add(ReadingName::viscous, ReadingKind::viscous, headline.viscous_Nms_rad.estimate);
   }

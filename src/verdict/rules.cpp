@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/curve_headline.h"
 #include "method/hysteresis/lugre_fit.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
@@ -107,6 +108,13 @@ std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
 }
 
+/// Misfit of the loops where the friction over the speed comes from them, for want of runs.
+std::optional<Measured> loop_misfit_without_runs(const Calibration& c) {
+  const bool is_of_loops =
+      calibration::curve_headline(c).source == calibration::HeadlineSource::loops;
+  return is_of_loops ? loop_misfit(c) : std::nullopt;
+}
+
 /// Samples of the torque that were replaced, of the recording with most of them.
 std::optional<Measured> torque_outliers(const Calibration& c) {
   const method::motion::TorqueOutliers& found = c.torque_outliers;
@@ -204,6 +212,13 @@ const std::vector<Rule>& rules() {
        {Quantity::break_away_torque},
        "record.ramps",
        loop_misfit_without_ramps},
+      {"loop_misfit_of_friction",
+       "%",
+       0.5,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed},
+       "record.runs",
+       loop_misfit_without_runs},
       {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
        "record.compare_reversals", loop_misfit},
   });

@@ -36,6 +36,8 @@ const Messages& verdict_messages() {
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
+      {"rule.loop_misfit_of_friction",
+       text("The same where friction over the speed comes from the loops")},
       {"rule.loop_misfit_at_break_away",
        text("The same, where the break-away torque is read from the loops")},
       {"rule.loop_unlike_model", text("Misfit at which nothing of the LuGre model is left")},
