@@ -350,8 +350,12 @@ calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::st
                                          : Statement{"verdict.interval_reaches_zero"},
                        experiment);
   } else if (!(share <= widest_usable)) {
+    constexpr double order_of_magnitude = 10;
     calibration::lower(q, calibration::Verdict::doubtful,
-                       {"verdict.known_to_share", {{"percent", 100 * share}}}, experiment);
+                       share > order_of_magnitude
+                           ? Statement{"verdict.size_not_known"}
+                           : Statement{"verdict.known_to_share", {{"percent", 100 * share}}},
+                       experiment);
   }
   return q;
 }

@@ -172,7 +172,7 @@ const std::vector<Rule>& rules() {
        strokes_of_sweep},
       {"inertia_of_sweep",
        "%",
-       0.1,
+       0.02,
        Verdict::doubtful,
        {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass},
        "record.sweep",

@@ -229,6 +229,7 @@ const Messages& verdict_messages() {
        text(
            "it is the friction at the sweep's speeds, and no run shows whether they lie within the "
            "Stribeck dip")},
+      {"verdict.size_not_known", text("not even its order of magnitude is known")},
       {"verdict.of_law_without_coulomb",
        text("the same law has a Coulomb torque of {coulomb_Nm:.2g} N·m, which no joint has")},
       {"verdict.interval_reaches_below_zero",

@@ -251,6 +251,21 @@ class SlowLines {
   std::vector<RippleLine*> lines_;
 };
 
+/// Whether the offset that shows may as well be a torque of the angle that does not: beside one of
+/// twice the angle it may be none. Over less than half a turn the two look alike, and gravity takes
+/// the other sign of either.
+bool may_be_of_angle(const motion::Sweep& sweep, double middle,
+                     const std::vector<std::size_t>& blocks, const CogSweepResult& out) {
+  if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed) return false;
+  if (out.torque_offset_Nm->low <= 0 && out.torque_offset_Nm->high >= 0) return false;
+  SweepDesign second = design_of_angle(sweep, middle, true, false);
+  const SweepGravityFit fit = fit_amplitude_and_angle(sweep, second, middle, blocks);
+  Eigen::VectorXd gradient = offset_gradient(second, sweep.samples);
+  const double offset = gradient.dot(fit.regression.coefficients);
+  gradient(0) = -1;
+  return std::abs(offset) <= fit.regression.half_width_along(gradient);
+}
+
 /// What the residual shows of ripple and vibration, and the fit without them.
 SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
                                   const std::vector<std::size_t>& blocks,
@@ -325,7 +340,8 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
     on_gravity = std::max(on_gravity, std::hypot(lever.on_gravity.dot(c), lever.on_gravity.dot(s)));
     on_angle = std::max(on_angle, std::hypot(lever.on_angle.dot(c), lever.on_angle.dot(s)));
   }
-  const double unseen = out.ripple.half_width_Nm();
+  constexpr double larger_than_seen = 3;  // the slowest orders are as a rule the largest
+  const double unseen = larger_than_seen * out.ripple.half_width_Nm();
   constexpr Code why{"interval.widened_by_sweep_ripple"};
   fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle, why);
   fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity, why);
@@ -605,6 +621,13 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   read_strokes(samples, fit, out);
   read_offset(design, samples, fit, out);
 
+  if (!amplitude_known && may_be_of_angle(sweep, middle, blocks, out)) {
+    out.offset_may_be_of_angle = true;
+    const double offset = std::abs(out.torque_offset_Nm->value);
+    out.gravity_Nm = statistics::symmetric_estimate(
+        out.gravity_Nm.value, out.gravity_Nm.half_width() + offset,
+        {"interval.widened_by_torque_of_angle", {{"interval", out.gravity_Nm.method}}});
+  }
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
   // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.
   constexpr double least_evidence = 27;

@@ -74,6 +74,8 @@ struct CogSweepResult {
   /// The same with its interval, where both directions were recorded: an offset of the torque, or
   /// half the difference of friction in both directions.
   std::optional<statistics::Estimate> torque_offset_Nm;
+  /// It may as well be a torque of the angle, too small to show: intervals hold both.
+  bool offset_may_be_of_angle{};
   /// What it grows by from beginning to end of a recording.
   std::optional<statistics::Estimate> offset_drift_Nm;
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.

@@ -240,9 +240,6 @@ double TorqueOfAngle::torque_Nm(double q_rad) const {
   return cosine_Nm * std::cos(2 * y) + sine_Nm * std::sin(2 * y) + spring_Nm * y;
 }
 
-namespace {
-
-/// The design with further columns of the angle, in place of the twist's.
 SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool second, bool spring) {
   SweepDesign d = sweep_design(sweep, 2, false);
   Eigen::Index next = d.x.cols();
@@ -263,6 +260,8 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool seco
   }
   return d;
 }
+
+namespace {
 
 /// Whether a sum over coefficients is none that chance gives: beyond 3.3 standard errors of a
 /// normal number.
@@ -335,17 +334,16 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
                               shows(of_both, second_about_peak(both, of_both, middle, false));
     const bool needs_spring = shows(of_both, along(both, both.spring));
     if (!needs_second && shows(of_spring, along(spring, spring.spring))) {
-      if (!needs_spring) {  // either may be
-        const auto hold = [](statistics::Estimate& e, const statistics::Estimate& other) {
-          const double reach =
-              std::max(std::abs(other.low - e.value), std::abs(other.high - e.value));
-          e = statistics::symmetric_estimate(
-              e.value, std::max(e.half_width(), reach),
-              {"interval.widened_by_torque_of_angle", {{"interval", e.method}}});
-        };
-        hold(of_spring.q_peak_rad, with_second.q_peak_rad);
-        hold(of_spring.gravity_Nm, with_second.gravity_Nm);
-      }
+      // Over less than half a turn neither is certain: the interval holds both.
+      const auto hold = [](statistics::Estimate& e, const statistics::Estimate& other) {
+        const double reach =
+            std::max(std::abs(other.low - e.value), std::abs(other.high - e.value));
+        e = statistics::symmetric_estimate(
+            e.value, std::max(e.half_width(), reach),
+            {"interval.widened_by_torque_of_angle", {{"interval", e.method}}});
+      };
+      hold(of_spring.q_peak_rad, with_second.q_peak_rad);
+      hold(of_spring.gravity_Nm, with_second.gravity_Nm);
       chosen = std::move(of_spring);
       second = std::move(spring);
     } else if (needs_second && needs_spring) {

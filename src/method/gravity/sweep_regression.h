@@ -127,6 +127,10 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
                                                     const std::vector<std::size_t>& blocks,
                                                     const SweepGravityFit& fit, double& left_Nm);
 
+/// The design with further columns of the angle, in place of the twist's.
+SweepDesign design_of_angle(const motion::Sweep& sweep, double middle_rad, bool second,
+                            bool spring);
+
 /// What was found with such columns; absent without them.
 std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& design,
                                              double middle_rad, const SweepGravityFit& fit);

@@ -22,6 +22,20 @@ constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at t
 constexpr double yield_that_may_slide = 5;
 constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
+/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
+std::size_t begin_of_ramp(const joint::Recording& r) {
+  double largest = 0;
+  for (const double torque : r.torque_Nm) {
+    largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
+  }
+  std::size_t i = 0;
+  while (i + 1 < r.size() &&
+         std::abs(r.torque_Nm[i] - r.torque_Nm.front()) <= torque_on * largest) {
+    ++i;
+  }
+  return i;
+}
+
 /// Sign of the ramp: that of the torque when it has first left its rest.
 double direction_of(const joint::Recording& r) {
   double largest = 0;
@@ -225,11 +239,13 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   std::size_t at = furthest;
   std::size_t beside = 0;
   SpeedOfFirstHalf first_half(r, sign);
-  for (std::size_t i = 1; i < furthest; ++i) {
+  const std::size_t begin = begin_of_ramp(r);
+  for (std::size_t i = begin + 1; i < furthest; ++i) {
     const double need = std::max(least, share_of_travel * travel[i]);
     const std::size_t j = moved_on(summits, i, need);
     if (j == r.size()) break;
-    const double mean_speed = std::max(travel[i], least) / (r.t_s[i] - r.t_s.front());
+    const double mean_speed =
+        std::max(travel[i] - travel[begin], least) / (r.t_s[i] - r.t_s[begin]);
     if (!(mean_speed > 0)) continue;
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);

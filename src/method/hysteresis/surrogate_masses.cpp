@@ -30,6 +30,7 @@ struct SweepOffset {
   double friction_Nm{};  ///< Of the sweep.
   double drift_Nm{};     ///< Within the sweep; 0 where none shows.
   bool is_known{};
+  bool may_be_none{};
   const std::optional<gravity::TorqueOfAngle>& of_angle;
 
   explicit SweepOffset(const gravity::CogSweepResult& rough) : of_angle(rough.of_angle) {
@@ -38,8 +39,11 @@ struct SweepOffset {
     if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
     value_Nm = rough.torque_offset_Nm->value;
     half_width_Nm = rough.torque_offset_Nm->half_width();
+    // What is not gravity of the sweep is as uncertain as what is.
+    if (of_angle) half_width_Nm = std::max(half_width_Nm, rough.gravity_Nm.half_width());
     friction_Nm = rough.coulomb_Nm->value;
     if (rough.offset_drift_Nm) drift_Nm = beyond_interval(*rough.offset_drift_Nm);
+    may_be_none = rough.offset_may_be_of_angle;
     is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
   }
 
@@ -61,7 +65,8 @@ struct SweepOffset {
     // again.
     constexpr double as_far_again = 2;
     return {share * value_Nm, share,
-            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm)};
+            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm) +
+                (may_be_none ? share * std::abs(value_Nm) : 0)};
   }
 };
 

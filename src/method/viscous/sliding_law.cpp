@@ -729,9 +729,10 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
     out.findings.push_back(out.viscous_Nms_rad.why_not);
   }
   // A line through few speeds may lie within the dip, and none could tell.
-  if (!laws.can_dip()) {
+  constexpr std::size_t speeds_without_a_dip = 8;
+  if (!out.has_dip && out.speeds < speeds_without_a_dip) {
     out.doubt({"cause.too_few_speeds_for_a_dip",
-               {{"speeds", out.speeds}, {"needed", dip_parameters + 2}}});
+               {{"speeds", out.speeds}, {"needed", speeds_without_a_dip}}});
   }
   // The mean of the directions is friction only where both tell of the same.
   constexpr double matters = 0.005;

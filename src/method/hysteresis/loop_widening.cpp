@@ -1,0 +1,90 @@
+#include "method/hysteresis/loop_widening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tribolog::method::hysteresis {
+
+namespace {
+
+void widen(LuGreParameter& parameter, double by, Code why) {
+  constexpr double noticeable = 1.01;
+  if (!parameter.estimate) return;
+  statistics::Estimate& e = *parameter.estimate;
+  const double half_width = std::hypot(e.half_width(), by);
+  if (!(half_width > noticeable * e.half_width())) return;
+  e = statistics::symmetric_estimate(e.value, half_width, {why, {{"interval", e.method}}});
+}
+
+}  // namespace
+
+void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
+                          joint::Recording& loop) {
+  constexpr double noticeable = 0.002;
+  if (!sweep.found || sweep.ripple.lines.empty() || loop.torque_Nm.size() != loop.size() ||
+      loop.size() < 2) {
+    return;
+  }
+  const auto [low, high] = std::minmax_element(loop.q_rad.begin(), loop.q_rad.end());
+  if (*low < sweep.lowest_rad || *high > sweep.highest_rad) return;
+  std::vector<double> ripple;
+  ripple.reserve(loop.size());
+  double mean = 0;
+  for (const double q : loop.q_rad) {
+    ripple.push_back(sweep.ripple.torque_Nm(gear_ratio * q));
+    mean += ripple.back() / static_cast<double>(loop.size());
+  }
+  const auto [least, most] = std::minmax_element(ripple.begin(), ripple.end());
+  const auto [lowest, highest] = std::minmax_element(loop.torque_Nm.begin(), loop.torque_Nm.end());
+  if (*most - *least < noticeable * (*highest - *lowest)) return;
+  for (std::size_t i = 0; i < loop.size(); ++i) loop.torque_Nm[i] -= ripple[i] - mean;
+}
+
+LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
+  const auto level = fit.shown(LuGreParameterName::static_torque);
+  const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
+  if (!level || !stiffness || !(level->value > 0) || !(stiffness->value > 0)) return fit;
+  const double fastest = 2 * std::numbers::pi * fit.frequency_Hz * fit.motor_amplitude_rad;
+  const double share = std::pow(lag_s * fastest * stiffness->value / level->value, 2);
+  for (LuGreParameter& parameter : fit.parameters) {
+    if (parameter.name == LuGreParameterName::bristle_stiffness) {
+      widen(parameter, 3 * share * stiffness->value, "interval.widened_by_filter");
+    }
+  }
+  return fit;
+}
+
+LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple) {
+  const double x = fit.motor_amplitude_rad;
+  const double w = 2 * std::numbers::pi * fit.frequency_Hz;
+  if (ripple.lines.empty() || !(x > 0)) return fit;
+  std::vector<double> heights;
+  for (const gravity::RippleLine& line : ripple.lines) {
+    const double phase = std::min(line.periods_per_turn * x, std::numbers::pi / 2);
+    heights.push_back(line.amplitude_Nm * std::sin(phase));
+  }
+  // What was taken off is known but for a part.
+  constexpr double left = 0.3;
+  const double height_Nm = left * gravity::random_phase_half_width(heights, 0);
+  const auto by = [&](LuGreParameterName name) {
+    switch (name) {
+      case LuGreParameterName::static_torque:
+      case LuGreParameterName::coulomb_torque:
+        return height_Nm;
+      case LuGreParameterName::bristle_stiffness:
+        return height_Nm / x;
+      case LuGreParameterName::inertia:
+        return w > 0 ? height_Nm / (x * w * w) : 0.0;
+      default:
+        return 0.0;
+    }
+  };
+  for (LuGreParameter& parameter : fit.parameters) {
+    widen(parameter, by(parameter.name), "interval.widened_by_ripple_of_loops");
+  }
+  return fit;
+}
+
+}  // namespace tribolog::method::hysteresis
