@@ -34,6 +34,8 @@ struct Progress {
   const IdentifyOptions& options;
   /// Of a simulation of a joint that showed no drift: what looks like one is of the models.
   bool corrects_drift{true};
+  /// A simulation's runs start and stop without inertia: no lag is to be read from them.
+  bool finds_lag{true};
   joint::Dataset cleaned;  ///< The same without outliers of the torque, where there are some.
   std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
 
@@ -194,6 +196,7 @@ constexpr Step papers_chain[] = {
     {"", [](Progress& p) { choose_gravity_peak(p.c, p.corrects_drift); }},
     {"",
      [](Progress& p) {
+       if (!p.finds_lag) return;
        std::vector<const joint::Recording*> moved = p.recordings(Role::rough_sweep);
        for (const joint::Recording* r : p.recordings(Role::constant_speed)) moved.push_back(r);
        p.c.torque_lag = method::motion::find_torque_lag(moved, p.n);
@@ -327,6 +330,7 @@ void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);
     chain.corrects_drift = p.c.session.drift.found;
+    chain.finds_lag = false;
     for (const Step& step : papers_chain) step.run(chain);
     if (chain.loop.lugre) {
       chain.c.lugre = method::hysteresis::with_ripple_of_loops(std::move(chain.loop.lugre->fit),

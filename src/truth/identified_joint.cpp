@@ -120,14 +120,6 @@ class Maker {
     return torque;
   }
 
-  /// Of starts and stops, which the lag is read from; else of the loops.
-  [[nodiscard]] double inertia_kgm2() const {
-    if (c_.torque_lag.inertia_kgm2) return c_.torque_lag.inertia_kgm2->value;
-    if (!c_.lugre) return 0;
-    const auto inertia = c_.lugre->shown(LuGreParameterName::inertia);
-    return inertia ? inertia->value : 0.0;
-  }
-
   [[nodiscard]] double rest_speed(const method::motion::MotionSegments& motion) const {
     return std::max(1e-9, rest_share * n_ * motion.fastest_rad_s);
   }
@@ -142,7 +134,7 @@ class Maker {
     // One direction alone cannot tell friction from an offset; the level of both is in the mean.
     const double coulomb = sweep.coulomb_Nm ? sweep.coulomb_Nm->value : 0.0;
     const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
-    const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : inertia_kgm2();
+    const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
     const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
     const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
     const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
@@ -167,18 +159,17 @@ class Maker {
     const method::selection::FrictionParametersResult& f = c_.friction;
     if (runs_follow_waiboer(c_)) {
       return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
-                     0, inertia_kgm2());
+                     0, 0);
     }
     if (c_.curve_model.sliding.fitted) {
       const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
-      return sliding(r, motion, LawOfRuns(c_.curve_model.sliding, rest_speed(motion)), 0,
-                     inertia_kgm2());
+      return sliding(r, motion, LawOfRuns(c_.curve_model.sliding, rest_speed(motion)), 0, 0);
     }
     if (f.coulomb_viscous && !c_.viscous.from_sweep) {
       const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
       const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
                                      f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
-      return sliding(r, motion, friction, 0, inertia_kgm2());
+      return sliding(r, motion, friction, 0, 0);
     }
     why_not = {"truth.no_curve"};
     return {};

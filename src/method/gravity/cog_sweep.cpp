@@ -256,7 +256,10 @@ class SlowLines {
 /// the other sign of either.
 bool may_be_of_angle(const motion::Sweep& sweep, double middle,
                      const std::vector<std::size_t>& blocks, const CogSweepResult& out) {
-  if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed) return false;
+  if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed ||
+      out.highest_rad - out.lowest_rad < least_range_for_second_rad) {
+    return false;
+  }
   if (out.torque_offset_Nm->low <= 0 && out.torque_offset_Nm->high >= 0) return false;
   SweepDesign second = design_of_angle(sweep, middle, true, false);
   const SweepGravityFit fit = fit_amplitude_and_angle(sweep, second, middle, blocks);

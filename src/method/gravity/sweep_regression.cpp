@@ -263,10 +263,10 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool seco
 
 namespace {
 
-/// Whether a sum over coefficients is none that chance gives: beyond 3.3 standard errors of a
-/// normal number.
+/// Whether a sum over coefficients is none that chance gives, few blocks and several questions
+/// reckoned in: beyond 4.3 standard errors of a normal number.
 bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient) {
-  constexpr double half_widths = 1.7;
+  constexpr double half_widths = 2.2;
   return std::abs(gradient.dot(fit.regression.coefficients)) >
          half_widths * fit.regression.half_width_along(gradient);
 }
@@ -306,7 +306,6 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
                                                     double middle,
                                                     const std::vector<std::size_t>& blocks,
                                                     const SweepGravityFit& fit, double& left_Nm) {
-  constexpr double least_range_rad = 40 / joint::degrees_per_rad;
   if (!sweep.samples.both_directions()) return fit;
   double lowest = sweep.q_rad(0);
   double highest = lowest;
@@ -314,7 +313,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     lowest = std::min(lowest, sweep.q_rad(i));
     highest = std::max(highest, sweep.q_rad(i));
   }
-  if (highest - lowest < least_range_rad) return fit;
+  if (highest - lowest < least_range_for_second_rad) return fit;
 
   SweepDesign second = design_of_angle(sweep, middle, true, false);
   const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);

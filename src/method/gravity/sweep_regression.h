@@ -66,6 +66,9 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
 /// From this range on [rad] a twisted gear is told from a turned peak.
 inline constexpr double least_range_for_twist_rad = 60 / joint::degrees_per_rad;
 
+/// From this one on [rad] what goes with twice the angle is told from gravity.
+inline constexpr double least_range_for_second_rad = 40 / joint::degrees_per_rad;
+
 /// Of the link, less the angle of the peak: that of the motor, less the peak's, being x.
 /// @param twist_rad under the whole gravity torque.
 double link_from_peak_rad(double x, double twist_rad);

@@ -188,7 +188,8 @@ double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
 /// Scatter of the difference of the directions between speeds, squared, beyond what the runs show
 /// by themselves. A difference that is constant (gravity, offset), a share of the friction or
 /// proportional to the speed is no scatter. 0 if none is significant beyond `scatter2`.
-double direction_scatter2(const std::vector<Speed>& speeds, double scatter2) {
+double direction_scatter2(const std::vector<Speed>& speeds, double scatter2,
+                          double freedom_of_scatter) {
   constexpr Eigen::Index terms = 3;
   std::vector<const Speed*> both;
   double largest = 0;
@@ -212,7 +213,10 @@ double direction_scatter2(const std::vector<Speed>& speeds, double scatter2) {
     const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
     return (y - x * c).squaredNorm();
   };
-  constexpr double sure = 1e6;  // degrees of freedom of an error that is known
+  // Of an error that the runs' own scatter tells, and of one that was found beside the law.
+  double variance = 0;
+  for (const Speed* s : both) variance += s->mean.variance / static_cast<double>(n);
+  const double sure = scatter2 > variance ? std::max(1.0, freedom_of_scatter) : 1e6;
   if (statistics::f_upper_tail(leaves(scatter2) / freedom, freedom, sure) > 0.01) return 0;
   return root_of_scatter(leaves, freedom, largest);
 }
@@ -693,7 +697,7 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
   const bool can_fit = laws.largest() > 0 && laws.freedom(line_parameters) >= 1;
   if (!can_fit || !std::isfinite(laws.line().chi2)) return out;
   laws.find_scatter();
-  const double direction_scatter = direction_scatter2(speeds, laws.scatter2());
+  const double direction_scatter = direction_scatter2(speeds, laws.scatter2(), laws.best_freedom());
   const Choice choice = choose(laws, direction_scatter);
   const Hulls hulls = hulls_about(laws, choice, !terms.load);
 

@@ -87,7 +87,8 @@ std::vector<InputCase> manifest_cases() {
           "hint: did you mean 'rad'?"),
       manifest("48p", "UnknownRole", case_manifest("rough_sweep", "ruff_sweep"),
                ":15:8: key 'recording.role': not known, found 'ruff_sweep', expected one of "
-               "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away'; "
+               "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away', "
+               "'friction_points'; "
                "hint: did you mean 'rough_sweep'?"),
       manifest(
           "48q", "EmptyWindow", small_manifest() + "from_s = 5\nto_s = 5\n",

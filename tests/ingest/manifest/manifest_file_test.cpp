@@ -247,11 +247,11 @@ TEST(Manifest, RefusesImpossibleValues) {
             "to_s");
   EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\nsign = 2")),
             "m.toml:10:8: key 'effort.sign': not usable, found 2, expected 1 or -1");
-  EXPECT_EQ(
-      refusal(with("\"oscillation\"", "\"oscilation\"")),
-      "m.toml:15:8: key 'recording.role': not known, found 'oscilation', expected one of "
-      "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away'; hint: did "
-      "you mean 'oscillation'?");
+  EXPECT_EQ(refusal(with("\"oscillation\"", "\"oscilation\"")),
+            "m.toml:15:8: key 'recording.role': not known, found 'oscilation', expected one of "
+            "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away', "
+            "'friction_points'; hint: did "
+            "you mean 'oscillation'?");
   EXPECT_EQ(
       refusal(minimal + "[reference.waiboer]\nasperity_torque_Nm = 1\n"
                         "stribeck_speed_rad_s = 1\nstribeck_power = 1\n"
