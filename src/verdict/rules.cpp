@@ -115,6 +115,18 @@ std::optional<Measured> loop_misfit_without_runs(const Calibration& c) {
   return is_of_loops ? loop_misfit(c) : std::nullopt;
 }
 
+/// Five times the dip's speed over the fastest of the loops, where friction over the speed comes
+/// from them: below it they hardly leave the dip.
+std::optional<Measured> loops_within_dip(const Calibration& c) {
+  const calibration::CurveHeadline headline = calibration::curve_headline(c);
+  if (headline.source != calibration::HeadlineSource::loops) return std::nullopt;
+  const std::optional<statistics::Estimate>& dip = headline.stribeck_speed_rad_s.estimate;
+  constexpr double beyond = 5;
+  const double fastest = c.lugre->peak_speed_rad_s;
+  return Measured{dip ? beyond * dip->value / fastest : beyond,
+                  {"cause.loops_within_dip", {{"fastest_rad_s", fastest}}}};
+}
+
 /// Samples of the torque that were replaced, of the recording with most of them.
 std::optional<Measured> torque_outliers(const Calibration& c) {
   const method::motion::TorqueOutliers& found = c.torque_outliers;
@@ -219,6 +231,13 @@ const std::vector<Rule>& rules() {
        {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed},
        "record.runs",
        loop_misfit_without_runs},
+      {"loops_within_dip",
+       "",
+       1,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed},
+       "record.runs",
+       loops_within_dip},
       {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
        "record.compare_reversals", loop_misfit},
   });

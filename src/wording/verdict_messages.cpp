@@ -36,6 +36,12 @@ const Messages& verdict_messages() {
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
+      {"rule.loops_within_dip",
+       text("Five times the dip's speed over the fastest of the loops, where friction comes from "
+            "them")},
+      {"cause.loops_within_dip",
+       text("the loops reach {fastest_rad_s:.2g} rad/s (motor side), and hardly leave the Stribeck "
+            "dip: friction beyond it is not seen in them")},
       {"rule.loop_misfit_of_friction",
        text("The same where friction over the speed comes from the loops")},
       {"rule.loop_misfit_at_break_away",

@@ -20,8 +20,7 @@ using joint::Quantity;
 struct Law {
   double coulomb_Nm, excess_Nm, stribeck_rad_s, viscous_Nms_rad, offset_Nm;
   [[nodiscard]] double torque_Nm(double speed) const {
-    const double size = coulomb_Nm +
-                        excess_Nm * std::exp(-std::pow(speed / stribeck_rad_s, 2)) +
+    const double size = coulomb_Nm + excess_Nm * std::exp(-std::pow(speed / stribeck_rad_s, 2)) +
                         viscous_Nms_rad * std::abs(speed);
     return std::copysign(size, speed) + offset_Nm;
   }

@@ -65,10 +65,11 @@ TEST(FrictionPoints, AreReadAtTheMotorAndEachRowLeftOutIsCounted) {
 }
 
 TEST(FrictionPoints, WithoutSpeedTimeOrSignAreRefused) {
-  EXPECT_NE(refusal(head + points + "[recording.columns]\neffort = {name = \"tau\", unit = \"Nm\"}\n",
-                    table)
-                .find("no column is stated for the speed"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(head + points + "[recording.columns]\neffort = {name = \"tau\", unit = \"Nm\"}\n",
+              table)
+          .find("no column is stated for the speed"),
+      std::string::npos);
   EXPECT_NE(refusal(head + points + "from_s = 3\n" + columns, table).find("they have no time"),
             std::string::npos);
   const std::string amounts = "v,tau,load\n90,10,0\n-90,11,20\n-45,9,5\n180,12,40\n";
@@ -102,8 +103,8 @@ TEST(FrictionPoints, StandBesideRecordings) {
   EXPECT_FALSE(d.manifest.known_gravity);
   EXPECT_NE(test::refusal_of<InputError>([&] {
               (void)ingest::dataset::read_dataset(directory.file(
-                  "wrong.toml", head + common + sweep +
-                                    "columns = {load = {name = \"tau\", unit = \"Nm\"}}\n"));
+                  "wrong.toml",
+                  head + common + sweep + "columns = {load = {name = \"tau\", unit = \"Nm\"}}\n"));
             }).find("for friction points alone"),
             std::string::npos);
 }

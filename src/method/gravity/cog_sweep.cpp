@@ -169,7 +169,10 @@ class SlowLines {
     for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
       motor_rad_.push_back(gear_ratio * sweep.q_rad(i));
     }
+    // Over a short way gravity is nearly a parabola, and looks like any slow line.
+    const bool tells_them = out.highest_rad - out.lowest_rad >= least_range_for_second_rad;
     for (RippleLine& line : out.ripple.lines) {
+      if (!tells_them) break;
       const double periods = line.periods_per_turn * range / (2 * std::numbers::pi);
       if (periods < fewest_periods || periods > most_periods || lines_.size() == most_lines) {
         continue;
@@ -319,9 +322,10 @@ statistics::Estimate widened(const statistics::Estimate& e, double by, Code why)
 
 /// Ripple of few periods a motor turn looks like gravity, or like a twist of the gear, where the
 /// motor turns less than a few times: as large as that seen, of any such period and at any phase,
-/// it moves angle and amplitude by so much.
+/// it moves angle and amplitude by so much. @param times that as large.
 void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design, double gear_ratio,
-                          double middle, const CogSweepResult& out, SweepGravityFit& fit) {
+                          double middle, const CogSweepResult& out, double times,
+                          SweepGravityFit& fit) {
   constexpr double fewest_turns = 3;
   constexpr double fewest_periods = 3;
   const double turns = gear_ratio * (out.highest_rad - out.lowest_rad) / (2 * std::numbers::pi);
@@ -343,8 +347,7 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
     on_gravity = std::max(on_gravity, std::hypot(lever.on_gravity.dot(c), lever.on_gravity.dot(s)));
     on_angle = std::max(on_angle, std::hypot(lever.on_angle.dot(c), lever.on_angle.dot(s)));
   }
-  constexpr double larger_than_seen = 3;  // the slowest orders are as a rule the largest
-  const double unseen = larger_than_seen * out.ripple.half_width_Nm();
+  const double unseen = times * out.ripple.half_width_Nm();
   constexpr Code why{"interval.widened_by_sweep_ripple"};
   fit.q_peak_rad = widened(fit.q_peak_rad, unseen * on_angle, why);
   fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity, why);
@@ -598,8 +601,12 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
     }
   }
+  bool shows_amplitude = fit.gravity_Nm.low > 0;
   if (!amplitude_known) {
-    widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, fit);
+    widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, 1, fit);
+    shows_amplitude = fit.gravity_Nm.low > 0;
+    // The slowest orders are as a rule the largest: three times those seen, in all.
+    widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, std::sqrt(8.0), fit);
     widen_by_torque_step(sweep, design, middle, fit);
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
@@ -634,7 +641,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
   // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.
   constexpr double least_evidence = 27;
-  if (!(out.gravity_Nm.low > 0) || fit.evidence < least_evidence) {
+  if (!shows_amplitude || fit.evidence < least_evidence) {
     out.stage.reason = {"gravity.not_shown",
                         {{"gravity_Nm", out.gravity_Nm.value},
                          {"low_Nm", out.gravity_Nm.low},
