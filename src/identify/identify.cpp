@@ -86,6 +86,19 @@ statistics::Estimate without_drift(const statistics::Estimate& q_peak,
       {"interval.without_drift_of_friction", {{"interval", q_peak.method}}});
 }
 
+/// From their starts and stops. What these differ by is in the interval: something other than
+/// inertia acts in them.
+std::optional<statistics::Estimate> inertia_of_runs(const Progress& p) {
+  constexpr double widest = 0.5;
+  const method::motion::TorqueLag found =
+      method::motion::find_torque_lag(p.recordings(Role::constant_speed), p.n);
+  if (!found.inertia_kgm2) return std::nullopt;
+  const statistics::Estimate& inertia = *found.inertia_kgm2;
+  const double half_width = std::hypot(inertia.half_width(), found.inertia_apart * inertia.value);
+  if (half_width > widest * inertia.value) return std::nullopt;
+  return statistics::symmetric_estimate(inertia.value, half_width, inertia.method);
+}
+
 /// The gravity peak: of the sweeps the one with the narrower interval; without any, the runs'.
 void choose_gravity_peak(Calibration& c, bool corrects_drift) {
   using method::gravity::PeakSource;
@@ -166,16 +179,20 @@ constexpr Step papers_chain[] = {
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
-       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n,
-                                                     p.known_of_sweep());
+       method::gravity::KnownOfSweep known = p.known_of_sweep();
+       if (!p.rough_sweep.samples.constant_speed && p.finds_lag) {
+         known.inertia_kgm2 = inertia_of_runs(p);
+       }
+       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n, known);
        p.c.rough = p.rough.result;
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
        method::gravity::KnownOfSweep known = p.known_of_sweep();
        if (p.c.rough.found) {
-         known = {false, p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.of_angle,
-                  p.c.rough.ripple};
+         known = {
+             false,           {}, p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.of_angle,
+             p.c.rough.ripple};
        }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
        p.precise =

@@ -37,6 +37,8 @@ const Messages& general_messages() {
       {"interval.widened_by_methods",
        text("{interval}, widened by the spread between methods that disagree")},
       {"interval.with_type_b", text("{interval}, with what the manifest states of other errors")},
+      {"interval.widened_by_inertia",
+       text("{interval}, and the error of the inertia of starts and stops")},
       {"interval.widened_by_filter",
        text("{interval}, and what a filter in place of a delay would do at the reversals")},
       {"interval.widened_by_ripple_of_loops",

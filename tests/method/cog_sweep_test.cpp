@@ -28,7 +28,7 @@ method::gravity::CogSweepResult precise_of(
   return method::gravity::identify_cog_sweep(
              method::gravity::SweepKind::precise,
              method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100,
-             {false, gravity_Nm, {}, {}, {}})
+             {false, {}, gravity_Nm, {}, {}, {}})
       .result;
 }
 

@@ -61,9 +61,14 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
       out.coulomb_Nm = statistics::symmetric_estimate(
           mean.dot(c), fit.regression.half_width_along(mean), method);
     }
-    out.largest_acceleration_rad_s2 = gear_ratio * d.x.col(d.acceleration).cwiseAbs().maxCoeff();
+    double fastest_change = 0;
+    for (const double a : samples.acceleration_rad_s2) {
+      fastest_change = std::max(fastest_change, std::abs(a));
+    }
+    out.largest_acceleration_rad_s2 = gear_ratio * fastest_change;
     out.viscous_Nms_rad = statistics::symmetric_estimate(c(d.speed) / gear_ratio,
                                                          half_width(d.speed) / gear_ratio, method);
+    if (d.acceleration < 0) return;
     out.inertia_kgm2 = statistics::symmetric_estimate(
         c(d.acceleration) / gear_ratio, half_width(d.acceleration) / gear_ratio, method);
     return;
@@ -377,6 +382,19 @@ void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design,
   widen(fit.gravity_Nm, lever.on_gravity.dot(pulled));
 }
 
+/// How far the error of an inertia that was taken off moves angle and amplitude.
+void widen_by_inertia(const motion::Sweep& sweep, const SweepDesign& design, double half_width,
+                      double middle, SweepGravityFit& fit) {
+  const std::vector<double>& acceleration = sweep.samples.acceleration_rad_s2;
+  const Eigen::Map<const Eigen::VectorXd> of_inertia(
+      acceleration.data(), static_cast<Eigen::Index>(acceleration.size()));
+  const Eigen::Vector2d moved = half_width * effect_on_coefficients(design, of_inertia).head<2>();
+  const Lever lever(fit, middle);
+  constexpr Code why{"interval.widened_by_inertia"};
+  fit.q_peak_rad = widened(fit.q_peak_rad, lever.on_angle.dot(moved), why);
+  fit.gravity_Nm = widened(fit.gravity_Nm, lever.on_gravity.dot(moved), why);
+}
+
 /// How far the error of a twist taken from another sweep moves the angle.
 void widen_by_twist(const motion::Sweep& sweep, const SweepDesign& design,
                     const statistics::Estimate& twist_rad, CogSweepResult& out, SweepBlocks& kept) {
@@ -571,10 +589,13 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   const double middle = (out.lowest_rad + out.highest_rad) / 2;
   const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
   // In a sweep of varying speed the inertia's torque has nearly the same shape.
-  const bool tells_twist =
-      !amplitude_known && samples.constant_speed && range >= least_range_for_twist_rad;
+  const bool knows_inertia = !amplitude_known && !samples.constant_speed && known.inertia_kgm2;
+  const bool tells_twist = !amplitude_known && (samples.constant_speed || knows_inertia) &&
+                           range >= least_range_for_twist_rad;
+  std::optional<double> inertia_at_joint;
+  if (knows_inertia) inertia_at_joint = gear_ratio * known.inertia_kgm2->value;
   const double known_twist = known.twist_rad ? known.twist_rad->value : 0.0;
-  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist);
+  SweepDesign design = sweep_design(sweep, amplitude_known ? 1 : 2, tells_twist, inertia_at_joint);
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks = blocks_of_strokes(samples);
   if (amplitude_known && known.of_angle) {
@@ -608,6 +629,10 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
     // The slowest orders are as a rule the largest: three times those seen, in all.
     widen_by_slow_ripple(sweep, design, gear_ratio, middle, out, std::sqrt(8.0), fit);
     widen_by_torque_step(sweep, design, middle, fit);
+    if (knows_inertia) {
+      widen_by_inertia(sweep, design, gear_ratio * known.inertia_kgm2->half_width(), middle, fit);
+      out.inertia_kgm2 = known.inertia_kgm2;
+    }
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,

@@ -152,7 +152,10 @@ struct CogSweep {
 /// @param sweep of the recordings of one role; without any the stage is skipped and says so.
 /// What a short sweep takes from a long one.
 struct KnownOfSweep {
-  bool has_no_gravity{};                           ///< So stated: friction alone is read.
+  bool has_no_gravity{};  ///< So stated: friction alone is read.
+  /// Of starts and stops. In a sweep of varying speed it is nearly what a twist of the gear or a
+  /// spring is: known, it is taken off, and they show.
+  std::optional<statistics::Estimate> inertia_kgm2;
   std::optional<statistics::Estimate> gravity_Nm;  ///< Amplitude at the motor.
   std::optional<statistics::Estimate> twist_rad;   ///< Of the gear.
   std::optional<TorqueOfAngle> of_angle;

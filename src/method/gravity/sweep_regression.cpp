@@ -43,8 +43,8 @@ double link_from_peak_rad(double x, double twist_rad) {
   return link;
 }
 
-SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns,
-                         bool with_twist) {
+SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns, bool with_twist,
+                         const std::optional<double>& inertia_at_joint) {
   const motion::SweepSamples& samples = sweep.samples;
   SweepDesign d;
   const auto rows = static_cast<Eigen::Index>(samples.size());
@@ -63,7 +63,9 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
     }
     d.offset_count = static_cast<Eigen::Index>(seen.size());
   } else {
-    extra = both ? 3 : 2;  // direction (with both), speed, acceleration
+    d.inertia_at_joint = inertia_at_joint;
+    // Direction (with both), speed, acceleration.
+    extra = (both ? 2 : 1) + (inertia_at_joint ? 0 : 1);
   }
   if (both) d.drift = gravity_columns + d.offset_count + extra++;
   if (with_twist) d.twist = gravity_columns + d.offset_count + extra++;
@@ -74,11 +76,12 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
     Eigen::Index next = gravity_columns + d.offset_count;
     if (both) d.direction = next++;
     d.speed = next++;
-    d.acceleration = next;
+    if (!d.inertia_at_joint) d.acceleration = next;
   }
   for (Eigen::Index row = 0; row < rows; ++row) {
     const auto i = static_cast<std::size_t>(row);
     d.y(row) = sweep.torque_Nm(i);
+    if (d.inertia_at_joint) d.y(row) -= *d.inertia_at_joint * samples.acceleration_rad_s2[i];
     d.x(row, d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = 1;
     if (d.drift >= 0) {
       const std::vector<double>& t_s = sweep.recordings[samples.recording[i]]->t_s;
@@ -240,8 +243,9 @@ double TorqueOfAngle::torque_Nm(double q_rad) const {
   return cosine_Nm * std::cos(2 * y) + sine_Nm * std::sin(2 * y) + spring_Nm * y;
 }
 
-SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool second, bool spring) {
-  SweepDesign d = sweep_design(sweep, 2, false);
+SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool second, bool spring,
+                            const std::optional<double>& inertia_at_joint) {
+  SweepDesign d = sweep_design(sweep, 2, false, inertia_at_joint);
   Eigen::Index next = d.x.cols();
   if (second) {
     d.second = next;
@@ -315,7 +319,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   }
   if (highest - lowest < least_range_for_second_rad) return fit;
 
-  SweepDesign second = design_of_angle(sweep, middle, true, false);
+  SweepDesign second = design_of_angle(sweep, middle, true, false, design.inertia_at_joint);
   const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);
   const Eigen::VectorXd odd = second_about_peak(second, with_second, middle, false);
   const bool is_even = shows(with_second, second_about_peak(second, with_second, middle, true));
@@ -325,9 +329,9 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   if (!is_even && (!is_odd || is_twist)) return fit;
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
-    SweepDesign both = design_of_angle(sweep, middle, true, true);
+    SweepDesign both = design_of_angle(sweep, middle, true, true, design.inertia_at_joint);
     const SweepGravityFit of_both = fit_amplitude_and_angle(sweep, both, middle, blocks);
-    SweepDesign spring = design_of_angle(sweep, middle, false, true);
+    SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
     SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, spring, middle, blocks);
     const bool needs_second = shows(of_both, second_about_peak(both, of_both, middle, true)) ||
                               shows(of_both, second_about_peak(both, of_both, middle, false));

@@ -55,13 +55,17 @@ struct SweepDesign {
   Eigen::Index spring{-1};  // of the angle
   Eigen::Index load{-1};    // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
+  std::optional<double> inertia_at_joint;  // taken off
 };
 
 /// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
 /// alone.
 /// @param with_twist a column for the twist of the gear, filled by the fit.
+/// @param inertia_at_joint known beforehand: torque at the motor by the joint's acceleration. It is
+/// taken off, and has no column. Only at varying speed.
 SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_columns,
-                         bool with_twist = false);
+                         bool with_twist = false,
+                         const std::optional<double>& inertia_at_joint = {});
 
 /// From this range on [rad] a twisted gear is told from a turned peak.
 inline constexpr double least_range_for_twist_rad = 60 / joint::degrees_per_rad;
@@ -131,8 +135,8 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
                                                     const SweepGravityFit& fit, double& left_Nm);
 
 /// The design with further columns of the angle, in place of the twist's.
-SweepDesign design_of_angle(const motion::Sweep& sweep, double middle_rad, bool second,
-                            bool spring);
+SweepDesign design_of_angle(const motion::Sweep& sweep, double middle_rad, bool second, bool spring,
+                            const std::optional<double>& inertia_at_joint = {});
 
 /// What was found with such columns; absent without them.
 std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& design,
