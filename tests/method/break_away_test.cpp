@@ -69,6 +69,45 @@ TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
   }
 }
 
+/// Held at a constant torque before the ramp, on an encoder that flickers by a step.
+TEST(BreakAway, TheRestBeforeTheRampIsNoneOfIt) {
+  joint::Recording r = ramp_of({0.1, 12});
+  const double dt = r.t_s[1] - r.t_s[0];
+  constexpr std::size_t rest = 3000;
+  joint::Recording held = r;
+  for (auto* signal : {&held.t_s, &held.q_rad, &held.torque_Nm}) {
+    signal->insert(signal->begin(), rest, signal->front());
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) held.t_s[i] = static_cast<double>(i) * dt;
+  for (std::size_t i = rest - 40; i < rest; ++i) held.q_rad[i] += 1e-9 * static_cast<double>(i % 2);
+  const auto result = method::hysteresis::identify_break_away({&held}, true_gravity);
+  ASSERT_TRUE(result.ramps.front().broke_away);
+  EXPECT_NEAR(result.ramps.front().friction_Nm, static_Nm, share_below * static_Nm);
+}
+
+/// A heavy direct drive speeds up over a second: it has slid long before it is thirty times as fast
+/// as on average.
+TEST(BreakAway, AHeavyJointThatRunsAwaySlowlyHasBrokenAway) {
+  simulate::Scenario s = test::paper_joint();
+  s.presliding = std::make_shared<friction::LuGreFriction>(
+      friction::LuGreFriction::Parameters{2e4, 30, 1.2, 1.4, 1.9, 0.06});
+  s.gear_ratio = 1;
+  s.motor_inertia_kgm2 = 2;
+  s.arm_inertia_kgm2 = 0;
+  simulate::BreakAwayExperiment e;
+  e.centre_rad = test::true_q_peak_rad();
+  e.rate_Nm_s = 1.3;
+  e.largest_torque_Nm = 6;
+  e.largest_travel_rad = 0.03;
+  const joint::Recording r = simulate::simulate_break_away_ramp(s, e, 1.0, "ramp.csv");
+  const double gravity = s.load.amplitude_Nm();
+  const auto result = method::hysteresis::identify_break_away(
+      {&r}, method::hysteresis::KnownGravity{statistics::symmetric_estimate(gravity, 1e-3),
+                                             s.load.q_peak_rad()});
+  ASSERT_TRUE(result.ramps.front().broke_away) << result.ramps.front().largest_yield;
+  EXPECT_NEAR(result.ramps.front().level_Nm.value_or(0), 1.9, 0.05);
+}
+
 TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   Ramp fast{0.5, 3};
   fast.arm_inertia_kgm2 = 20;

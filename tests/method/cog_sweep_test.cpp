@@ -158,6 +158,9 @@ TEST(CogSweep, WithoutGravityThereIsNoAngle) {
 struct LaidOn {
   double twist_rad{}, offset_Nm{}, drift_Nm{};  ///< The drift over the recording.
   double ripple_Nm{}, vibration_Nm{}, coloured_Nm{};
+  double second_Nm{}, second_phase_rad{};  ///< Of twice the joint's angle.
+  double spring_Nm_rad{};
+  double slow_ripple_Nm{};  ///< Four to five periods over the sweep.
 };
 
 joint::Recording long_sweep(const LaidOn& laid, std::uint64_t seed) {
@@ -181,6 +184,9 @@ joint::Recording long_sweep(const LaidOn& laid, std::uint64_t seed) {
     r.q_rad.push_back(motor);
     r.torque_Nm.push_back(4 * std::cos(link - q_peak) + 0.6 * std::tanh(w / 1e-3) + 0.3 * w +
                           laid.offset_Nm + laid.drift_Nm * (t / duration_s - 0.5) +
+                          laid.second_Nm * std::cos(2 * (motor - q_peak) + laid.second_phase_rad) +
+                          laid.spring_Nm_rad * (motor - q_peak) +
+                          laid.slow_ripple_Nm * std::cos(14 * motor + 1.1) +
                           laid.ripple_Nm * std::cos(100 * 3 * motor) +
                           laid.vibration_Nm * std::sin(2 * std::numbers::pi * 7.3 * t) + coloured +
                           0.02 * random.normal());
@@ -236,6 +242,69 @@ TEST(CogSweep, ResidualsAreAttributedToTheirCause) {
   EXPECT_NEAR(coloured.coloured_Nm, 0.06, 0.015);
   EXPECT_TRUE(coloured.ripple.lines.empty());
   EXPECT_LT(coloured.ripple_Nm, 0.02);
+}
+
+/// Of the runs, those whose interval holds angle and gravity; both have to hold in 17 of 20.
+void expect_truth_is_held(const LaidOn& laid) {
+  int angle = 0;
+  int gravity = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto sweep = swept(long_sweep(laid, seed));
+    ASSERT_TRUE(sweep.found);
+    angle += sweep.q_peak_rad.low < 0.2 && 0.2 < sweep.q_peak_rad.high ? 1 : 0;
+    gravity += sweep.gravity_Nm.low < 4 && 4 < sweep.gravity_Nm.high ? 1 : 0;
+  }
+  EXPECT_GE(angle, 17);
+  EXPECT_GE(gravity, 17);
+}
+
+TEST(CogSweep, TorqueOfTwiceTheAngleIsNoGravity) {
+  for (const double phase : {0.0, 1.0, 2.5}) {
+    const LaidOn laid{.second_Nm = 0.06, .second_phase_rad = phase};
+    ASSERT_TRUE(swept(long_sweep(laid, 1)).of_angle) << phase;
+    expect_truth_is_held(laid);
+  }
+  EXPECT_FALSE(swept(long_sweep({}, 1)).of_angle);
+}
+
+TEST(CogSweep, ASpringIsNeitherGravityNorATwistOfTheGear) {
+  const LaidOn laid{.spring_Nm_rad = 0.1};
+  const auto sweep = swept(long_sweep(laid, 1));
+  ASSERT_TRUE(sweep.of_angle);
+  EXPECT_FALSE(sweep.twist_rad);
+  expect_truth_is_held(laid);
+}
+
+/// What is of no weight but too large for a spring stays in, and is told.
+TEST(CogSweep, ALargeTorqueOfTheAngleIsToldAndLeft) {
+  const auto sweep = swept(long_sweep({.second_Nm = 0.8, .second_phase_rad = 1.0}, 1));
+  EXPECT_FALSE(sweep.of_angle);
+  EXPECT_GT(sweep.torque_of_angle_left_Nm, 0.2);
+}
+
+TEST(CogSweep, SlowRippleIsFittedWithItsPeriod) {
+  const LaidOn laid{.slow_ripple_Nm = 0.1};
+  const auto sweep = swept(long_sweep(laid, 1));
+  ASSERT_FALSE(sweep.ripple.lines.empty());
+  EXPECT_NEAR(sweep.ripple.lines.front().periods_per_turn, 0.14, 5e-4);
+  EXPECT_NEAR(sweep.ripple.lines.front().amplitude_Nm, 0.1, 0.003);
+  EXPECT_NEAR(sweep.q_peak_rad.value, 0.2, 0.002);
+  expect_truth_is_held(laid);
+}
+
+TEST(CogSweep, WithoutGravityFrictionAloneIsRead) {
+  const joint::Recording r = long_sweep({.offset_Nm = 0.1}, 2);
+  joint::Recording free = r;
+  for (std::size_t i = 0; i < free.size(); ++i) free.torque_Nm[i] -= 4 * std::cos(r.q_rad[i] - 0.2);
+  method::gravity::KnownOfSweep none;
+  none.has_no_gravity = true;
+  const auto sweep = method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough,
+                                                         method::motion::Sweep({&free}), 100, none)
+                         .result;
+  EXPECT_FALSE(sweep.found);
+  ASSERT_TRUE(sweep.coulomb_Nm && sweep.torque_offset_Nm);
+  EXPECT_NEAR(sweep.coulomb_Nm->value, 0.612, 0.005);
+  EXPECT_NEAR(sweep.torque_offset_Nm->value, 0.1, 0.005);
 }
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {

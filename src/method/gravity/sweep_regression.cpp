@@ -285,6 +285,21 @@ Eigen::VectorXd second_about_peak(const SweepDesign& d, const SweepGravityFit& f
   return gradient;
 }
 
+/// Whether a fit with fewer columns leaves no more than chance gives, for residuals that hang
+/// together as those of the richer one do.
+bool describes_as_well(const SweepGravityFit& simple, const SweepDesign& rich_design,
+                       const SweepGravityFit& rich) {
+  constexpr double largest_gain = 10;  // of a chi-squared number with one degree of freedom
+  const Eigen::MatrixXd normal = rich_design.x.transpose() * rich_design.x;
+  const Eigen::Index k = rich_design.second;
+  const double variance = std::pow(rich.regression.residual_sd, 2);
+  const double white = variance * normal.ldlt().solve(Eigen::VectorXd::Unit(normal.cols(), k))(k);
+  const double inflation = std::max(1.0, rich.regression.covariance(k, k) / white);
+  const double gain =
+      simple.regression.residuals.squaredNorm() - rich.regression.residuals.squaredNorm();
+  return gain < largest_gain * inflation * variance;
+}
+
 Eigen::VectorXd along(const SweepDesign& d, Eigen::Index column) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
   gradient(column) = 1;
@@ -329,14 +344,10 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   if (!is_even && (!is_odd || is_twist)) return fit;
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
-    SweepDesign both = design_of_angle(sweep, middle, true, true, design.inertia_at_joint);
-    const SweepGravityFit of_both = fit_amplitude_and_angle(sweep, both, middle, blocks);
     SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
     SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, spring, middle, blocks);
-    const bool needs_second = shows(of_both, second_about_peak(both, of_both, middle, true)) ||
-                              shows(of_both, second_about_peak(both, of_both, middle, false));
-    const bool needs_spring = shows(of_both, along(both, both.spring));
-    if (!needs_second && shows(of_spring, along(spring, spring.spring))) {
+    if (shows(of_spring, along(spring, spring.spring)) &&
+        describes_as_well(of_spring, second, with_second)) {
       // Over less than half a turn neither is certain: the interval holds both.
       const auto hold = [](statistics::Estimate& e, const statistics::Estimate& other) {
         const double reach =
@@ -349,9 +360,6 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
       hold(of_spring.gravity_Nm, with_second.gravity_Nm);
       chosen = std::move(of_spring);
       second = std::move(spring);
-    } else if (needs_second && needs_spring) {
-      chosen = of_both;
-      second = std::move(both);
     }
   }
   if (!matters(fit, chosen)) return fit;
@@ -391,7 +399,9 @@ std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const S
     largest = std::max(largest, torque);
   }
   out.amplitude_Nm = (largest - smallest) / 2;
-  out.slope_half_width_Nm_rad = fit.regression.half_width_along(slope);
+  // As uncertain as the angle at least, which holds a rival.
+  out.slope_half_width_Nm_rad = std::max(fit.regression.half_width_along(slope),
+                                         fit.gravity_Nm.value * fit.q_peak_rad.half_width());
   return out;
 }
 

@@ -105,4 +105,57 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const motion::Sweep& sweep,
   return runs;
 }
 
+std::vector<ConstantSpeedRun> bin_sweep_by_speed(const motion::Sweep& sweep,
+                                                 const gravity::CogSweepResult& found,
+                                                 double gear_ratio) {
+  constexpr std::size_t most_bins = 14;
+  constexpr std::size_t fewest = 20;
+  const motion::SweepSamples& samples = sweep.samples;
+  std::vector<double> speeds;
+  for (const double v : samples.speed_rad_s) speeds.push_back(std::abs(v));
+  std::sort(speeds.begin(), speeds.end());
+  const std::size_t bins = std::min(most_bins, speeds.size() / (2 * fewest));
+  std::vector<ConstantSpeedRun> runs;
+  if (bins == 0) return runs;
+  std::vector<Bin> up(bins);
+  std::vector<Bin> down(bins);
+  const double inertia = found.inertia_kgm2 ? found.inertia_kgm2->value * gear_ratio : 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto rank =
+        std::lower_bound(speeds.begin(), speeds.end(), std::abs(samples.speed_rad_s[i])) -
+        speeds.begin();
+    const std::size_t bin =
+        std::min(bins - 1, static_cast<std::size_t>(rank) * bins / speeds.size());
+    const double torque = sweep.torque_Nm(i) - inertia * samples.acceleration_rad_s2[i];
+    (samples.direction[i] > 0 ? up : down)[bin].add(samples.stroke[i], torque,
+                                                    samples.speed_rad_s[i], sweep.q_rad(i), 0);
+  }
+  const double slope = found.viscous_Nms_rad ? found.viscous_Nms_rad->value : 0.0;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    if (up[bin].samples < fewest || down[bin].samples < fewest) continue;
+    const double rising = up[bin].speed / up[bin].samples;
+    const double falling = down[bin].speed / down[bin].samples;
+    const double both = gear_ratio * (rising - falling) / 2;
+    for (const Bin* one : {&down[bin], &up[bin]}) {
+      const auto [torque, half_width] = one->torque();
+      ConstantSpeedRun run;
+      run.recording = sweep.recordings.front()->name;
+      run.speed_rad_s = one == &up[bin] ? both : -both;
+      // To the speed that both directions have in common.
+      run.torque_Nm = torque + slope * (run.speed_rad_s - gear_ratio * one->speed / one->samples);
+      run.torque_half_width_Nm = half_width;
+      if (std::isfinite(half_width)) {
+        run.torque_standard_error_Nm = half_width / statistics::normal_975;
+      }
+      run.samples = static_cast<std::size_t>(one->samples);
+      run.q_rad = run.lowest_rad = run.highest_rad = nan;
+      run.direction_difference_Nm = run.direction_difference_half_width_Nm = nan;
+      run.direction_mean_Nm = run.direction_mean_cos = nan;
+      runs.push_back(std::move(run));
+    }
+  }
+  return runs;
+}
+
 }  // namespace tribolog::method::viscous

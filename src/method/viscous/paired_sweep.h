@@ -15,4 +15,10 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const motion::Sweep& sweep,
                                                   const gravity::CogSweepResult& found,
                                                   double gear_ratio, double q_peak_rad);
 
+/// Of a joint without gravity: the sweep's samples by their speed, whatever the angle, a run for
+/// each direction of each bin. Without offset or gravity taken off.
+std::vector<ConstantSpeedRun> bin_sweep_by_speed(const motion::Sweep& sweep,
+                                                 const gravity::CogSweepResult& found,
+                                                 double gear_ratio);
+
 }  // namespace tribolog::method::viscous

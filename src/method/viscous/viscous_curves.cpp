@@ -398,8 +398,11 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
   const bool is_free = stated && stated->amplitude_Nm() == 0;
   if (!out.runs.empty()) {
     if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity});
-  } else if (((rough.found && q_peak_rad) || (is_free && rough.coulomb_Nm)) &&
-             rough.both_directions && !rough.constant_speed) {
+  } else if (is_free && rough.coulomb_Nm && rough.both_directions && !rough.constant_speed) {
+    out.runs = bin_sweep_by_speed(sweep, rough, gear_ratio);
+    for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
+    out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
+  } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
     out.runs = pair_sweep_by_angle(sweep, rough, gear_ratio, q_peak);
     out.from_sweep = !out.runs.empty();
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;

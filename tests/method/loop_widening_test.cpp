@@ -1,0 +1,67 @@
+// Ripple within a loop is taken off by the phase of the sweep, and the loop's mean stays.
+
+#include "method/hysteresis/loop_widening.h"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace tribolog::loop_widening_test {
+namespace {
+
+constexpr double gear_ratio = 50;
+
+joint::Recording loop() {
+  joint::Recording r;
+  for (int i = 0; i < 2000; ++i) {
+    const double phase = 0.02 * i;
+    r.t_s.push_back(0.001 * i);
+    r.q_rad.push_back(0.1 + 0.02 * std::sin(phase));
+    r.torque_Nm.push_back(2 + 0.5 * std::cos(phase));
+  }
+  return r;
+}
+
+method::gravity::CogSweepResult sweep_with_ripple(double amplitude_Nm) {
+  method::gravity::CogSweepResult sweep;
+  sweep.found = true;
+  sweep.lowest_rad = -1;
+  sweep.highest_rad = 1;
+  sweep.ripple.lines.push_back({6, amplitude_Nm, 0.7});
+  return sweep;
+}
+
+double mean_of(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+TEST(LoopWidening, RippleWithinTheLoopIsTakenOffAndItsMeanStays) {
+  const joint::Recording plain = loop();
+  const method::gravity::CogSweepResult sweep = sweep_with_ripple(0.1);
+  joint::Recording rippled = plain;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    rippled.torque_Nm[i] += sweep.ripple.torque_Nm(gear_ratio * plain.q_rad[i]);
+  }
+  const double mean = mean_of(rippled.torque_Nm);
+  method::hysteresis::take_ripple_off_loop(sweep, gear_ratio, rippled);
+  EXPECT_NEAR(mean_of(rippled.torque_Nm), mean, 1e-12);
+  const double moved = mean - mean_of(plain.torque_Nm);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    ASSERT_NEAR(rippled.torque_Nm[i] - moved, plain.torque_Nm[i], 1e-12);
+  }
+}
+
+TEST(LoopWidening, ALoopOutsideTheSweepOrWithoutRippleStaysAsItIs) {
+  const joint::Recording plain = loop();
+  method::gravity::CogSweepResult sweep = sweep_with_ripple(0.1);
+  sweep.highest_rad = 0.1;
+  joint::Recording r = plain;
+  method::hysteresis::take_ripple_off_loop(sweep, gear_ratio, r);
+  EXPECT_EQ(r.torque_Nm, plain.torque_Nm);
+  method::hysteresis::take_ripple_off_loop(sweep_with_ripple(1e-5), gear_ratio, r);
+  EXPECT_EQ(r.torque_Nm, plain.torque_Nm);
+}
+
+}  // namespace
+}  // namespace tribolog::loop_widening_test
