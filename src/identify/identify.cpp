@@ -151,6 +151,10 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
 }
 
 std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p) {
+  if (p.known_of_sweep().has_no_gravity) {
+    return method::hysteresis::KnownGravity{
+        statistics::symmetric_estimate(0, 0, {"interval.stated_in_manifest"}), 0};
+  }
   const method::hysteresis::SurrogateMass* mass = p.recommended_mass();
   if (mass == nullptr || !p.c.q_peak_rad) return std::nullopt;
   return method::hysteresis::KnownGravity{mass->gravity_Nm, p.c.q_peak_rad->value};

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "calibration/curve_headline.h"
 #include "joint/degrees.h"
@@ -52,6 +54,23 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
 
 }  // namespace
 
+namespace {
+
+/// Whether pairs of runs give the sweep's gravity torque, about as surely.
+bool runs_confirm_gravity(const calibration::Calibration& c) {
+  constexpr double widest_percent = 2;
+  const auto& checks = c.cross_checks.checks;
+  return c.rough.found &&
+         std::any_of(checks.begin(), checks.end(), [](const method::intervals::CrossCheck& check) {
+           const auto* method = std::get_if<method::selection::IndependentMethod>(&check.method);
+           return method != nullptr &&
+                  *method == method::selection::IndependentMethod::run_directions &&
+                  !check.disagrees && check.difference_half_width_percent < widest_percent;
+         });
+}
+
+}  // namespace
+
 std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Calibration& c) {
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   const Statement& why = c.masses.stage.reason;
@@ -65,9 +84,11 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
   std::vector<calibration::QuantityVerdict> all{
       angle(c), by_estimate(Quantity::gravity_torque, "N·m", gravity_Nm, why, both),
       by_estimate(Quantity::surrogate_mass, "kg", mass_kg, why, both)};
-  // Each independent way to gravity has to be there, or the mass stands on one alone.
+  // Each independent way to gravity has to be there, or the mass stands on one alone. Runs in both
+  // directions stand in for loops.
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
+    if (stage == &c.hysteresis.stage && runs_confirm_gravity(c)) continue;
     for (const Quantity quantity : {Quantity::gravity_torque, Quantity::surrogate_mass}) {
       calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful,
                          {"verdict.nothing_independent", {{"why", stage->reason}}}, both);
