@@ -244,8 +244,9 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     const double need = std::max(least, share_of_travel * travel[i]);
     const std::size_t j = moved_on(summits, i, need);
     if (j == r.size()) break;
-    const double mean_speed =
-        std::max(travel[i] - travel[begin], least) / (r.t_s[i] - r.t_s[begin]);
+    // A ramp of even rate began a tenth of its torque before.
+    const double time_s = (r.t_s[i] - r.t_s[begin]) / (1 - torque_on);
+    const double mean_speed = std::max(travel[i], least) / time_s;
     if (!(mean_speed > 0)) continue;
     const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
     ramp.largest_yield = std::max(ramp.largest_yield, yield);
