@@ -268,13 +268,16 @@ bool may_be_of_angle(const motion::Sweep& sweep, double middle,
       out.highest_rad - out.lowest_rad < least_range_for_second_rad) {
     return false;
   }
-  if (out.torque_offset_Nm->low <= 0 && out.torque_offset_Nm->high >= 0) return false;
+  // One that chance gives is held as it is.
+  if (std::abs(out.torque_offset_Nm->value) <= surely_shown * out.torque_offset_Nm->half_width()) {
+    return false;
+  }
   SweepDesign second = design_of_angle(sweep, middle, true, false);
   const SweepGravityFit fit = fit_amplitude_and_angle(sweep, second, middle, blocks);
   Eigen::VectorXd gradient = offset_gradient(second, sweep.samples);
   const double offset = gradient.dot(fit.regression.coefficients);
   gradient(0) = -1;
-  return std::abs(offset) <= fit.regression.half_width_along(gradient);
+  return std::abs(offset) <= surely_shown * fit.regression.half_width_along(gradient);
 }
 
 /// What the residual shows of ripple and vibration, and the fit without them.

@@ -267,12 +267,10 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool seco
 
 namespace {
 
-/// Whether a sum over coefficients is none that chance gives, few blocks and several questions
-/// reckoned in: beyond 4.3 standard errors of a normal number.
+/// Whether a sum over coefficients is surely none that chance gives.
 bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient) {
-  constexpr double half_widths = 2.2;
   return std::abs(gradient.dot(fit.regression.coefficients)) >
-         half_widths * fit.regression.half_width_along(gradient);
+         surely_shown * fit.regression.half_width_along(gradient);
 }
 
 /// Of a design with cos 2y and sin 2y: what of them is even about the peak, and what is odd.

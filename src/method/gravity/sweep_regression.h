@@ -70,6 +70,10 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
 /// From this range on [rad] a twisted gear is told from a turned peak.
 inline constexpr double least_range_for_twist_rad = 60 / joint::degrees_per_rad;
 
+/// Half widths from which on a torque of the angle, or an offset beside one, is none that chance
+/// gives, few blocks and several questions reckoned in: 4.3 standard errors of a normal number.
+inline constexpr double surely_shown = 2.2;
+
 /// From this one on [rad] what goes with twice the angle is told from gravity.
 inline constexpr double least_range_for_second_rad = 40 / joint::degrees_per_rad;
 
