@@ -52,10 +52,6 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   return q;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether pairs of runs give the sweep's gravity torque, about as surely.
 bool runs_confirm_gravity(const calibration::Calibration& c) {
   constexpr double widest_percent = 2;

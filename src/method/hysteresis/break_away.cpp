@@ -22,41 +22,33 @@ constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at t
 constexpr double yield_that_may_slide = 5;
 constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
-/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
-std::size_t begin_of_ramp(const joint::Recording& r) {
+/// How far the torque gets from where it begins.
+double largest_change_Nm(const joint::Recording& r) {
   double largest = 0;
   for (const double torque : r.torque_Nm) {
     largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
   }
+  return largest;
+}
+
+/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
+std::size_t begin_of_ramp(const joint::Recording& r) {
+  const double rest = torque_on * largest_change_Nm(r);
   std::size_t i = 0;
-  while (i + 1 < r.size() &&
-         std::abs(r.torque_Nm[i] - r.torque_Nm.front()) <= torque_on * largest) {
-    ++i;
-  }
+  while (i + 1 < r.size() && std::abs(r.torque_Nm[i] - r.torque_Nm.front()) <= rest) ++i;
   return i;
 }
 
 /// Sign of the ramp: that of the torque when it has first left its rest.
 double direction_of(const joint::Recording& r) {
-  double largest = 0;
-  for (const double torque : r.torque_Nm) {
-    largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
-  }
-  for (const double torque : r.torque_Nm) {
-    const double change = torque - r.torque_Nm.front();
-    if (std::abs(change) > torque_on * largest) return change < 0 ? -1.0 : 1.0;
-  }
-  return 1.0;
+  return r.torque_Nm[begin_of_ramp(r)] < r.torque_Nm.front() ? -1.0 : 1.0;
 }
 
 /// The usual step of the angle from sample to sample, standing still left out: the encoder's step
 /// or its noise, whichever is seen. Of the part that surely rests, up to half of the ramp's torque:
 /// sliding has larger ones.
 double usual_step_rad(const joint::Recording& r) {
-  double largest = 0;
-  for (const double torque : r.torque_Nm) {
-    largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
-  }
+  const double largest = largest_change_Nm(r);
   std::vector<double> at_rest;
   std::vector<double> all;
   bool rests = true;
