@@ -320,17 +320,10 @@ bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
 }  // namespace
 
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
-                                                    double middle,
+                                                    double middle, double range_rad,
                                                     const std::vector<std::size_t>& blocks,
                                                     const SweepGravityFit& fit, double& left_Nm) {
-  if (!sweep.samples.both_directions()) return fit;
-  double lowest = sweep.q_rad(0);
-  double highest = lowest;
-  for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
-    lowest = std::min(lowest, sweep.q_rad(i));
-    highest = std::max(highest, sweep.q_rad(i));
-  }
-  if (highest - lowest < least_range_for_second_rad) return fit;
+  if (!sweep.samples.both_directions() || range_rad < least_range_for_second_rad) return fit;
 
   SweepDesign second = design_of_angle(sweep, middle, true, false, design.inertia_at_joint);
   const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);

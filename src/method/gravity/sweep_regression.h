@@ -134,7 +134,7 @@ GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult&
 /// @param left_Nm receives the amplitude of one that is too large to be taken for one: then
 /// something else is wrong, and the fit stays as it was.
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
-                                                    double middle_rad,
+                                                    double middle_rad, double range_rad,
                                                     const std::vector<std::size_t>& blocks,
                                                     const SweepGravityFit& fit, double& left_Nm);
 
