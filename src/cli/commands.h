@@ -95,6 +95,7 @@ struct StudyCommandOptions {
   std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   bool misfit{false};  ///< On joints and logs that the method's model does not describe.
+  bool sound{false};   ///< The same on joints that it does describe.
   std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
   std::vector<std::string> joints;        ///< With `misfit`: keys; none: all.
   int processes{2};

@@ -69,10 +69,10 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
 }
 
 ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
-  if (options.json.empty()) throw UsageError("study --misfit needs --json FILE");
+  if (options.json.empty()) throw UsageError("study --misfit and --sound need --json FILE");
   if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
     throw UsageError(
-        "study --misfit has joints of its own: SCENARIO, --factor and -o do not apply");
+        "--misfit and --sound have joints of their own: SCENARIO, --factor and -o do not apply");
   }
   check_output_can_be_written(options.json, {});
   console.make_way_for(options.json);
@@ -83,6 +83,7 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   study.resamples = options.resamples;
   study.disturbances = options.disturbances;
   study.joints = options.joints;
+  study.only_sound = options.sound;
   std::vector<study::MisfitCase> cases;
   try {
     cases = study::run_misfit_study(
@@ -103,8 +104,11 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
 
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console) {
-  if (options.misfit) return run_misfit_command(options, console);
-  if (options.output.empty()) throw UsageError("study needs -o FILE, or --misfit");
+  if (options.sound && !options.disturbances.empty()) {
+    throw UsageError("--sound lays no --disturbance: choose one of them");
+  }
+  if (options.misfit || options.sound) return run_misfit_command(options, console);
+  if (options.output.empty()) throw UsageError("study needs -o FILE, --misfit or --sound");
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
   if (!options.json.empty()) check_output_can_be_written(options.json, inputs);
@@ -163,10 +167,12 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
                              "ripple_eight_positions", "amplitude", "cycles"}));
   command.add_flag("--misfit", study.misfit,
                    "joints and logs that the method's model does not describe");
+  command.add_flag("--sound", study.sound,
+                   "seven joints that the model describes: coverage, and share called usable");
   command.add_option("--disturbance", study.disturbances,
                      "with --misfit: lay this one alone (may be given again); default: all");
   command.add_option("--joint", study.joints,
-                     "with --misfit: on this joint alone (may be given again); default: all");
+                     "with --misfit or --sound: on this joint alone (may be given again)");
   command.add_option("--runs", study.runs, "runs per case")
       ->check(CLI::Range(std::size_t{2}, most))
       ->capture_default_str();

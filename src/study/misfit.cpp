@@ -26,6 +26,7 @@ using joint::Quantity;
 using simulate::Scenario;
 using LuGre = friction::LuGreFriction::Parameters;
 
+constexpr std::size_t joints_of_the_study = 4;
 constexpr double no_truth = std::numeric_limits<double>::quiet_NaN();
 
 const LuGre& lugre_of(const Scenario& s) {
@@ -489,6 +490,40 @@ std::vector<MisfitJoint> misfit_joints() {
                                 1e-5,
                                 131072,
                                 150})},
+      // A big axis, a light wrist of much friction, and a gantry's fast axis with little.
+      {"heavy_axis", sketched({185,
+                               6e-3,
+                               420,
+                               0.9,
+                               -64.0,
+                               {2400, 3.0, 9e-3, 3.2, 4.4, 6},
+                               250,
+                               0.08,
+                               0.02,
+                               65536,
+                               200})},
+      {"harmonic_wrist", sketched({160,
+                                   3e-5,
+                                   3.1,
+                                   0.11,
+                                   47.0,
+                                   {42, 0.03, 3e-5, 0.031, 0.042, 8},
+                                   1000,
+                                   4e-4,
+                                   1e-4,
+                                   1048576,
+                                   400})},
+      {"belt_drive", sketched({5,
+                               4e-4,
+                               2.4,
+                               0.28,
+                               -120.0,
+                               {95, 0.08, 9e-4, 0.055, 0.066, 2},
+                               2000,
+                               3e-3,
+                               5e-4,
+                               1048576,
+                               60})},
   };
 }
 
@@ -508,8 +543,12 @@ double bound_of(joint::Quantity quantity, double truth) {
 
 std::vector<MisfitCase> run_misfit_study(const MisfitOptions& options,
                                          const MisfitProgress& progress) {
-  const std::vector<MisfitJoint> joints = picked(misfit_joints(), options.joints, "joint");
-  const std::vector<Disturbance> laid = picked(disturbances(), options.disturbances, "disturbance");
+  std::vector<MisfitJoint> joints = picked(misfit_joints(), options.joints, "joint");
+  std::vector<Disturbance> laid;
+  if (!options.only_sound) {
+    laid = picked(disturbances(), options.disturbances, "disturbance");
+    if (options.joints.empty()) joints.resize(joints_of_the_study);
+  }
   std::size_t all = 0;
   for (const Disturbance& d : laid) all += d.sizes.size() * joints.size();
   all += joints.size();

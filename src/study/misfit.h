@@ -36,7 +36,8 @@ struct MisfitJoint {
   simulate::Scenario scenario;
 };
 
-/// Without noise of their own seed; each with rough sweep, oscillations, runs and ramps.
+/// Seven joints, without noise of their own seed; each with rough sweep, oscillations, runs and
+/// ramps. Disturbances are laid on the first four where nobody chooses.
 std::vector<MisfitJoint> misfit_joints();
 
 /// How a quantity fared over the runs of one case.
@@ -65,8 +66,9 @@ struct MisfitOptions {
   std::uint64_t seed{1};
   std::size_t threads{0};
   std::size_t resamples{0};
-  std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all, and none at all.
-  std::vector<std::string> joints;        ///< Keys; none: all.
+  std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
+  std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
+  bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
 };
 
 using MisfitProgress =

@@ -176,6 +176,25 @@ void apply_data_checks(const method::checks::DataChecksResult& checks, const Sou
   }
 }
 
+/// Off the gravity peak the loops' mean needs the cosine, and with it an angle that can be used.
+void doubt_masses_off_the_peak(const calibration::Calibration& c,
+                               std::vector<calibration::QuantityVerdict>& all) {
+  const method::checks::DataCheck* check = c.data_checks.find(CheckName::oscillation_at_peak);
+  if (check == nullptr || check->state != method::checks::CheckState::warns ||
+      c.selection.recommended == Estimator::sweep ||
+      verdict_on(Quantity::cog_angle, all).verdict == calibration::Verdict::usable) {
+    return;
+  }
+  constexpr double near_deg = 10;  // an angle's error of 1° costs 0.3 % there
+  if (*check->measured <= near_deg) return;
+  for (const Quantity quantity : mass) {
+    calibration::lower(
+        verdict_on(quantity, all), calibration::Verdict::doubtful,
+        {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
+        check->experiment);
+  }
+}
+
 std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Calibration& c) {
   std::vector<calibration::QuantityVerdict> all = gravity_verdicts(c);
   for (const auto& room : {bristle_verdicts(c), curve_verdicts(c)}) {
@@ -192,6 +211,7 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
                         c.selection.recommended == Estimator::sweep,
                         c.break_away.mean_Nm.has_value()};
   apply_data_checks(c.data_checks, sources, all);
+  doubt_masses_off_the_peak(c, all);
   apply_truth_check(c.truth_check, c.selection.recommended, all);
   return all;
 }

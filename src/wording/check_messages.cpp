@@ -195,6 +195,9 @@ const Messages& check_messages() {
       {"joint_moves.see_drive_and_column",
        text("check that the joint was driven and that the angle column is live")},
       {"angle_unit.of_a_joint", text("the angles are plausible for a joint")},
+      {"angle_unit.torque_follows",
+       text("the joint turns further than once; the sweep's torque follows the cosine of the angle "
+            "as it was read")},
       {"angle_unit.too_large",
        text("the joint's angle reaches {largest_rad:.4g} rad, {turns:.3g} turns: degrees taken for "
             "radians, or the motor's angle for the joint's?")},
@@ -470,8 +473,10 @@ const Messages& check_messages() {
        text("centre at {centre_deg:.3f}°, peak at {peak_deg:.3f}°: gravity is "
             "{smaller_percent:.3g} % smaller there")},
       {"oscillation_at_peak.error_of_peak_costs",
-       text("the cosine corrects for it, but an error of 0.1° in the angle of the peak then costs "
-            "{cost_percent:.2g} % of gravity torque and mass; at the peak it costs nothing")},
+       text(
+           "the cosine corrects for it, but the angle of the peak is known to ± "
+           "{angle_deg:.2g}° only, which costs {cost_percent:.2g} % of gravity torque and mass; at "
+           "the peak it costs nothing")},
       {"oscillation_at_peak.repeat_about", text("repeat the oscillation about {peak_deg:.2f}°")},
 
       // Gravity against the measured torque.

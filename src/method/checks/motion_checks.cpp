@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include <Eigen/Dense>
+
 #include "method/checks/check_list.h"
 
 namespace tribolog::method::checks {
@@ -34,6 +36,45 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
   return check;
 }
 
+namespace {
+
+/// Does the sweep's torque follow the cosine of the angle as it was read? In a wrong unit it does
+/// not: a sweep taken for many turns has a torque that bends once. Least squares of a level for
+/// each direction and one wave per turn; what the wave has to explain is what the levels leave.
+bool torque_follows_the_cosine(const CheckedDataset& data) {
+  constexpr double least_range_rad = 90 * std::numbers::pi / 180;
+  constexpr double least_share = 0.95;
+  constexpr std::size_t most_rows = 2000;
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double squares = 0;
+  double range_rad = 0;
+  for (const CheckedRecording* r : data.with_role(joint::Role::rough_sweep)) {
+    if (r->recording->torque_Nm.empty()) continue;
+    const std::size_t stride = std::max<std::size_t>(1, r->recording->size() / most_rows);
+    for (const motion::Stroke& way : r->ways()) {
+      range_rad = std::max(range_rad, way.travel_rad);
+      for (std::size_t i = way.first; i < way.last; i += stride) {
+        const double q = r->recording->q_rad[i];
+        const double torque = r->recording->torque_Nm[i];
+        const Eigen::Vector4d row{way.direction > 0 ? 1.0 : 0.0, way.direction > 0 ? 0.0 : 1.0,
+                                  std::cos(q), std::sin(q)};
+        normal += row * row.transpose();
+        right += torque * row;
+        squares += torque * torque;
+      }
+    }
+  }
+  if (range_rad < least_range_rad) return false;
+  const auto left_by = [&](const Eigen::MatrixXd& n, const Eigen::VectorXd& b) {
+    return squares - b.dot(n.completeOrthogonalDecomposition().solve(b));
+  };
+  const double by_levels = left_by(normal.topLeftCorner<2, 2>(), right.head<2>());
+  return left_by(normal, right) <= (1 - least_share) * by_levels;
+}
+
+}  // namespace
+
 DataCheck check_angle_unit(const CheckedDataset& data) {
   // An axis that nothing loads may turn as far as it will.
   if (data.has_no_gravity()) {
@@ -56,6 +97,9 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   check.measured = largest;
   if (largest <= largest_likely_rad) {
     return passed_by_all(check, {"angle_unit.of_a_joint"});
+  }
+  if (torque_follows_the_cosine(data)) {
+    return passed_by_all(check, {"angle_unit.torque_follows"});
   }
   check.state = CheckState::fails;
   check.found = {"angle_unit.too_large",

@@ -614,6 +614,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
   } else {
     if (!precise) {
+      fit = with_kinks_where_they_pay(sweep, design, middle, blocks, fit);
       fit = with_torque_of_angle_where_it_shows(sweep, design, middle, range, blocks, fit,
                                                 out.torque_of_angle_left_Nm);
     }

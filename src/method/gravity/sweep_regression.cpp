@@ -1,6 +1,7 @@
 #include "method/gravity/sweep_regression.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/requirements.h"
 #include "statistics/distributions.h"
 #include "statistics/sampled_signal.h"
+#include "statistics/wandering_noise.h"
 
 namespace tribolog::method::gravity {
 
@@ -137,6 +139,66 @@ void settle_twist_column(const motion::Sweep& sweep, double middle, SweepDesign&
 
 }  // namespace
 
+namespace {
+
+/// About forty blocks of neighbours in time, or whole strokes where there are more of them.
+statistics::BlockMeans blocks_in_time(const motion::Sweep& sweep, const SweepDesign& d,
+                                      const Eigen::VectorXd& residuals) {
+  constexpr std::size_t in_all = 40;
+  const motion::SweepSamples& samples = sweep.samples;
+  const std::size_t strokes = samples.stroke.back() + 1;
+  std::vector<std::size_t> block =
+      statistics::equal_blocks(samples.stroke, std::max<std::size_t>(1, in_all / strokes));
+  if (block.back() >= 2 * in_all) {
+    const std::size_t together = block.back() / in_all;
+    for (std::size_t& b : block) b /= together;
+  }
+  const auto count = static_cast<Eigen::Index>(block.back() + 1);
+  const Eigen::Index columns = d.x.cols();
+  statistics::BlockMeans out{Eigen::MatrixXd::Zero(count, columns),
+                             Eigen::VectorXd::Zero(count),
+                             Eigen::VectorXd::Zero(count),
+                             Eigen::VectorXd::Zero(count),
+                             std::vector<std::size_t>(block.back() + 1),
+                             {}};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto b = static_cast<Eigen::Index>(block[i]);
+    const auto row = static_cast<Eigen::Index>(i);
+    out.columns.row(b) += d.x.row(row);
+    out.residuals(b) += residuals(row);
+    out.samples(b) += 1;
+    out.time_s(b) += sweep.recordings[samples.recording[i]]->t_s[samples.index[i]];
+    out.recording[block[i]] = samples.recording[i];
+  }
+  const Eigen::VectorXd scale =
+      d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
+  const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
+  out.effects =
+      scale.asDiagonal() * normal.ldlt().solve(scale.asDiagonal() * out.columns.transpose());
+  const Eigen::VectorXd share = out.samples.cwiseInverse();
+  out.columns = share.asDiagonal() * out.columns;
+  out.residuals.array() *= share.array();
+  out.time_s.array() *= share.array();
+  return out;
+}
+
+/// Where the torque wanders from block to block, what that does to the coefficients takes the place
+/// of what the blocks tell, if it is more.
+void hold_wandering(const motion::Sweep& sweep, const SweepDesign& d,
+                    statistics::BlockRegression& regression) {
+  const auto wandering =
+      statistics::wandering_noise(blocks_in_time(sweep, d, regression.residuals));
+  if (!wandering) return;
+  const Eigen::MatrixXd covariance = wandering->shifts * wandering->shifts.transpose();
+  const Eigen::Vector2d more =
+      covariance.diagonal().head<2>().cwiseQuotient(regression.covariance.diagonal().head<2>());
+  if (!(more.sum() > 2)) return;
+  regression.block_shifts = wandering->shifts;
+  regression.covariance = covariance;
+}
+
+}  // namespace
+
 SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
                                         const std::vector<std::size_t>& blocks) {
   const motion::SweepSamples& samples = sweep.samples;
@@ -150,6 +212,7 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
   if (d.twist >= 0) settle_twist_column(sweep, middle, d);
   SweepGravityFit fit;
   fit.regression = statistics::block_regression(d.x, d.y, blocks);
+  hold_wandering(sweep, d, fit.regression);
   const double b = fit.regression.coefficients(0);
   const double c = fit.regression.coefficients(1);
   const auto& v = fit.regression.covariance;
@@ -304,6 +367,17 @@ Eigen::VectorXd along(const SweepDesign& d, Eigen::Index column) {
   return gradient;
 }
 
+constexpr std::array kinks_at{0.05, 0.12, 0.25, 0.45, 0.7};  // quantiles of the speed
+
+/// The columns of friction's shape, to another design of the same samples.
+void take_kinks(const SweepDesign& from, SweepDesign& to) {
+  if (from.by_speed < 0) return;
+  constexpr auto kinks = static_cast<Eigen::Index>(kinks_at.size());
+  to.by_speed = to.x.cols();
+  to.x.conservativeResize(Eigen::NoChange, to.by_speed + kinks);
+  to.x.rightCols(kinks) = from.x.middleCols(from.by_speed, kinks);
+}
+
 /// Whether two fits differ by what matters: half of an interval, a tenth of a per mille of the
 /// amplitude or a hundredth of a degree.
 bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
@@ -326,6 +400,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   if (!sweep.samples.both_directions() || range_rad < least_range_for_second_rad) return fit;
 
   SweepDesign second = design_of_angle(sweep, middle, true, false, design.inertia_at_joint);
+  take_kinks(design, second);
   const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);
   const Eigen::VectorXd odd = second_about_peak(second, with_second, middle, false);
   const bool is_even = shows(with_second, second_about_peak(second, with_second, middle, true));
@@ -336,6 +411,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
     SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
+    take_kinks(design, spring);
     SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, spring, middle, blocks);
     if (shows(of_spring, along(spring, spring.spring)) &&
         describes_as_well(of_spring, second, with_second)) {
@@ -444,6 +520,42 @@ bool pays(const std::vector<double>& without, const std::vector<double>& with) {
 }
 
 }  // namespace
+
+SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesign& design,
+                                          double middle_rad, const std::vector<std::size_t>& blocks,
+                                          const SweepGravityFit& fit) {
+  const motion::SweepSamples& samples = sweep.samples;
+  const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
+  if (design.direction < 0 || samples.constant_speed || !has_strokes) return fit;
+  std::vector<double> speed(samples.speed_rad_s);
+  for (double& v : speed) v = std::abs(v);
+  std::sort(speed.begin(), speed.end());
+  SweepDesign with = design;
+  with.by_speed = with.x.cols();
+  constexpr auto kinks = static_cast<Eigen::Index>(kinks_at.size());
+  with.x.conservativeResize(Eigen::NoChange, with.by_speed + kinks);
+  for (Eigen::Index k = 0; k < kinks; ++k) {
+    const double kink = speed[static_cast<std::size_t>(kinks_at.at(static_cast<std::size_t>(k)) *
+                                                       static_cast<double>(speed.size()))];
+    for (Eigen::Index i = 0; i < with.x.rows(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      with.x(i, with.by_speed + k) =
+          samples.direction[at] * std::max(0.0, std::abs(samples.speed_rad_s[at]) - kink);
+    }
+  }
+  Eigen::MatrixXd line(with.x.rows(), 2);
+  line << with.x.col(design.direction), with.x.col(design.speed);
+  const Eigen::MatrixXd bent = with.x.rightCols(kinks);
+  with.x.rightCols(kinks) =
+      bent - line * (line.transpose() * line).ldlt().solve(line.transpose() * bent);
+  SweepGravityFit better = fit_amplitude_and_angle(sweep, with, middle_rad, blocks);
+  if (!pays(held_out_strokes(design.x, design.y, samples.stroke),
+            held_out_strokes(with.x, with.y, samples.stroke))) {
+    return fit;
+  }
+  design = with;
+  return better;
+}
 
 SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks,

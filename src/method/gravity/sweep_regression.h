@@ -49,11 +49,12 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
-  Eigen::Index drift{-1};   // of the offset with the time, where both directions were recorded
-  Eigen::Index twist{-1};   // of the gear; where the range tells it
-  Eigen::Index second{-1};  // of twice the angle: cosine, and sine behind it
-  Eigen::Index spring{-1};  // of the angle
-  Eigen::Index load{-1};    // sgn(q') |cos(q - q_peak)|, last; only where it pays
+  Eigen::Index drift{-1};     // of the offset with the time, where both directions were recorded
+  Eigen::Index twist{-1};     // of the gear; where the range tells it
+  Eigen::Index second{-1};    // of twice the angle: cosine, and sine behind it
+  Eigen::Index spring{-1};    // of the angle
+  Eigen::Index by_speed{-1};  // first of those of friction's shape by speed
+  Eigen::Index load{-1};      // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
   std::optional<double> inertia_at_joint;  // taken off
 };
@@ -145,6 +146,20 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle_rad, bool 
 /// What was found with such columns; absent without them.
 std::optional<TorqueOfAngle> torque_of_angle(const motion::Sweep& sweep, const SweepDesign& design,
                                              double middle_rad, const SweepGravityFit& fit);
+
+// Internal to the sweep stage: friction that is no straight line of the speed.
+//
+// A sweep of varying speed passes through the Stribeck dip at angles of its own, and a straight
+// line leaves there what a torque of the angle, or a twist of the gear, can be mistaken for. Taken
+// up are columns sgn(q') max(0, |q'| - v_k), v_k at quantiles of the speed: a line with kinks. They
+// are laid across those of Coulomb torque and viscous friction, which keep their meaning.
+
+/// @param fit of the design without the columns, its columns of gravity filled.
+/// @return the fit with the columns, `design` with them in place, where held-out strokes are
+/// described better with them; or `fit` with `design` as it was.
+SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesign& design,
+                                          double middle_rad, const std::vector<std::size_t>& blocks,
+                                          const SweepGravityFit& fit);
 
 // Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
 // the regression of a sweep of varying speed.
