@@ -56,8 +56,9 @@ Likelihood likelihood(const Eigen::VectorXd& errors, const Eigen::VectorXd& shar
 
 std::optional<WanderingNoise> wandering_noise(const BlockMeans& blocks) {
   constexpr Eigen::Index fewest_left = 6;
-  constexpr double doubt_beforehand = 0.25;              // that nothing wanders
-  constexpr std::array times{0.03, 0.1, 0.3, 1.0, 4.0};  // of the longest recording
+  constexpr double doubt_beforehand = 0.4;  // that nothing wanders
+  constexpr double most_doubt = 0.2;
+  constexpr std::array times{0.1, 0.5, 2.0, 8.0, 32.0};  // of the longest recording
   constexpr int ratios = 24;
   constexpr double smallest_ratio = 0.03;
   constexpr double step = 1.6;
@@ -102,6 +103,7 @@ std::optional<WanderingNoise> wandering_noise(const BlockMeans& blocks) {
   }
   covariance /= weights;
   out.doubt /= weights;
+  if (out.doubt > most_doubt) return std::nullopt;
   out.standard_deviation = std::sqrt(covariance.diagonal().mean());
   covariance.diagonal() += white_variance / weights * white;
   out.shifts = blocks.effects * Eigen::MatrixXd(covariance.llt().matrixL());

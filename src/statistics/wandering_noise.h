@@ -36,7 +36,8 @@ struct WanderingNoise {
   Eigen::MatrixXd shifts;
 };
 
-/// Absent for too few blocks, or residuals without any error.
+/// Absent for too few blocks, for residuals without any error, and where white noise is likely
+/// enough: what is averaged over all that few blocks allow is far too wide there.
 std::optional<WanderingNoise> wandering_noise(const BlockMeans& blocks);
 
 }  // namespace tribolog::statistics

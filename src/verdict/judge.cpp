@@ -121,6 +121,7 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::clock_jitter, slopes + per_speed, doubtful},
       {CheckName::clock_gaps, slopes + per_speed + Quantities{Quantity::break_away_torque},
        doubtful},
+      {CheckName::angle_interpolated, {Quantity::inertia, Quantity::bristle_damping}, doubtful},
       {CheckName::speed_scale, slopes + per_speed, doubtful},
       {CheckName::run_directions, {Quantity::coulomb_torque}, none},
       {CheckName::run_directions, {Quantity::viscous_curve}, doubtful},

@@ -171,7 +171,8 @@ const std::vector<Rule>& rules() {
        "%",
        10,
        Verdict::doubtful,
-       {Quantity::inertia},
+       // The lag that the damping hangs on comes from them too.
+       {Quantity::inertia, Quantity::bristle_damping},
        "record.slower_starts",
        inertia_of_starts_and_stops},
       {"strokes_of_sweep",

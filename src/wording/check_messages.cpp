@@ -13,6 +13,7 @@ const Messages& check_messages() {
       {"check.joint_moves", text("The joint moves")},
       {"check.angle_unit", text("The angle's unit")},
       {"check.clock_jitter", text("Regular sampling")},
+      {"check.angle_interpolated", text("Angle sampled as often as logged")},
       {"check.clock_gaps", text("No gaps in time")},
       {"check.speed_scale", text("Logged speed against the angle")},
       {"check.speed_noise", text("Noise of the logged speed")},
@@ -207,6 +208,15 @@ const Messages& check_messages() {
       {"angle_unit.state_unit_and_side", text("state the true unit and side of the angle column")},
 
       // The clock.
+      {"measure.samples_between_bends", text("samples from one bend of the angle to the next")},
+      {"angle_interpolated.is_not", text("the angle was sampled as often as it is logged")},
+      {"angle_interpolated.straight_between", text("the angle bends once in {samples} samples and "
+                                                   "is straight between: it comes from a channel "
+                                                   "of one sample in {interval_ms:.3g} ms")},
+      {"angle_interpolated.bends_acceleration",
+       text("acceleration read from it is wrong, and with it inertia and bristle damping")},
+      {"angle_interpolated.log_each_sample",
+       text("log the angle at the torque's rate, or the torque at the angle's")},
       {"clock.interval_scatters",
        text("the sampling interval of {interval_ms:.4g} ms scatters by {scatter_percent:.1f} %")},
       {"clock.speeds_wrong", text("speed and acceleration are derived from angle and clock, and "

@@ -66,6 +66,16 @@ const Messages& verdict_messages() {
       {"cause.inertia_of_sweep",
        text("the sweep's inertia of {sweep_kgm2:.3g} kg·m² is not the {inertia_kgm2:.3g} kg·m² of "
             "starts and stops: a spring, or a gear that twists, is in it, and in the angle")},
+      {"cause.dip_without_end",
+       text(
+           "friction falls with the speed as slowly as any law that was tried, as "
+           "exp(−(ω/ωs)^{exponent:.2g}): how much of it is Coulomb's and how much viscous hangs on "
+           "the law's form, not on the data")},
+      {"cause.five_describe_better",
+       text(
+           "Waiboer's law describes held-out speeds better, to {five_Nm:.3g} N·m against "
+           "{stribeck_Nm:.3g} N·m: its viscous friction is no straight line, and it has no Coulomb "
+           "torque")},
       {"cause.too_few_speeds_for_a_dip",
        text(
            "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "

@@ -275,6 +275,20 @@ const std::vector<Breach>& breaches() {
          });
        },
        "scatters"},
+      {"interpolated_angle", CheckName::angle_interpolated,
+       // One angle in ten came over the bus; between them lie straight lines.
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           constexpr std::size_t step = 10;
+           for (std::size_t i = 0; i + step < r.size(); i += step) {
+             const double slope = (r.q_rad[i + step] - r.q_rad[i]) / (r.t_s[i + step] - r.t_s[i]);
+             for (std::size_t k = i + 1; k < i + step; ++k) {
+               r.q_rad[k] = r.q_rad[i] + slope * (r.t_s[k] - r.t_s[i]);
+             }
+           }
+         });
+       },
+       "once in 10 samples"},
       {"gaps", CheckName::clock_gaps,
        // A fifth of the time is missing, 50 ms at a time.
        [](joint::Dataset& d) {

@@ -49,6 +49,21 @@ joint::Recording ramp_of(const Ramp& ramp) {
 const method::hysteresis::KnownGravity true_gravity{
     statistics::symmetric_estimate(test::true_gravity_Nm, 1e-3), test::true_q_peak_rad()};
 
+TEST(BreakAway, ANoisyTorqueBeforeTheRampDoesNotTurnIt) {
+  joint::Recording r = ramp_of({0.1, 12});
+  const method::hysteresis::BreakAwayResult clean =
+      method::hysteresis::identify_break_away({&r}, true_gravity);
+  ASSERT_TRUE(clean.ramps.front().broke_away);
+  // Against the ramp, and further than a tenth of it.
+  for (const std::size_t i : {20U, 31U, 55U}) r.torque_Nm[i] -= 0.3;
+  const method::hysteresis::BreakAwayResult noisy =
+      method::hysteresis::identify_break_away({&r}, true_gravity);
+  const method::hysteresis::BreakAwayRamp& found = noisy.ramps.front();
+  EXPECT_TRUE(found.is_rising);
+  EXPECT_TRUE(found.broke_away);
+  EXPECT_NEAR(found.friction_Nm, clean.ramps.front().friction_Nm, 0.005);
+}
+
 TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
   for (const double rate : {0.1, 0.4, -0.1}) {
     for (const double stiffness : {465.0, 4650.0}) {

@@ -25,7 +25,7 @@ study::MisfitOptions on_the_arm(const std::string& disturbance) {
 
 TEST(MisfitStudy, LaysThirtyDisturbancesInThreeSizesOnFourJoints) {
   EXPECT_GE(study::disturbances().size(), 30U);
-  EXPECT_EQ(study::misfit_joints().size(), 4U);
+  EXPECT_EQ(study::misfit_joints().size(), 7U);  // the last three only when all is sound
   for (const study::Disturbance& d : study::disturbances()) {
     EXPECT_EQ(d.sizes.size(), 3U) << d.key;
     EXPECT_FALSE(d.named_by.empty()) << d.key;
@@ -48,6 +48,20 @@ TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   EXPECT_EQ(off.size, 1.5);
   EXPECT_EQ(quantity(off, joint::Quantity::gravity_torque).wrong, off.runs);
   EXPECT_EQ(quantity(off, joint::Quantity::cog_angle).wrong, 0U);
+}
+
+TEST(MisfitStudy, OfSoundJointsLaysNothingOnSevenOfThem) {
+  study::MisfitOptions options;
+  options.runs = 2;
+  options.only_sound = true;
+  const auto cases = study::run_misfit_study(options);
+  ASSERT_EQ(cases.size(), 7U);
+  for (const study::MisfitCase& c : cases) {
+    EXPECT_TRUE(c.disturbance.empty()) << c.joint;
+    const study::MisfitQuantity& gravity = quantity(c, joint::Quantity::gravity_torque);
+    EXPECT_EQ(gravity.usable, c.runs) << c.joint;
+    EXPECT_LT(gravity.worst_usable, 10) << c.joint;  // 1 %
+  }
 }
 
 TEST(MisfitStudy, RefusesWhatThereIsNot) {

@@ -17,6 +17,7 @@ DataCheck check_joint_moves(const CheckedDataset& data);
 DataCheck check_angle_unit(const CheckedDataset& data);
 // log_checks.cpp
 DataCheck check_clock_jitter(const CheckedDataset& data);
+DataCheck check_angle_interpolated(const CheckedDataset& data);
 DataCheck check_clock_gaps(const CheckedDataset& data);
 // speed_checks.cpp
 DataCheck check_speed_scale(const CheckedDataset& data);

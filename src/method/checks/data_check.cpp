@@ -29,6 +29,7 @@ std::string to_string(CheckName name) {
                             "angle_unit",
                             "clock_jitter",
                             "clock_gaps",
+                            "angle_interpolated",
                             "speed_scale",
                             "speed_noise",
                             "sweep_directions",

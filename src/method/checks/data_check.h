@@ -26,6 +26,7 @@ enum class CheckName {
   angle_unit,
   clock_jitter,
   clock_gaps,
+  angle_interpolated,
   speed_scale,
   speed_noise,
   sweep_directions,

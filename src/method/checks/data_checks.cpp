@@ -6,15 +6,20 @@ namespace tribolog::method::checks {
 
 DataChecksResult check_recordings(const joint::Dataset& dataset) {
   constexpr DataCheck (*in_order[])(const CheckedDataset&) = {
-      check_effort_provenance,  check_effort_column,      check_link_side_torque,
-      check_joint_moves,        check_angle_unit,         check_clock_jitter,
-      check_clock_gaps,         check_speed_scale,        check_speed_noise,
-      check_sweep_directions,   check_run_directions,     check_sweep_common_angles,
-      check_run_common_angles,  check_run_speeds,         check_stick_slip,
-      check_torque_alive,       check_torque_noise,       check_torque_saturation,
-      check_torque_step,        check_dissipation,        check_power,
-      check_friction_drift,     check_temperature,        check_encoder_step,
-      check_oscillation_cycles, check_oscillation_slides,
+      check_effort_provenance,   check_effort_column,
+      check_link_side_torque,    check_joint_moves,
+      check_angle_unit,          check_clock_jitter,
+      check_clock_gaps,          check_angle_interpolated,
+      check_speed_scale,         check_speed_noise,
+      check_sweep_directions,    check_run_directions,
+      check_sweep_common_angles, check_run_common_angles,
+      check_run_speeds,          check_stick_slip,
+      check_torque_alive,        check_torque_noise,
+      check_torque_saturation,   check_torque_step,
+      check_dissipation,         check_power,
+      check_friction_drift,      check_temperature,
+      check_encoder_step,        check_oscillation_cycles,
+      check_oscillation_slides,
   };
   const CheckedDataset data = look_at(dataset);
   DataChecksResult result;

@@ -31,17 +31,31 @@ double largest_change_Nm(const joint::Recording& r) {
   return largest;
 }
 
-/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
-std::size_t begin_of_ramp(const joint::Recording& r) {
-  const double rest = torque_on * largest_change_Nm(r);
-  std::size_t i = 0;
-  while (i + 1 < r.size() && std::abs(r.torque_Nm[i] - r.torque_Nm.front()) <= rest) ++i;
-  return i;
-}
+/// Where a ramp begins, and whether towards positive torque.
+struct RampBegin {
+  std::size_t sample{};
+  double sign{1};
+};
 
-/// Sign of the ramp: that of the torque when it has first left its rest.
-double direction_of(const joint::Recording& r) {
-  return r.torque_Nm[begin_of_ramp(r)] < r.torque_Nm.front() ? -1.0 : 1.0;
+/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
+/// Means over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
+RampBegin begin_of_ramp(const joint::Recording& r) {
+  constexpr std::size_t share = 100;
+  constexpr std::size_t most = 50;
+  const std::size_t window = std::clamp<std::size_t>(r.size() / share, 1, most);
+  const double rest = torque_on * largest_change_Nm(r);
+  double sum = 0;
+  for (std::size_t i = 0; i < window; ++i) sum += r.torque_Nm[i];
+  const double first = sum / static_cast<double>(window);
+  double change = 0;
+  std::size_t i = 0;
+  for (; i + window < r.size() && std::abs(change) <= rest; ++i) {
+    sum += r.torque_Nm[i + window] - r.torque_Nm[i];
+    change = sum / static_cast<double>(window) - first;
+  }
+  // A short one may leave it within its last window.
+  if (std::abs(change) <= rest) change = r.torque_Nm.back() - first;
+  return {std::min(i + window / 2, r.size() - 1), change < 0 ? -1.0 : 1.0};
 }
 
 /// The usual step of the angle from sample to sample, standing still left out: the encoder's step
@@ -215,7 +229,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
                         double inertia_at_joint) {
   BreakAwayRamp ramp;
   ramp.recording = r.name;
-  const double sign = direction_of(r);
+  const auto [begin, sign] = begin_of_ramp(r);
   ramp.is_rising = sign > 0;
   ramp.q_start_rad = r.q_rad.front();
   std::vector<double> way(r.size());
@@ -231,7 +245,6 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   std::size_t at = furthest;
   std::size_t beside = 0;
   SpeedOfFirstHalf first_half(r, sign);
-  const std::size_t begin = begin_of_ramp(r);
   for (std::size_t i = begin + 1; i < furthest; ++i) {
     const double need = std::max(least, share_of_travel * travel[i]);
     const std::size_t j = moved_on(summits, i, need);

@@ -297,7 +297,12 @@ void follow_waiboer(const CurveModelChoice& choice, SlidingLaw& law) {
   const CurveModelTrial& stribeck = *choice.find(CurveLaw::stribeck);
   const bool is_alone = !stribeck.excluded_because.empty() ||
                         five.held_out_rms_Nm < clearly_better * stribeck.held_out_rms_Nm;
-  if (!is_alone) return;
+  if (!is_alone) {
+    // Speeds chose it, if not clearly: what the two split differently is not known.
+    law.doubt({"cause.five_describe_better",
+               {{"five_Nm", five.held_out_rms_Nm}, {"stribeck_Nm", stribeck.held_out_rms_Nm}}});
+    return;
+  }
   law.coulomb_Nm = {{}, {"curve_model.no_coulomb_torque"}};
   law.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",
                                  {{"exponent", law.viscous_exponent}}};

@@ -738,6 +738,11 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
     out.doubt({"cause.too_few_speeds_for_a_dip",
                {{"speeds", out.speeds}, {"needed", speeds_without_a_dip}}});
   }
+  // One that falls as slowly as any that is tried reaches to the fastest speeds: what of friction
+  // is the dip's, and what Coulomb's and viscous, hangs on the law's form alone.
+  if (out.has_dip && out.stribeck_exponent <= exponents().front()) {
+    out.doubt({"cause.dip_without_end", {{"exponent", out.stribeck_exponent}}});
+  }
   // The mean of the directions is friction only where both tell of the same.
   constexpr double matters = 0.005;
   if (out.direction_scatter_Nm > matters * out.level_Nm) {
