@@ -119,11 +119,18 @@ TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
   EXPECT_FALSE(check->consequence.empty());
   EXPECT_FALSE(check->experiment.empty());
   if (c.selection.recommended == method::hysteresis::Estimator::sweep &&
-      check->name == CheckName::torque_ripple) {
-    // The sweep averages over the ripple that the loop's position holds: its mass can be used.
+      (check->name == CheckName::torque_ripple || check->name == CheckName::oscillation_at_peak)) {
+    // The sweep averages over the ripple that the loop's position holds, and passes through the
+    // peak: its mass can be used.
     const auto* gravity = c.judgement.find(joint::Quantity::gravity_torque);
     EXPECT_LE(gravity->estimate->low, test::true_gravity_Nm);
     EXPECT_GE(gravity->estimate->high, test::true_gravity_Nm);
+  } else if (check->name == CheckName::angle_interpolated) {
+    // Gravity asks for no acceleration.
+    for (const joint::Quantity bent :
+         {joint::Quantity::inertia, joint::Quantity::bristle_damping}) {
+      EXPECT_NE(c.judgement.find(bent)->verdict, calibration::Verdict::usable);
+    }
   } else {
     EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable)
         << wording::words(c.judgement.sentence);
@@ -323,11 +330,11 @@ const std::vector<Breach>& breaches() {
       {"one_speed_only", CheckName::run_speeds,
        [](joint::Dataset& d) { keep_role(d, joint::Role::constant_speed, 1); },
        "1 different speed"},
-      {"oscillation_30_deg_off_the_peak", CheckName::oscillation_at_peak,
+      {"oscillation_50_deg_off_the_peak", CheckName::oscillation_at_peak,
        [](joint::Dataset& d) {
          simulate::Scenario s = good_joint();
-         s.oscillation->centre_rad += pi / 6;
-         for (auto& o : s.further_oscillations) o.centre_rad += pi / 6;
+         s.oscillation->centre_rad += 50 * pi / 180;
+         for (auto& o : s.further_oscillations) o.centre_rad += 50 * pi / 180;
          d = simulate::simulated_dataset(s);
        },
        "peak at"},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -548,11 +549,20 @@ SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesig
   const Eigen::MatrixXd bent = with.x.rightCols(kinks);
   with.x.rightCols(kinks) =
       bent - line * (line.transpose() * line).ldlt().solve(line.transpose() * bent);
+  const auto without = held_out_strokes(design.x, design.y, samples.stroke);
+  const auto held_out = held_out_strokes(with.x, with.y, samples.stroke);
+  if (!pays(without, held_out)) return fit;
+  // In a sine the speed is a function of the angle, and so is the load: the better one is taken.
+  SweepDesign loaded = design;
+  loaded.load = loaded.x.cols();
+  loaded.x.conservativeResize(Eigen::NoChange, loaded.load + 1);
+  fill_load_column(sweep, fit.q_peak_rad.value, loaded);
+  const auto with_load = held_out_strokes(loaded.x, loaded.y, samples.stroke);
+  const auto sum = [](const std::vector<double>& errors) {
+    return std::accumulate(errors.begin(), errors.end(), 0.0);
+  };
+  if (pays(without, with_load) && sum(with_load) < sum(held_out)) return fit;
   SweepGravityFit better = fit_amplitude_and_angle(sweep, with, middle_rad, blocks);
-  if (!pays(held_out_strokes(design.x, design.y, samples.stroke),
-            held_out_strokes(with.x, with.y, samples.stroke))) {
-    return fit;
-  }
   design = with;
   return better;
 }
