@@ -113,22 +113,13 @@ void fill_twist_column(const motion::Sweep& sweep, double q_peak, double twist, 
   }
 }
 
-/// Textbook least squares of scaled columns, without intervals.
-Eigen::VectorXd plain_fit(const SweepDesign& d) {
-  const Eigen::VectorXd scale =
-      d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
-  const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
-  const Eigen::VectorXd right = scale.asDiagonal() * (d.x.transpose() * d.y);
-  return scale.asDiagonal() * normal.ldlt().solve(right);
-}
-
 /// The column of the twist depends on angle and twist themselves.
 void settle_twist_column(const motion::Sweep& sweep, double middle, SweepDesign& d) {
   double q_peak = middle;
   double twist = 0;
   for (int iteration = 0; iteration < 12; ++iteration) {
     fill_twist_column(sweep, q_peak, twist, d);
-    const Eigen::VectorXd c = plain_fit(d);
+    const Eigen::VectorXd c = effect_on_coefficients(d, d.y);
     const double next = middle + std::atan2(c(1), c(0));
     const double step = next - q_peak;
     q_peak = next;
@@ -486,6 +477,14 @@ void fill_load_column(const motion::Sweep& sweep, double q_peak, SweepDesign& d)
   }
 }
 
+/// With the column of the load, not filled.
+SweepDesign with_load_column(const SweepDesign& design) {
+  SweepDesign with = design;
+  with.load = with.x.cols();
+  with.x.conservativeResize(Eigen::NoChange, with.load + 1);
+  return with;
+}
+
 /// Mean squared error of each stroke, from a fit to the other strokes. Normal equations of scaled
 /// columns: a sweep has few, and they differ.
 std::vector<double> held_out_strokes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
@@ -553,9 +552,7 @@ SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesig
   const auto held_out = held_out_strokes(with.x, with.y, samples.stroke);
   if (!pays(without, held_out)) return fit;
   // In a sine the speed is a function of the angle, and so is the load: the better one is taken.
-  SweepDesign loaded = design;
-  loaded.load = loaded.x.cols();
-  loaded.x.conservativeResize(Eigen::NoChange, loaded.load + 1);
+  SweepDesign loaded = with_load_column(design);
   fill_load_column(sweep, fit.q_peak_rad.value, loaded);
   const auto with_load = held_out_strokes(loaded.x, loaded.y, samples.stroke);
   const auto sum = [](const std::vector<double>& errors) {
@@ -573,9 +570,7 @@ SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign&
   const motion::SweepSamples& samples = sweep.samples;
   const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
   if (design.direction < 0 || samples.constant_speed || !has_strokes) return fit;
-  SweepDesign with = design;
-  with.load = with.x.cols();
-  with.x.conservativeResize(Eigen::NoChange, with.load + 1);
+  SweepDesign with = with_load_column(design);
   double q_peak = fit.q_peak_rad.value;
   SweepGravityFit better;
   for (int iteration = 0; iteration < 10; ++iteration) {
