@@ -23,7 +23,7 @@ struct WhitenedBlocks {
 WhitenedBlocks whitened_blocks(const Eigen::MatrixXd& scaled, const BlockRegression& fit,
                                const Eigen::MatrixXd& r_inverse,
                                const std::vector<std::size_t>& block_of_row) {
-  // From this share on a block decides a direction alone, and its residual tells nothing.
+  // Above this share one block alone determines a direction, and its residual shows nothing.
   constexpr double alone = 0.99;
   const Eigen::Index columns = scaled.cols();
   const std::size_t count = block_of_row.back() + 1;
@@ -73,7 +73,7 @@ double degrees_of_freedom(const WhitenedBlocks& blocks, const Eigen::VectorXd& d
   return std::isfinite(freedom) ? std::max(1.0, freedom) : 1.0;
 }
 
-/// Of columns that cannot be told apart nothing is known.
+/// Infinite for columns that are collinear: nothing is known of their coefficients.
 double root_of_variance(double variance) {
   if (!std::isfinite(variance)) return std::numeric_limits<double>::infinity();
   return std::sqrt(std::max(0.0, variance));

@@ -1,5 +1,5 @@
 #pragma once
-// A number with its uncertainty, and how a stage says what came of it.
+// A number with its uncertainty, and how a stage reports its outcome.
 
 #include <string>
 
@@ -12,7 +12,7 @@ struct Estimate {
   double value{};
   double low{};
   double high{};
-  Statement method;  ///< How the interval was made.
+  Statement method;  ///< How the interval was obtained.
 
   [[nodiscard]] double half_width() const { return (high - low) / 2; }
 };
@@ -20,11 +20,11 @@ struct Estimate {
 /// An estimate whose interval is symmetric.
 Estimate symmetric_estimate(double value, double half_width, Statement method = {});
 
-/// The same quantity in another unit: value and interval times a factor of any sign.
+/// The same quantity in another unit: value and interval times a factor of either sign.
 Estimate scaled(const Estimate& estimate, double factor);
 
 enum class StageState {
-  done,              ///< All it can give.
+  done,              ///< Gave all it can.
   partial,           ///< Something is missing; `reason` says what and why.
   not_identifiable,  ///< Data are there but do not show it; `reason` has the number.
   skipped,           ///< No recording for it; `reason` says which would help.

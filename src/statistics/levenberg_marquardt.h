@@ -1,6 +1,5 @@
 #pragma once
-// Nonlinear least squares through Eigen's port of MINPACK, and what a fit looks like next to its
-// solution.
+// Nonlinear least squares by Eigen's port of MINPACK, and the fit linearised about its solution.
 
 #include <cstddef>
 #include <functional>
@@ -11,36 +10,36 @@
 
 namespace tribolog::statistics {
 
-// What a nonlinear fit looks like next to its solution: all that resampling its residuals needs.
+// A nonlinear fit linearised about its solution: all that resampling its residuals needs.
 //
 // With residuals r(p) = r0 + J (p - p0), a resample r* of the residuals moves the parameters by
-// -J^+ r*, with no second fit. It holds as long as the model is straight over the intervals that
-// come of it.
+// -J^+ r*, with no second fit. It holds as long as the model is linear over the resulting
+// intervals.
 
 /// A number that the fit gives, as a function of its parameters.
 struct LinearisedReading {
   double value{};
-  Eigen::VectorXd gradient;  ///< Of ln(value), or of the value, by the fit's parameters.
+  Eigen::VectorXd gradient;  ///< Of ln(value), or of the value, over the parameters.
   bool logarithmic{true};
 };
 
 struct LinearisedFit {
   Eigen::VectorXd parameters;  ///< p0, the solution; their meaning is the fit's own.
-  Eigen::MatrixXd jacobian;    ///< J of the residuals there: one row per sample, one column each.
+  Eigen::MatrixXd jacobian;    ///< J there: one row per residual, one column per parameter.
   Eigen::VectorXd residuals;   ///< r0 = model - measured.
-  /// Neighbouring samples that a row is the mean of.
+  /// Number of neighbouring samples whose mean a row is.
   std::size_t samples_in_row{1};
-  /// Block of each row, counted from 0, never falling: residuals of one block hang together.
+  /// Block of each row, counted from 0, non-decreasing: residuals within a block are correlated.
   std::vector<std::size_t> block_of_row;
-  /// Errors that residuals do not show: each column, times a normal number of its own, moves the
-  /// parameters; may have no columns.
+  /// Errors that residuals do not show: each column, times an independent standard normal number,
+  /// shifts the parameters; may have no columns.
   Eigen::MatrixXd further_shifts;
-  std::vector<LinearisedReading> readings;  ///< Of every number that is given, not of the held.
-  /// Columns of the gravity torque, one of each recording; empty where none is found.
+  std::vector<LinearisedReading> readings;  ///< Of every reported number; of none that is held.
+  /// Columns of the gravity torque, one for each recording; empty where none is found.
   std::vector<Eigen::Index> gravity_columns;
 };
 
-// Nonlinear least squares through Eigen's port of MINPACK, with the one interface our fits need.
+// Nonlinear least squares by Eigen's port of MINPACK, with the one interface our fits need.
 
 struct LeastSquaresProblem {
   Eigen::Index residuals{};

@@ -1,6 +1,6 @@
 #pragma once
-// What stages ask of a signal, sample by sample: its white noise, its slope, and where it first
-// gets somewhere.
+// What stages need from a sampled signal: its white noise, its slope, and where it first reaches a
+// value.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,40 +10,44 @@
 namespace tribolog::statistics {
 
 // White noise of a signal from the third differences of neighbouring samples, in which everything
-// slower than a few samples drops out: a parabola leaves none, white noise stays 20 times over.
+// slower than a few samples drops out: a parabola leaves nothing, white noise 20 times its
+// variance.
 
-/// Standard deviation of normal noise by the median of its sizes.
+/// Standard deviation of normal noise over the median of its magnitudes.
 inline constexpr double normal_sd_by_median_size = 1.4826;
 
 /// y3 - 3 y2 + 3 y1 - y0 of four neighbours.
 double third_difference(const double* four_neighbours);
 
-/// Those of a whole signal: three fewer than it has samples, none of a shorter one.
+/// Third differences of a whole signal: three fewer than it has samples, none if it has fewer than
+/// four.
 std::vector<double> third_differences(const std::vector<double>& signal);
 
-/// Variance of the white noise by the mean square of third differences, on which jumps weigh; 0 of
-/// none.
+/// Variance of the white noise from the mean square of third differences, which jumps enlarge; 0
+/// without any.
 double white_variance(const std::vector<double>& third_differences);
 
-/// Standard deviation of the white noise by the median of third differences, which passes over rare
-/// jumps; 0 of none.
+/// Standard deviation of the white noise from the median of third differences, which is robust
+/// against rare jumps; 0 without any.
 double white_sd_beside_jumps(std::vector<double> third_differences);
 
-// The derivative of a signal that is differentiated, as speed from the angle: the one filter that
-// all stages which need a speed from sample to sample share.
+// The derivative of a sampled signal, such as speed from the angle: the one filter shared by all
+// stages that need a speed at each sample.
 //
 //   y'(i) = (mean of the h samples from i on - mean of the h samples before i) / distance of their
 //           mean times
 //
-// At even sampling dt that is the derivative of the signal smoothed by a triangle 2 h samples wide:
-// its gain is sinc^2(f h dt) of a true derivative's, without phase. Steps of the encoder and white
-// noise are averaged h times on either side. At the ends of a recording the windows are shorter.
+// At uniform sampling dt that is the derivative of the signal smoothed by a triangle 2 h samples
+// wide: its gain is sinc^2(f h dt) times a true derivative's, with zero phase. Encoder steps and
+// white noise are averaged over h samples on either side. At the ends of a recording the windows
+// are shorter.
 
-/// h for a recording of so many samples: a five-hundredth of it on both sides together, at least 3.
+/// h for a recording of so many samples: both sides together span a five-hundredth of it; at least
+/// 3.
 std::size_t half_window_of_slope(std::size_t samples);
 
 /// @param t strictly rising. @param y of the same size. @param h >= 1.
-/// @return as many values; 0 where there is but one sample.
+/// @return as many values; 0 where there is only one sample.
 std::vector<double> local_slope(const std::vector<double>& t, const std::vector<double>& y,
                                 std::size_t h);
 
@@ -51,7 +55,7 @@ std::vector<double> local_slope(const std::vector<double>& t, const std::vector<
 /// @param interval_s between samples, > 0.
 double cut_off_of_slope_Hz(std::size_t h, double interval_s);
 
-// Where a long signal first gets somewhere, without looking at every sample on the way.
+// Where a long signal first reaches a value, without visiting every sample before it.
 
 /// The largest values of a signal over stretches, over stretches of stretches, and so on.
 class Summits {
@@ -72,9 +76,9 @@ class Summits {
 
   [[nodiscard]] const std::vector<double>& signal() const { return levels_.front(); }
 
-  /// The first sample from `from` on of which `reached` holds, or the signal's size. Asks it of
-  /// some 32 log16(size) values at most.
-  /// @param reached whether a value is enough; holds of every larger value too.
+  /// The first sample from `from` on for which `reached` holds, or the signal's size. Evaluates it
+  /// for at most some 32 log16(size) values.
+  /// @param reached whether a value is enough; holds for every larger value too.
   template <class Reached>
   [[nodiscard]] std::size_t first(std::size_t from, Reached reached) const {
     std::size_t level = 0;

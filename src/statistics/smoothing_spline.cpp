@@ -161,15 +161,15 @@ class Smoother {
   double left_{};
 };
 
-/// Powers of ten between which the weight is looked for: next to nothing is smoothed, all but a
-/// straight line is.
+/// Powers of ten between which the weight is searched: from next to no smoothing to nearly a
+/// straight line.
 constexpr double lowest_power = -4;
 constexpr double highest_power = 16;
 constexpr double beside = 0.5;       // of what the same curve had before
 constexpr double resolution = 0.05;  // of the power
 
-/// From so many points on the weight is found on some stretches of the curve, spread over it and
-/// as many points together: they tell it as well as all of them.
+/// With more points than this the weight is found on stretches spread over the curve that hold as
+/// many points together: they determine it as well as all points do.
 constexpr std::size_t most_points_to_weigh = 20'000;
 constexpr std::size_t stretches_to_weigh = 10;
 
@@ -200,7 +200,7 @@ double score_of(std::span<Smoother> parts, const Smoother& whole, double weight)
   return squares / (left * left);
 }
 
-/// The score may have several valleys: the deepest on a grid, then down into it.
+/// The score may have several minima: the deepest on a grid, then refined.
 double best_power(std::span<Smoother> parts, const Smoother& whole, double from, double to,
                   double grid) {
   const auto score = [&](double power) { return score_of(parts, whole, std::pow(10, power)); };

@@ -1,13 +1,13 @@
 #pragma once
-// The natural cubic spline that weighs closeness to points against bending:
+// The natural cubic smoothing spline, which trades closeness to points against curvature:
 //
 //   sum ((y_i - s(t_i)) / error_i)^2 + weight * integral s''^2 dt  ->  least
 //
-// Reinsch's algorithm (C. H. Reinsch, Numer. Math. 10 (1967) 177-183): work in proportion to the
+// Reinsch's algorithm (C. H. Reinsch, Numer. Math. 10 (1967) 177-183): work proportional to the
 // number of points. The weight is the one that predicts a point best from the others, by
-// generalised cross-validation (P. Craven, G. Wahba, Numer. Math. 31 (1979) 377-403): it needs no
-// word on how large errors are, only how they compare and that they are independent. Of more than
-// 20,000 points ten stretches spread over them choose the weight; the curve goes by all points.
+// generalised cross-validation (P. Craven, G. Wahba, Numer. Math. 31 (1979) 377-403): it needs only
+// the relative size of the errors, and that they are independent. With more than 20,000 points the
+// weight is chosen on ten stretches spread over them; the curve is fitted to all points.
 
 #include <cstddef>
 #include <vector>
@@ -18,7 +18,7 @@ namespace tribolog::statistics {
 struct CurvePoints {
   std::vector<double> t;
   std::vector<double> y;
-  std::vector<double> error;  ///< > 0, up to a factor common to all.
+  std::vector<double> error;  ///< Standard error of y, > 0; known up to a common factor.
 };
 
 class SmoothingSpline {
@@ -29,16 +29,17 @@ class SmoothingSpline {
     double curvature{};  ///< s''
   };
 
-  /// @throw Refusal if there are fewer than four points, vectors of other sizes,
-  /// times that do not increase or errors that are not > 0.
+  /// @throw Refusal if there are fewer than four points, vectors of different sizes, times that do
+  /// not increase or errors that are not > 0.
   explicit SmoothingSpline(const CurvePoints& points);
-  /// For points of the same curve recorded once more: the weight is looked for beside the one that
-  /// was found, within half a power of ten, which takes a third of the work.
+  /// For points of the same curve recorded once more: the weight is searched within half a power of
+  /// ten of the one in `found`, which takes a third of the work.
   SmoothingSpline(const CurvePoints& points, const SmoothingSpline& found);
 
-  /// Beyond the points: the straight line that leaves the end.
+  /// Beyond the points: the tangent at the end.
   [[nodiscard]] Point at(double t) const;
-  /// Parameters that the curve is worth: 2 of a straight line, one per point if it passes them all.
+  /// Effective number of parameters: 2 for a straight line, one per point if it passes through them
+  /// all.
   [[nodiscard]] double degrees_of_freedom() const { return freedom_; }
 
  private:

@@ -43,8 +43,8 @@ struct Likelihood {
   double white_variance{};
 };
 
-/// @param wander variance of the wandering level over that of the white means.
-/// @param share eigenvalues of the level's covariance against the white one's.
+/// @param wander ratio of the wandering level's variance to that of the white means.
+/// @param share generalised eigenvalues of the level's covariance with respect to the white one's.
 Likelihood likelihood(const Eigen::VectorXd& errors, const Eigen::VectorXd& share, double wander) {
   const Eigen::ArrayXd scale = 1 + wander * share.array().max(0.0);
   const double variance = (errors.array().square() / scale).mean();
