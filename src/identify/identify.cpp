@@ -24,7 +24,7 @@ using calibration::Calibration;
 using joint::Role;
 using method::gravity::SweepKind;
 
-/// What the steps hand on: the calibration as it grows, and what no calibration holds.
+/// What the steps pass on: the calibration as it grows, and what no calibration holds.
 struct Progress {
   Progress(const joint::Dataset& of, const IdentifyOptions& with) : dataset(of), options(with) {
     c.manifest = dataset.manifest;
@@ -32,9 +32,10 @@ struct Progress {
 
   const joint::Dataset& dataset;
   const IdentifyOptions& options;
-  /// Of a simulation of a joint that showed no drift: what looks like one is of the models.
+  /// false in a simulation of a joint that showed no drift: what looks like one comes from the
+  /// models.
   bool corrects_drift{true};
-  /// A simulation's runs start and stop without inertia: no lag is to be read from them.
+  /// false in a simulation: its runs start and stop without inertia and show no lag.
   bool finds_lag{true};
   joint::Dataset cleaned;  ///< The same without outliers of the torque, where there are some.
   std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
@@ -71,13 +72,13 @@ struct Progress {
 };
 
 /// A step of the method: one result, made from the recordings and from what earlier steps found.
-/// None changes what an earlier one has said.
+/// None changes the result of an earlier one.
 struct Step {
   const char* name;  ///< Told before it; empty: a small one, of the step before.
   void (*run)(Progress& p);
 };
 
-/// Of a sweep, with what friction's change on the way has done to it taken off.
+/// A sweep's gravity peak, corrected for the change of friction during the sweep.
 statistics::Estimate without_drift(const statistics::Estimate& q_peak,
                                    const std::optional<method::session::SweepShift>& shift) {
   if (!shift) return q_peak;
@@ -86,8 +87,8 @@ statistics::Estimate without_drift(const statistics::Estimate& q_peak,
       {"interval.without_drift_of_friction", {{"interval", q_peak.method}}});
 }
 
-/// From their starts and stops. What these differ by is in the interval: something other than
-/// inertia acts in them.
+/// From their starts and stops. The difference between these is in the interval: something other
+/// than inertia acts in them.
 std::optional<statistics::Estimate> inertia_of_runs(const Progress& p) {
   constexpr double widest = 0.5;
   const method::motion::TorqueLag found =
@@ -99,7 +100,7 @@ std::optional<statistics::Estimate> inertia_of_runs(const Progress& p) {
   return statistics::symmetric_estimate(inertia.value, half_width, inertia.method);
 }
 
-/// The gravity peak: of the sweeps the one with the narrower interval; without any, the runs'.
+/// The gravity peak: from the sweep with the narrower interval; without sweeps, from the runs.
 void choose_gravity_peak(Calibration& c, bool corrects_drift) {
   using method::gravity::PeakSource;
   for (const PeakSource source : {PeakSource::rough_sweep, PeakSource::precise_sweep}) {
@@ -121,7 +122,8 @@ void choose_gravity_peak(Calibration& c, bool corrects_drift) {
   }
 }
 
-/// Where the motor stands when the link is at the gravity peak: what a loop there needs.
+/// The motor's angle, referred to the joint, with the link at the gravity peak: needed for loops
+/// there.
 std::optional<statistics::Estimate> motor_peak(const Calibration& c) {
   if (!c.q_peak_rad || !c.rough.twist_rad) return c.q_peak_rad;
   const double turned = c.rough.twist_rad->value;
@@ -133,8 +135,8 @@ std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
   return p.loop.lugre ? p.loop.lugre->fit.gravity_Nm : std::nullopt;
 }
 
-/// What the loops' fit shows once curve and ramps are known: the experiments that would show the
-/// rest, and no static torque that a ramp has exceeded.
+/// The loop fit as it is stated once curve and ramps are known: with the experiments that would
+/// show the rest, and without a static torque that a ramp has exceeded.
 std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (!p.loop.lugre) return std::nullopt;
   method::hysteresis::LuGreFit fit =
@@ -160,8 +162,8 @@ std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p)
   return method::hysteresis::KnownGravity{mass->gravity_Nm, p.c.q_peak_rad->value};
 }
 
-/// The manifest's; none at all where the sweep shows that there is none to speak of, and nothing
-/// else gave one: friction is then the torque as it is.
+/// The manifest's; zero where the sweep shows none to speak of and nothing else gave one: friction
+/// is then the torque itself.
 std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
   constexpr double most_of_friction = 0.05;
   const std::optional<joint::StatedGravity>& stated = c.manifest.known_gravity;
@@ -171,8 +173,8 @@ std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
   return joint::StatedGravity(0, 0);
 }
 
-/// The paper's chain, from the sweeps to the friction parameters: every number that can be held
-/// against a known truth, and what later steps start from.
+/// The paper's chain, from the sweeps to the friction parameters: every number that can be compared
+/// with a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
     {"",
      [](Progress& p) {
@@ -275,7 +277,7 @@ constexpr Step papers_chain[] = {
      }},
 };
 
-/// Whether the data can carry the chain, what the paper has not, and how sure all of it is.
+/// Whether the data support the chain, what goes beyond the paper, and how certain all of it is.
 constexpr Step further_steps[] = {
     {"checks on the data",
      [](Progress& p) {
@@ -345,8 +347,8 @@ constexpr Step further_steps[] = {
      }},
 };
 
-/// Simulates what was identified and identifies it again: of the simulations the numbers alone, for
-/// nothing else of them is compared.
+/// Simulates what was identified and identifies it again; only the numbers of the simulations are
+/// compared.
 void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);

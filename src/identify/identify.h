@@ -1,5 +1,5 @@
 #pragma once
-// The method's table of contents, a list of steps: a dataset to a calibration.
+// From a dataset to a calibration: the list of the method's steps.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,10 @@
 namespace tribolog::identify {
 
 struct IdentifyOptions {
-  /// Resamples of the block bootstrap behind the intervals; 0: closed forms alone.
+  /// Resamples of the block bootstrap for the intervals; 0: closed forms alone.
   std::size_t resamples{1000};
   std::uint64_t seed{1};   ///< Of everything random: the same seed gives the same numbers.
-  std::size_t threads{0};  ///< 0: as many as the machine has cores. Changes no number.
+  std::size_t threads{0};  ///< 0: as many as the machine has cores. Results do not depend on it.
   /// Simulations of what was identified, each identified again: truth/truth_check.h. 0: none.
   std::size_t truth_runs{0};
 };
@@ -22,8 +22,8 @@ struct IdentifyOptions {
 /// Called before each stage with its name in words and (done, all).
 using StageProgress = std::function<void(const std::string& stage, int done, int all)>;
 
-/// Runs every stage. Stages without data say so in their report; the rest still runs. The
-/// calibration keeps nothing of the dataset but what it copies; figures take both.
+/// Runs every stage. Stages without data say so in their report; the others still run. The
+/// calibration holds copies only, no reference to the dataset; figures take both.
 calibration::Calibration identify(const joint::Dataset& dataset,
                                   const IdentifyOptions& options = {},
                                   const StageProgress& progress = {});

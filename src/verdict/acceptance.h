@@ -1,5 +1,5 @@
 #pragma once
-// The manifest's acceptance limits held against estimates and intervals.
+// The manifest's acceptance limits compared with estimates and intervals.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace tribolog::verdict {
 
-/// Adds the outcome of each limit to the quantity it speaks of. A limit that is not shown to be
-/// kept makes a usable quantity doubtful, and the quantity then takes part in the verdict over all.
-/// @param gear_ratio carries the estimates to the side that the limit names.
+/// Adds the outcome of each limit to the quantity it is for. A limit that is not shown to be kept
+/// makes a usable quantity doubtful, and the quantity then counts in the overall verdict.
+/// @param gear_ratio n; converts the estimates to the side that the limit names.
 void apply_limits(const std::vector<joint::AcceptanceLimit>& limits, double gear_ratio,
                   std::vector<calibration::QuantityVerdict>& quantities);
 

@@ -5,7 +5,7 @@ namespace tribolog::verdict {
 std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   std::vector<Statement> findings = c.curve_model.sliding.findings;
   if (c.load_dependence.found) findings.push_back(c.load_dependence.sentence);
-  // The rules tell an offset from asymmetric friction where the data do.
+  // The rules distinguish an offset from asymmetric friction where the data do.
   if (c.direction_asymmetry.found && !c.torque_balance.asymmetry)
     findings.push_back(c.direction_asymmetry.sentence);
   const method::viscous::DirectionAngles& angles = c.viscous.angles;

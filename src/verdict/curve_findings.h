@@ -8,7 +8,7 @@
 
 namespace tribolog::verdict {
 
-/// Most important first; empty if there is nothing that a reader must know.
+/// Most important first; empty if there is nothing that the reader must know.
 std::vector<Statement> curve_findings(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::verdict

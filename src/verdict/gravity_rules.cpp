@@ -16,7 +16,8 @@ const std::vector<Quantity> of_gravity{Quantity::cog_angle, Quantity::gravity_to
                                        Quantity::surrogate_mass};
 const std::vector<Quantity> of_mass{Quantity::gravity_torque, Quantity::surrogate_mass};
 
-/// What of a value is sure: its distance from zero less its half width; negative where it is none.
+/// The certain part of a value: its magnitude less its half width; negative where the interval
+/// includes zero.
 double sure(const statistics::Estimate& e) { return std::abs(e.value) - e.half_width(); }
 
 /// The largest friction that the joint has shown [N·m, motor side]; 0: none.
@@ -43,7 +44,7 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
                   {"cause.no_gravity", {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
 }
 
-/// What changes with the joint's angle as no weight does.
+/// Torque that varies with the joint's angle as no weight's does.
 std::optional<Measured> torque_of_angle(const Calibration& c) {
   if (!c.rough.found) return std::nullopt;
   if (c.rough.torque_of_angle_left_Nm > 0) {
@@ -123,7 +124,7 @@ std::optional<Measured> ripple(const Calibration& c) {
       {"cause.ripple", {{"ripple_Nm", c.rough.ripple_Nm}, {"lines", c.rough.ripple.lines.size()}}}};
 }
 
-/// Slower than this nothing of the joint itself swings.
+/// Below this frequency nothing in the joint itself vibrates.
 constexpr double slowest_vibration_Hz = 0.5;
 
 const method::gravity::VibrationLine* largest_line(const Calibration& c, bool is_slow) {

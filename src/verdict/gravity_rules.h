@@ -1,5 +1,6 @@
 #pragma once
-// Internal to the verdict's rules: those on what bears on angle and gravity torque.
+// Internal to the verdict's rules: those on what affects the angle of the centre of gravity and the
+// gravity torque.
 
 #include <vector>
 
@@ -7,16 +8,16 @@
 
 namespace tribolog::verdict {
 
-/// In the order of weight.
+/// Most important first.
 std::vector<Rule> gravity_rules();
 
-/// Whether the manifest says that there is none.
+/// Whether the manifest states that there is no gravity torque.
 bool has_stated_no_gravity(const calibration::Calibration& calibration);
 
-/// Whether there is no recording, but friction points.
+/// Whether there are friction points but no recordings.
 bool has_points_alone(const calibration::Calibration& calibration);
 
-/// Whether gravity is too small against friction for its torque and angle to be known.
+/// Whether gravity is too small relative to friction for its torque and angle to be known.
 bool is_without_gravity(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::verdict

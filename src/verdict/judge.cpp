@@ -45,7 +45,7 @@ Quantities operator+(const Quantities& a, const Quantities& b) {
 
 }  // namespace
 
-// What a quantity that does not come back from its own simulation means for the verdict on it.
+// The verdict on a quantity that is not recovered from a simulation of itself.
 
 namespace {
 
@@ -72,8 +72,8 @@ Quantities quantities_of(calibration::ReadingName reading, std::optional<Estimat
   return estimator && estimator == recommended ? mass : Quantities{};
 }
 
-/// Makes the quantities doubtful that the method cannot find again.
-/// @param recommended estimator of the mass: gravity torque and mass stand on it alone.
+/// Makes doubtful the quantities that the method does not recover.
+/// @param recommended estimator of the mass: gravity torque and mass rest on it alone.
 void apply_truth_check(const calibration::TruthCheckResult& check,
                        std::optional<Estimator> recommended,
                        std::vector<calibration::QuantityVerdict>& quantities) {
@@ -91,7 +91,8 @@ void apply_truth_check(const calibration::TruthCheckResult& check,
 
 namespace {
 
-/// Which recordings the quantities come from: a failing check of others does not touch them.
+/// Which recordings the quantities come from: a failing check of other recordings does not affect
+/// them.
 struct Sources {
   bool friction_from_runs{};     ///< Runs at constant speed, not the sweep.
   bool mass_from_sweep{};        ///< The recommended mass is the sweep's.
@@ -160,7 +161,7 @@ std::vector<Consequence> consequences(const Sources& sources) {
   return all;
 }
 
-/// Lowers the quantities that the failing checks touch, with what the check found as the reason.
+/// Lowers the quantities that failing checks affect, with what the check found as the reason.
 void apply_data_checks(const method::checks::DataChecksResult& checks, const Sources& sources,
                        std::vector<calibration::QuantityVerdict>& quantities) {
   for (const Consequence& consequence : consequences(sources)) {
@@ -229,8 +230,8 @@ bool is_of_gravity(const statistics::StageReport& stage) {
   return std::find(names.begin(), names.end(), stage.name) != names.end();
 }
 
-/// Most important first: what is wrong with the data, what does not agree, broken limits, what is
-/// missing, what is to be noted.
+/// Most important first: what is wrong with the data, disagreements, broken limits, what is
+/// missing, notes.
 std::vector<Statement> collect_findings(const calibration::Calibration& c,
                                         const calibration::Judgement& judgement,
                                         const std::vector<Statement>& disagreements) {
@@ -303,7 +304,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   out.rules = apply_rules(c, out.quantities);
   const bool without_gravity = is_without_gravity(c);
   if (without_gravity) {
-    // Friction is a job of its own: nothing is missing.
+    // Identifying friction alone is legitimate: nothing is missing.
     for (const Quantity quantity : gravity) {
       calibration::QuantityVerdict& q = verdict_on(quantity, out.quantities);
       q.decides = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Internal to the verdict: its quantities, one source file for each family. Each says what the
-// stages found, and what they could not; data checks and limits come on top, in judge().
+// Internal to the verdict: its quantities, one source file for each family. Each states what the
+// stages found and what they could not find; data checks and limits are added in judge().
 
 #include <optional>
 #include <string>
@@ -18,10 +18,10 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
 /// Coulomb torque, Stribeck velocity, viscous coefficient, viscous curve: what the runs show.
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c);
 
-/// From the runs, or else from the sweep; motor side.
+/// From the runs, or else from the sweep; motor side [N·m].
 std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c);
 
-/// The verdict on one of them. @param all holds it.
+/// The verdict on one quantity. @param all holds it.
 calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
                                          std::vector<calibration::QuantityVerdict>& all);
 
@@ -30,8 +30,8 @@ inline constexpr Code record_a_sweep{"record.sweep"};
 inline constexpr Code record_an_oscillation{"record.oscillation"};
 inline constexpr Code record_runs{"record.runs"};
 
-/// A positive quantity by its estimate: absent or with an interval that reaches zero it is not
-/// identifiable; with one wider than 30 % of it, doubtful.
+/// The verdict on a positive quantity by its estimate: not identifiable where that is absent or its
+/// interval reaches zero; doubtful where the interval is wider than 30 % of it.
 /// @param why_absent where there is no estimate.
 calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::string& unit,
                                          const std::optional<statistics::Estimate>& estimate,

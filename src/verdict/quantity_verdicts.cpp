@@ -13,7 +13,7 @@ using method::hysteresis::LuGreParameterName;
 
 namespace {
 
-/// Why no sweep gave the angle: the sweep that was recorded speaks first.
+/// Why no sweep gave the angle: the reason of a sweep that was recorded comes first.
 Statement why_no_angle(const calibration::Calibration& c) {
   const statistics::StageReport& rough = c.rough.stage;
   const statistics::StageReport& precise = c.precise.stage;
@@ -52,7 +52,7 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   return q;
 }
 
-/// Whether pairs of runs give the sweep's gravity torque, about as surely.
+/// Whether pairs of runs give the sweep's gravity torque, with about the same certainty.
 bool runs_confirm_gravity(const calibration::Calibration& c) {
   constexpr double widest_percent = 2;
   const auto& checks = c.cross_checks.checks;
@@ -80,8 +80,8 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
   std::vector<calibration::QuantityVerdict> all{
       angle(c), by_estimate(Quantity::gravity_torque, "N·m", gravity_Nm, why, both),
       by_estimate(Quantity::surrogate_mass, "kg", mass_kg, why, both)};
-  // Each independent way to gravity has to be there, or the mass stands on one alone. Runs in both
-  // directions stand in for loops.
+  // Each independent way to gravity has to be present, or the mass rests on one alone. Runs in both
+  // directions can replace loops.
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
     if (stage == &c.hysteresis.stage && runs_confirm_gravity(c)) continue;
@@ -95,7 +95,7 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
 
 namespace {
 
-/// Why the loop gave no parameters: the fit's own words, or the stage's.
+/// Why the loop gave no parameters: the fit's own reason, or the stage's.
 Statement why_no_fit(const calibration::Calibration& c) {
   const auto& fit = c.lugre;
   if (fit && !fit->reason.empty()) return fit->reason;
@@ -103,8 +103,8 @@ Statement why_no_fit(const calibration::Calibration& c) {
   return {"verdict.no_loop_model"};
 }
 
-/// Of the ramps; where the loops' level lies outside its interval and theirs, so wide that it holds
-/// the level. Which of the two the contact's model bends, nobody knows.
+/// The estimate of the ramps; where the loops' level disagrees with it beyond both intervals,
+/// widened to include that level: which of the two the contact's model biases is not known.
 std::optional<statistics::Estimate> with_loops(
     const std::optional<statistics::Estimate>& ramps_Nm,
     const std::optional<statistics::Estimate>& loop_level_Nm) {
@@ -117,7 +117,7 @@ std::optional<statistics::Estimate> with_loops(
       {"interval.widened_by_loops", {{"interval", ramps_Nm->method}}});
 }
 
-/// From ramps where there are some that broke away, else from the loop's level.
+/// From ramps if any broke away, else from the loop's level.
 calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                                         const std::optional<statistics::Estimate>& loop_level_Nm,
                                         const Statement& why) {
@@ -147,8 +147,8 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   return q;
 }
 
-/// Where the whole joint speeds up and slows down its inertia shows best: of starts and stops and
-/// of a sweep of varying speed the one with the narrower interval. Slow small loops hardly show it.
+/// Inertia shows best where the whole joint accelerates: from starts and stops or from a sweep of
+/// varying speed, whichever interval is narrower. Slow small loops hardly show it.
 std::optional<statistics::Estimate> inertia_of_motion(const calibration::Calibration& c) {
   const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
   const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
@@ -160,7 +160,7 @@ std::optional<statistics::Estimate> inertia_of_motion(const calibration::Calibra
 
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
   const auto& fit = c.lugre;
-  // A parameter that the loops do not show says why, and what would show it.
+  // A parameter that the loops do not show states why, and what would show it.
   const auto of_fit = [&](Quantity quantity, const std::string& unit, LuGreParameterName name,
                           const std::optional<statistics::Estimate>& instead) {
     Statement why = why_no_fit(c);

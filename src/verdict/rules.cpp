@@ -18,8 +18,8 @@ using joint::Quantity;
 
 const std::vector<Quantity> of_loop_fit{Quantity::bristle_stiffness, Quantity::bristle_damping};
 
-/// A number of a model is one of the joint as far as the model describes the joint: what LuGre
-/// leaves of the loop that it describes worst, as a share of that loop's height.
+/// A model's parameter is the joint's as far as the model describes the joint: the systematic
+/// residual of LuGre in the loop that it describes worst, in percent of that loop's height.
 std::optional<Measured> loop_misfit(const Calibration& c) {
   if (!c.lugre || !c.lugre->converged) return std::nullopt;
   const method::hysteresis::LuGreLoop* worst = c.lugre->worst_described();
@@ -32,7 +32,7 @@ std::optional<Measured> loop_misfit(const Calibration& c) {
                     {"percent", percent}}}};
 }
 
-/// Lag of the torque against the angle, as far as it is sure.
+/// Lag between torque and angle, as far as it is certain.
 std::optional<Measured> torque_lag(const Calibration& c) {
   const std::optional<statistics::Estimate>& lag = c.torque_lag.lag_s;
   if (!lag) return std::nullopt;
@@ -43,9 +43,8 @@ std::optional<Measured> torque_lag(const Calibration& c) {
        {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
 }
 
-/// What a clear lag makes of the bristle damping, stiffness times lag, as a share of it: a delay
-/// and a filter that look alike where the joint starts and stops differ by a part of that in the
-/// loops.
+/// Stiffness times a clear lag, as a share of the bristle damping: a delay and a filter, which look
+/// alike where the joint starts and stops, differ by a part of that in the loops.
 std::optional<Measured> lag_in_damping(const Calibration& c) {
   using method::hysteresis::LuGreParameterName;
   if (!c.lugre || !c.torque_lag.lag_s) return std::nullopt;
@@ -58,7 +57,7 @@ std::optional<Measured> lag_in_damping(const Calibration& c) {
   return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
 }
 
-/// Inertia by starts alone or by stops alone, against that by both.
+/// Inertia from starts alone or from stops alone, compared with that from both.
 std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
   const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
@@ -67,7 +66,7 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
-/// By how much the dip of the curve is surely another than the exp(-(w/ws)^2) of the loops' model.
+/// By how much the dip of the curve certainly differs from the exp(-(w/ws)^2) of the loops' model.
 std::optional<Measured> stribeck_exponent(const Calibration& c) {
   const method::viscous::SlidingLaw& law = c.curve_model.sliding;
   if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
@@ -90,7 +89,7 @@ std::optional<Measured> strokes_of_sweep(const Calibration& c) {
   return Measured{percent, {"cause.strokes_apart", {{"percent", percent}}}};
 }
 
-/// What a sweep of varying speed takes for inertia and is none, as a share of gravity.
+/// What a sweep of varying speed mistakes for inertia, as a share of gravity.
 std::optional<Measured> inertia_of_sweep(const Calibration& c) {
   const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
   const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
@@ -150,8 +149,8 @@ std::vector<Rule> with_those_of_gravity_and_session(const std::vector<Rule>& of_
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = with_those_of_gravity_and_session({
-      // A lag of the torque looks like bristle damping that is smaller by stiffness times
-      // lag: known, it is taken off; unknown, no loop can tell them apart.
+      // A lag of the torque looks like bristle damping that is smaller by stiffness times lag: a
+      // known lag is removed; an unknown one no loop can distinguish from damping.
       {"torque_lag",
        "ms",
        0,
@@ -171,7 +170,7 @@ const std::vector<Rule>& rules() {
        "%",
        10,
        Verdict::doubtful,
-       // The lag that the damping hangs on comes from them too.
+       // The lag that the damping depends on comes from them too.
        {Quantity::inertia, Quantity::bristle_damping},
        "record.slower_starts",
        inertia_of_starts_and_stops},

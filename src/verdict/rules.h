@@ -1,10 +1,10 @@
 #pragma once
-// The verdict's rules: each holds one number, found in the data, against a threshold, and says what
-// becomes of which quantities where it is larger. All of them stand in one table (rules.cpp); the
-// report and the JSON show it with the values found. The worst applies.
+// The verdict's rules: each compares one number found in the data with a threshold, and states
+// which quantities are lowered, and how far, where it is larger. All are in one table (rules.cpp);
+// the report and the JSON show it with the values found. The worst applies.
 //
-// What the stages say of their own results (quantity_rooms.h) and the checks on the data come
-// besides: those are no thresholds.
+// What the stages state of their own results (quantity_rooms.h) and the checks on the data apply as
+// well: those are no thresholds.
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,7 @@
 
 namespace tribolog::verdict {
 
-/// What a rule found: the number, and what to say where it is too large.
+/// What a rule found: the number, and the statement for when it is too large.
 struct Measured {
   double value{};
   Statement finding;
@@ -22,9 +22,9 @@ struct Measured {
 
 struct Rule {
   const char* name;                ///< Stable: "torque_lag".
-  const char* unit;                ///< Of value and threshold; "" without.
+  const char* unit;                ///< Of value and threshold; "" if none.
   double threshold;                ///< A larger value breaks the rule.
-  calibration::Verdict lowers_to;  ///< usable: what was found is told, and was corrected.
+  calibration::Verdict lowers_to;  ///< usable: the finding is reported, and was corrected.
   std::vector<joint::Quantity> quantities;
   Code experiment;  ///< What to record next.
   /// nullopt: the data do not show it.
@@ -33,10 +33,11 @@ struct Rule {
   Code unknown{};
 };
 
-/// In the order of weight in which their findings are told.
+/// In the order in which their findings are reported, most important first.
 const std::vector<Rule>& rules();
 
-/// Applies all of them. @param quantities are lowered with what a broken rule found as the reason.
+/// Applies all rules. @param quantities are lowered where a rule is broken, with its finding as the
+/// reason.
 std::vector<calibration::RuleOutcome> apply_rules(
     const calibration::Calibration& calibration,
     std::vector<calibration::QuantityVerdict>& quantities);

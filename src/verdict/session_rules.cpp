@@ -34,12 +34,12 @@ std::optional<Measured> by_load_of_sweep(const method::viscous::LoadDependenceRe
                     {"unloaded_Nm", l.unloaded_Nm.value}}}};
 }
 
-/// What it adds to the friction that was recorded, as a share of what is there without load.
+/// Friction that the load adds to that recorded, as a share of the unloaded friction.
 std::optional<Measured> by_load(const Calibration& c) {
   const auto& l = c.session.load;
   if (!l.examined) {
-    // Where friction falls with the speed, a sweep that is fastest under the largest load cannot
-    // tell the one from the other.
+    // Where friction falls with speed, a sweep that is fastest under the largest load cannot
+    // distinguish the two.
     const bool has_dip = c.curve_model.sliding.fitted && c.curve_model.sliding.has_dip;
     return has_dip && !c.viscous.from_sweep ? std::nullopt : by_load_of_sweep(c.load_dependence);
   }
@@ -52,10 +52,11 @@ std::optional<Measured> by_load(const Calibration& c) {
                     {"unloaded_Nm", l.unloaded_Nm}}}};
 }
 
-/// What it does to the slope over the speed, where runs at different speeds cross different loads.
+/// Effect of the load on the slope over speed, where runs at different speeds cross different
+/// loads.
 std::optional<Measured> by_load_on_slope(const Calibration& c) {
   std::optional<Measured> found = by_load(c);
-  // In a sweep of varying speed the fastest samples and the heaviest are not told apart.
+  // In a sweep of varying speed the effects of speed and load cannot be separated.
   if (!c.session.load.examined && c.viscous.from_sweep) return found;
   const auto& line = c.friction.coulomb_viscous;
   if (!found || !c.session.load.examined || !line || !(line->viscous_Nms_rad.value > 0))
@@ -131,7 +132,7 @@ const method::session::SweepShift* shift_of_angle(const Calibration& c) {
   return shift ? &*shift : nullptr;
 }
 
-/// What is left of it in the angle, which was corrected for the change most likely.
+/// What remains of it in the angle, which was corrected for the most likely change.
 std::optional<Measured> drift_on_angle(const Calibration& c) {
   if (!c.session.drift.examined || !c.q_peak_rad) return std::nullopt;
   const auto* shift = shift_of_angle(c);

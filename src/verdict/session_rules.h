@@ -1,5 +1,6 @@
 #pragma once
-// Internal to the verdict: what load, angle, direction and time of the session do to quantities.
+// Internal to the verdict: rules on what load, angle, direction and time within the session do to
+// the quantities.
 
 #include <vector>
 

@@ -17,7 +17,7 @@ using joint::Quantity;
 
 constexpr double well_known = std::numeric_limits<double>::infinity();
 
-/// How the measured torque and angle became those at the motor and at the joint.
+/// On which sides of the gear torque and angle were logged.
 struct LoggedSides {
   bool effort_at_joint{};
   bool angle_at_motor{};
@@ -37,7 +37,7 @@ LoggedSides sides_of(const calibration::Calibration& c) {
   return sides;
 }
 
-/// Exponents of the influences in a quantity; 0: it does not hang on it.
+/// Exponents of the influences in a quantity; 0: it does not depend on that influence.
 struct Exponents {
   double torque{}, gear{}, distance{}, gravity{};
   bool has_zero{};  ///< Of the angle.
@@ -70,7 +70,7 @@ Exponents exponents_of(Quantity quantity, const LoggedSides& sides) {
 }
 
 /// Degrees of freedom of the interval as the recordings gave it; infinite where the stage that made
-/// it does not tell: the standard uncertainty is then, if anything, too large.
+/// it does not state them: the standard uncertainty is then, if anything, too large.
 double freedom_of(Quantity quantity, const calibration::Calibration& c) {
   const bool is_of_law = quantity == Quantity::coulomb_torque ||
                          quantity == Quantity::stribeck_speed ||
@@ -79,7 +79,7 @@ double freedom_of(Quantity quantity, const calibration::Calibration& c) {
   return is_of_law && law.fitted && law.freedom > 0 ? law.freedom : well_known;
 }
 
-/// Share of the half width that methods which disagree have added.
+/// Share of the half width that was added for methods that disagree.
 double share_of_disagreement(Quantity quantity, const calibration::Calibration& c) {
   const bool is_of_mass =
       quantity == Quantity::gravity_torque || quantity == Quantity::surrogate_mass;

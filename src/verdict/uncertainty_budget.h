@@ -1,10 +1,10 @@
 #pragma once
 // Internal to the verdict: each quantity's uncertainty budget (JCGM 100), from its interval as the
-// recordings gave it and what the manifest states of influences that no recording shows.
+// recordings gave it and from what the manifest states about influences that no recording shows.
 //
-// The sensitivities are exponents: the gravity torque at the motor is in proportion to the torque
-// constant, the surrogate mass m = n G / (r g) in inverse proportion to r and g, and so on. How a
-// quantity hangs on the gear ratio follows from the sides on which torque and angle were logged.
+// The sensitivities are exponents: the gravity torque at the motor is proportional to the torque
+// constant, the surrogate mass m = n G / (r g) inversely proportional to r and g, and so on. How a
+// quantity depends on the gear ratio follows from the sides on which torque and angle were logged.
 
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace tribolog::verdict {
 void state_budgets(const calibration::Calibration& calibration,
                    std::vector<calibration::QuantityVerdict>& quantities);
 
-/// What the reader must know of influences that nobody stated; empty: all torques have theirs.
+/// What the reader must know about influences that are not stated; empty: all torques have theirs.
 Statement what_is_not_stated(const calibration::Calibration& calibration,
                              const std::vector<calibration::QuantityVerdict>& quantities);
 
