@@ -1,5 +1,5 @@
 #pragma once
-// A calibration as an archive holds it.
+// A calibration as stored in an archive.
 
 #include <cstdint>
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace tribolog::calibration {
 
-/// A joint is one by these three texts, as the manifests state them. They are shown, compared and
-/// never used as a path or a part of a statement.
+/// These three texts, as the manifests state them, identify a joint. They are shown and compared,
+/// never used as a path or as part of an SQL statement.
 struct JointName {
   std::string robot;
   std::string serial;
@@ -22,12 +22,12 @@ struct JointName {
   auto operator<=>(const JointName&) const = default;
 };
 
-/// What was measured, when and how. Texts are empty where nothing is stated.
+/// What was measured, when and how. Texts are empty, and numbers absent, where nothing is stated.
 struct Facts {
   JointName of;
-  std::string measured_at;  ///< "2026-01-31T12:00:00Z", for the order in time.
+  std::string measured_at;  ///< "2026-01-31T12:00:00Z", for sorting by time.
   std::string measured_on;  ///< As the manifest states it.
-  bool time_is_stated{};    ///< false: nothing readable is stated; it is created_utc.
+  bool time_is_stated{};    ///< false: no readable time is stated; measured_at is created_utc.
   std::string created_utc;  ///< When it was identified.
   std::string operator_name;
   std::string note;
@@ -47,13 +47,13 @@ struct Facts {
 /// A result: SI, motor side.
 struct Quantity {
   std::string name;   ///< Stable: "coulomb_torque".
-  std::string words;  ///< "Coulomb torque".
+  std::string words;  ///< In English: "Coulomb torque".
   std::string unit;   ///< Empty for a curve.
   Verdict verdict{Verdict::not_identifiable};
   std::optional<statistics::Estimate> estimate;
 };
 
-/// A file that the calibration was made from.
+/// An input file of the calibration.
 struct Input {
   std::string name;
   std::string role;
@@ -77,14 +77,14 @@ struct NewCalibration {
   std::vector<Document> documents;  ///< The calibration (JSON); its report and inputs if wanted.
 };
 
-/// One that is archived.
+/// An archived calibration.
 struct Entry {
   std::int64_t number{};  ///< Within this archive.
   std::string id;         ///< 64 hex digits, the same in every archive.
   std::string identity;
-  int revision{1};  ///< From 2 on: archived again although it was there.
+  int revision{1};  ///< 2 or more: archived again although it was already there.
   Facts facts;
-  std::string digest;  ///< SHA-256 over all it says.
+  std::string digest;  ///< SHA-256 over the whole content.
 };
 
 /// An entry and its results.
@@ -93,7 +93,7 @@ struct Measured {
   std::vector<Quantity> quantities;
 };
 
-/// What a reviewer decided on an entry. A later one wins; none is ever changed.
+/// What a reviewer decided on an entry. The latest one counts; none is ever changed.
 struct Review {
   enum class Decision { approved, rejected };
   std::string at_utc;
@@ -105,16 +105,16 @@ struct Review {
 /// "approved", "rejected"
 const char* to_string(Review::Decision decision);
 
-/// Of the two words.
+/// From either of these two words.
 Review::Decision decision_of(const std::string& word);
 
 /// The last decision on each entry that was reviewed, by its id.
 using Decisions = std::map<std::string, Review::Decision>;
 
-/// Hex digits of an id that are shown; a command takes any that are enough.
+/// Number of an id's hex digits that are shown; commands accept any unambiguous prefix.
 inline constexpr std::size_t shown_digits = 10;
 
-// Results on either side of the gear. With the gear ratio n = motor angle / joint angle:
+// Results on either side of the gear [SI]. With the gear ratio n = motor angle / joint angle:
 // torque at the joint = n times that at the motor; speed and angle 1/n; coefficients of torque per
 // angle, per speed and per acceleration (stiffness, damping, inertia) n².
 
@@ -122,22 +122,22 @@ inline constexpr std::size_t shown_digits = 10;
 struct SidedQuantity {
   Quantity quantity;
   joint::Side side{joint::Side::motor};
-  int gear_power{};  ///< From the archived number: times the gear ratio to this power.
+  int gear_power{};  ///< The archived number is multiplied by n to this power.
 };
 
-/// How often the gear ratio enters from the motor's side to the joint's; 0: the quantity is of the
-/// joint alone (angle of the centre of gravity, surrogate mass).
-/// @return nothing for a quantity that is not known.
+/// Power of the gear ratio that converts from the motor's side to the joint's; 0: the quantity is
+/// the joint's alone (angle of the centre of gravity, surrogate mass).
+/// @return nothing for an unknown quantity.
 std::optional<int> gear_power(const std::string& quantity);
 
-/// Each quantity that has a unit on both sides, or on the one that it belongs to.
+/// Each quantity that has a unit, on both sides or on the one to which it belongs.
 std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities,
                                          double gear_ratio);
 
 /// The quantity at the joint.
 statistics::Estimate at_joint(const Quantity& quantity, double gear_ratio);
 
-/// "Inertia at the motor" is "Inertia": the side stands beside it.
+/// "Inertia at the motor" becomes "Inertia": the side is stated beside it.
 std::string without_side(const std::string& words);
 
 /// "as archived", "archived × n²", "archived / n".

@@ -1,5 +1,5 @@
 #pragma once
-// A calibration: every stage's result, what it was made from, and the verdict.
+// A calibration: every stage's result, its inputs, and the verdict.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,41 +35,42 @@
 
 namespace tribolog::calibration {
 
-/// What figures draw beside the numbers: samples and fitted curves, no result.
+/// What figures draw besides the numbers: samples and fitted curves, no results.
 struct Curves {
   method::gravity::SweepCurves rough;
   method::gravity::SweepCurves precise;
-  std::vector<method::hysteresis::LoopTrace> loops;  ///< One for each oscillation of the result.
+  std::vector<method::hysteresis::LoopTrace> loops;  ///< One for each oscillation in the result.
   method::selection::FrictionCurve friction;         ///< Of the recommended estimator's curve.
 };
 
-/// One number that was put in, over the runs.
+/// One quantity of the simulated joint, as identified over the runs.
 struct ReturnedQuantity {
   ReadingName name{};
   std::string unit;
   double put_in{};
-  double came_back{};   ///< Mean over the runs in which it was found; NaN: in none.
-  double scatter{};     ///< Standard deviation of the runs; NaN with fewer than two.
+  double came_back{};   ///< Mean over the runs in which it was found; NaN: found in none.
+  double scatter{};     ///< Standard deviation over the runs; NaN with fewer than two.
   double half_width{};  ///< Mean half width of the stated intervals.
   std::size_t found{};
-  std::size_t inside{};  ///< Runs whose stated interval holds what was put in.
-  /// (came back - put in) / half width of each run in which it was found; within -1 and 1: inside.
+  std::size_t inside{};  ///< Runs whose stated interval contains what was put in.
+  /// (came back - put in) / half width for each run in which it was found; between -1 and 1:
+  /// inside.
   std::vector<double> in_half_widths;
-  /// Found in most runs, and inside the interval in most of them or off by less than what matters.
+  /// Found in most runs, and inside the interval in most of those or off by a negligible amount.
   bool comes_back{};
 };
 
-/// A quantity that does not come back.
+/// A quantity that is not recovered.
 struct TruthFinding {
   ReadingName name{};
   Statement finding;
 };
 
-/// What the recordings cannot exclude of an effect that the model leaves out.
+/// Effects that the model leaves out, of a size that the recordings cannot exclude.
 enum class Unexcluded {
-  lag,           ///< Of the torque against the angle [s].
+  lag,           ///< Of the torque behind the angle [s].
   asymmetry,     ///< Share of the friction by which it is larger while the angle rises.
-  load,          ///< Friction for each newton metre of gravity torque.
+  load,          ///< Friction per newton metre of gravity torque.
   angle,         ///< Share of the friction by which it changes with the joint's angle.
   warm_up,       ///< Share of the friction by which it changes over the session.
   offset_drift,  ///< Of the torque over the session, motor side [N·m].
@@ -86,11 +87,11 @@ struct WhatIfShift {
   double half_width{};  ///< Of the interval that is stated without the effect.
 };
 
-/// What an effect of that size would do to the numbers.
+/// How far an effect of that size would shift the numbers.
 struct WhatIf {
   Unexcluded effect{};
   double size{};
-  std::string unit;  ///< Empty: a share.
+  std::string unit;  ///< Of `size`; empty: a share.
   std::vector<WhatIfShift> shifts;
 };
 
@@ -102,8 +103,8 @@ struct TruthCheckResult {
   double ripple_Nm{};       ///< Standard deviation; 0: none.
   std::vector<ReturnedQuantity> quantities;
   std::vector<Statement> left_out;     ///< What could not be simulated, and why.
-  std::vector<TruthFinding> findings;  ///< What does not come back.
-  std::vector<WhatIf> what_if;         ///< Effects that the recordings were asked about.
+  std::vector<TruthFinding> findings;  ///< What is not recovered.
+  std::vector<WhatIf> what_if;         ///< Effects that the recordings were examined for.
 
   [[nodiscard]] const ReturnedQuantity* find(ReadingName name) const;
 };
@@ -114,7 +115,7 @@ struct Judgement {
   Statement sentence;                       ///< For the top of the report.
   std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
-  std::vector<RuleOutcome> rules;           ///< All that were applied, in the table's order.
+  std::vector<RuleOutcome> rules;           ///< All rules applied, in the table's order.
 
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
@@ -131,7 +132,8 @@ struct Calibration {
   method::gravity::CogSweepResult rough;
   method::gravity::CogSweepResult precise;
   std::optional<statistics::Estimate>
-      q_peak_rad;  ///< The one of the two with the narrower interval.
+      q_peak_rad;  ///< Joint angle of the gravity peak, from the sweep with the narrower interval,
+                   ///< else from the runs.
   std::optional<method::gravity::PeakSource> q_peak_source;  ///< Present with the angle.
   method::hysteresis::HysteresisResult hysteresis;
   std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
@@ -153,13 +155,13 @@ struct Calibration {
   method::intervals::IntervalsResult intervals;
   method::intervals::CrossChecksResult cross_checks;
   std::optional<method::hysteresis::PositionPlan>
-      position_plan;  ///< Where to oscillate next, if ripple asks for it.
+      position_plan;  ///< Where to oscillate next, if ripple requires it.
   Judgement judgement;
   TruthCheckResult truth_check;
   Curves curves;
 
-  /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
-  /// only where there are some.
+  /// All stages' reports in the order of the method; that of break-away ramps, which are not in the
+  /// paper, only if there are any.
   [[nodiscard]] std::vector<statistics::StageReport> stages() const;
 };
 

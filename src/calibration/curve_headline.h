@@ -2,9 +2,9 @@
 // Coulomb torque, Stribeck velocity and viscous coefficient as the calibration states them: one
 // value each, wherever they are printed.
 //
-// From the sliding law of the runs; where there are no runs, from loops that slide far enough to
-// show Coulomb torque; else from the straight line through few runs or the pairs of a sweep, and
-// where there are none of these either, from the sweep's own fit.
+// From the sliding law of the runs; without runs, from loops that slide far enough to show Coulomb
+// torque; else from the straight line through few runs or the pairs of a sweep; and failing these,
+// from the sweep's own fit.
 
 #include "calibration/calibration.h"
 

@@ -89,7 +89,7 @@ Json truth_check(const TruthCheckResult& t) {
           {"findings_code", code_of(findings)}};
 }
 
-// The verdict over all, on each quantity, and against the manifest's limits.
+// The verdict: overall, on each quantity, and against the manifest's limits.
 
 namespace {
 
@@ -184,7 +184,7 @@ Json verdict(const Judgement& judgement) {
           {"quantities", std::move(quantities)}};
 }
 
-// Intervals by both ways, gravity by every way, and where to oscillate next.
+// Intervals by both methods, gravity by every method, and where to oscillate next.
 
 namespace {
 

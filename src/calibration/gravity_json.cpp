@@ -18,7 +18,7 @@ Json torque_of_angle(const std::optional<method::gravity::TorqueOfAngle>& t) {
           {"amplitude_Nm", number(t->amplitude_Nm)}};
 }
 
-/// Standard deviations, and the lines in time.
+/// Standard deviations by cause, and the lines of the spectrum over time.
 Json residual_causes(const method::gravity::CogSweepResult& r) {
   Json lines = Json::array();
   for (const method::gravity::VibrationLine& line : r.vibration) {

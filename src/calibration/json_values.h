@@ -1,5 +1,5 @@
 #pragma once
-// Numbers, texts and intervals as JSON, and back from files of any age.
+// Writes numbers, texts and intervals as JSON, and reads them back from files of any age.
 
 #include <optional>
 #include <string>
@@ -17,11 +17,12 @@ using Json = nlohmann::ordered_json;
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json numbers(const std::vector<double>& values);
-/// Rounded to six significant digits: long lists that are drawn and not computed with.
+/// Rounded to six significant digits: for long lists that are drawn, not computed with.
 Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
 Json words_or_null(const Statement& statement);
-/// What a machine reads beside the words: "topic.code", or {"code", "values"} where it has some.
+/// The machine-readable form beside the words: "topic.code", or {"code", "values"} where it has
+/// some.
 Json code_of(const Statement& statement);
 Json code_of(const std::vector<Statement>& statements);
 /// {"estimate", "low", "high", "method"}

@@ -30,7 +30,7 @@ Json loop_points(const std::vector<method::hysteresis::LoopPoint>& points) {
   return named;
 }
 
-/// Many positions share the room of three.
+/// Points of each loop: many positions share what three would have.
 std::size_t points_of_each(std::size_t loops) {
   return std::clamp<std::size_t>(600 / std::max<std::size_t>(loops, 1), 40, 200);
 }
@@ -95,7 +95,7 @@ namespace {
 
 using method::hysteresis::LuGreParameterName;
 
-/// From the motor to the joint, by the quantity's powers of torque and speed.
+/// Factor from the motor's side to the joint's, by the quantity's powers of torque and speed.
 double to_joint(LuGreParameterName name, double n) {
   switch (name) {
     case LuGreParameterName::static_torque:
@@ -188,7 +188,7 @@ Json lugre(const method::hysteresis::LuGreFit& f, double n) {
   return made;
 }
 
-// Break-away ramps, and the shape of the loops: what the paper has not.
+// Break-away ramps and the shape of the loops, which are not in the paper.
 
 Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_ratio) {
   Json ramps = Json::array();

@@ -1,5 +1,5 @@
 #pragma once
-// Internal to calibration.json: the makers of its parts, one source file for each room.
+// Internal to calibration.json: the functions that write its parts, one source file per component.
 
 #include <optional>
 

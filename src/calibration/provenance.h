@@ -1,5 +1,5 @@
 #pragma once
-// What a result was made with: program, libraries, command and time.
+// How a result was made: program, libraries, command and time.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ struct NamedText {
   std::string text;
 };
 
-/// What was chosen, and what was chosen of it.
+/// An option and its chosen value.
 struct Setting {
   Statement name;
   Statement text;
@@ -53,8 +53,8 @@ Provenance make_provenance(const std::vector<std::string>& arguments);
 std::string creation_time_utc(const char* source_date_epoch);
 
 /// The arguments as one line for a shell. An absolute path (from `/` or `~`), alone or behind an
-/// option's `=`, is cut to its last part, so that results do not tell about the machine; of a
-/// PostgreSQL connection string nothing is left, which may hold a password.
+/// option's `=`, is cut to its last part, so that results do not reveal anything about the machine;
+/// a PostgreSQL connection string, which may hold a password, is removed altogether.
 std::string command_line_text(const std::vector<std::string>& arguments);
 
 }  // namespace tribolog::calibration

@@ -16,7 +16,7 @@ enum class Verdict { usable, doubtful, not_identifiable };
 
 std::string to_string(Verdict verdict);
 
-/// What came of one number of a `[[limit]]`.
+/// Outcome of one number of a `[[limit]]`.
 enum class LimitState {
   inside,   ///< Estimate and interval keep it.
   outside,  ///< Estimate and interval break it.
@@ -29,11 +29,11 @@ std::string to_string(LimitState state);
 /// Which number of a `[[limit]]`.
 enum class LimitRule { min, max, half_width, half_width_percent };
 
-/// As the manifest has it: "half_width".
+/// As the manifest spells it: "half_width".
 std::string to_string(LimitRule rule);
 
 struct LimitOutcome {
-  std::string key;  ///< As the manifest has it: "coulomb_joint_Nm".
+  std::string key;  ///< As the manifest spells it: "coulomb_joint_Nm".
   bool at_joint{};  ///< The key names the joint's side.
   LimitRule rule{};
   double limit{};  ///< In `unit`.
@@ -46,8 +46,8 @@ struct LimitOutcome {
 struct QuantityVerdict {
   joint::Quantity quantity{};
   Verdict verdict{Verdict::usable};
-  bool decides{true};                            ///< Takes part in the verdict over all.
-  std::vector<Statement> reasons;                ///< Empty only if usable. The weightiest first.
+  bool decides{true};                            ///< Counts in the overall verdict.
+  std::vector<Statement> reasons;                ///< Empty only if usable. Most important first.
   Statement experiment;                          ///< What to record next; empty only if usable.
   std::optional<statistics::Estimate> estimate;  ///< From the recordings alone. SI, motor side;
                                                  ///< absent for a curve, or where not found.
@@ -59,25 +59,25 @@ struct QuantityVerdict {
 enum class RuleState {
   kept,
   broken,
-  not_computed,  ///< The data do not show what it asks for: that is no pass.
+  not_computed,  ///< The data do not show the number: that is not a pass.
 };
 
 std::string to_string(RuleState state);
 
-/// What came of one rule of the verdict: a number found in the data, held against a threshold.
+/// Outcome of one rule of the verdict: a number found in the data, compared with a threshold.
 struct RuleOutcome {
   std::string rule;  ///< Stable: "torque_lag".
   RuleState state{RuleState::not_computed};
   std::optional<double> value;
   double threshold{};                       ///< Broken above it.
   std::string unit;                         ///< Of both; empty: none.
-  std::vector<joint::Quantity> quantities;  ///< That a broken one lowers.
+  std::vector<joint::Quantity> quantities;  ///< Lowered if it is broken.
   Verdict lowers_to{Verdict::doubtful};
-  Statement finding;  ///< What it is that was found; empty unless broken.
+  Statement finding;  ///< What was found; empty unless broken.
 };
 
-/// Lowers the verdict to `to` if it is better, and adds the reason, which goes in front if it is
-/// what the verdict now rests on. The experiment is taken from the weightiest reason.
+/// Lowers the verdict to `to` if it is better than that, and adds the reason, in front if the
+/// verdict now rests on it. The experiment is that of the first reason.
 void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,
            const Statement& experiment);
 

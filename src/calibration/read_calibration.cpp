@@ -102,7 +102,7 @@ std::optional<double> sampling_rate(const Members& top, const std::string& file)
   return statistics::median(std::move(rates_Hz));
 }
 
-/// What no joint can have.
+/// Refuses values that no joint can have.
 void refuse_impossible(const Facts& f, const std::string& file) {
   constexpr double absolute_zero_C = -273.15;
   const auto need = [&](bool holds, const char* what, const char* expected) {
@@ -152,7 +152,7 @@ Facts facts_of(const Members& top, const std::string& file) {
   return f;
 }
 
-/// A text for the tables must not hold NUL, which PostgreSQL has no place for.
+/// A text for the tables must not contain NUL, which PostgreSQL cannot store.
 void refuse_nul(const ReadJson& value, const std::string& file) {
   if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();

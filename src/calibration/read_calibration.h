@@ -1,6 +1,6 @@
 #pragma once
-// The one reader of what calibration_json() writes: files of any age, on their way into an archive,
-// onto a page or into another program's format.
+// The only reader of what calibration_json() writes: files of any age, to be archived, shown on a
+// page or converted to another program's format.
 
 #include <optional>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace tribolog::calibration {
 
-/// Friction over speed by the recommended gravity, a point for each run at constant speed or, where
-/// there were none, for each pair of a sweep's strokes. SI, motor side.
+/// Friction over speed with the recommended gravity removed, a point for each run at constant speed
+/// or, without such runs, for each pair of a sweep's strokes. SI, motor side.
 struct RecordedFriction {
-  std::string estimator;  ///< By whose gravity the friction is what is left.
+  std::string estimator;  ///< Whose gravity torque was subtracted to give the friction.
   bool from_sweep{};
-  std::vector<double> speed_rad_s;  ///< With the sign of the direction, as the friction.
+  std::vector<double> speed_rad_s;  ///< With the sign of the direction, like the friction.
   std::vector<double> friction_Nm;
-  std::vector<double> half_width_Nm;  ///< Of the torque; NaN: not recorded.
+  std::vector<double> half_width_Nm;  ///< Of the torque, 95 %; NaN: not recorded.
 };
 
 /// One oscillation's steady loop.
@@ -29,11 +29,11 @@ struct RecordedLoop {
 
 struct RecordedCurves {
   RecordedFriction friction;            ///< Empty where there are no runs.
-  std::optional<double> fastest_rad_s;  ///< Up to which the straight line was fitted, motor side.
+  std::optional<double> fastest_rad_s;  ///< Fastest speed of the straight line's fit, motor side.
   std::vector<RecordedLoop> loops;      ///< Empty where none was recorded, or by an older program.
 };
 
-/// A calibration as its file has it.
+/// A calibration as read from its file.
 struct RecordedCalibration {
   Facts facts;
   std::vector<Quantity> quantities;
@@ -42,10 +42,10 @@ struct RecordedCalibration {
 };
 
 /// @param json the whole file. @param file its name, for messages.
-/// @throw InputError: no JSON, no calibration, or one that says something impossible.
+/// @throw InputError: not JSON, not a calibration, or one with impossible values.
 RecordedCalibration read_calibration(const std::string& json, const std::string& file);
 
-/// The curves alone. Members that are missing or of another type are taken for not recorded.
+/// The curves alone. Members that are missing or of another type count as not recorded.
 RecordedCurves read_curves(const std::string& json);
 
 /// What an archive keeps: what read_calibration() finds, and the file itself. The only way into an
@@ -54,10 +54,10 @@ RecordedCurves read_curves(const std::string& json);
 NewCalibration entry_of_calibration(const std::string& json, const std::string& file);
 
 /// "2026-01-31", "2026-01-31 14:05", "2026-01-31T14:05:09+01:00" -> "2026-01-31T13:05:09Z". Without
-/// an offset it is taken for UTC. @return empty for anything else.
+/// an offset it is taken as UTC. @return empty for anything else.
 std::string utc_of_iso_text(const std::string& text);
 
-/// Since 1970, of a time that utc_of_iso_text() gave; 0 for anything else.
+/// Seconds since 1970 of a time that utc_of_iso_text() gave; 0 for anything else.
 double seconds_of_utc(const std::string& utc);
 
 }  // namespace tribolog::calibration

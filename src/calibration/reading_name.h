@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a calibration that can be held against a known truth, by name.
+// The numbers of a calibration that can be compared with a known truth, by name.
 
 #include <optional>
 #include <string>
@@ -27,20 +27,20 @@ enum class ReadingName {
   bristle_stiffness,
   static_torque,
   sweep_friction,
-  coulomb,  ///< Of the straight line over the curve, as its slope, `viscous`.
+  coulomb,  ///< Of the straight line through the curve; its slope is `viscous`.
   viscous,
   asperity_torque,  ///< This and what follows: of eq. (6).
   stribeck_speed,
   stribeck_power,
   viscous_coefficient,
   viscous_power,
-  break_away,  ///< Of ramps: a plan expects it, no study reads it.
+  break_away,  ///< Of ramps; used by plans, not by studies.
 };
 
 /// Stable, in files and in message codes: "A_steady", "q_peak".
 std::string to_string(ReadingName name);
 
-/// The estimator whose gravity torque the reading is; nothing for the others.
+/// The estimator whose gravity torque the reading is; nothing for other readings.
 std::optional<method::hysteresis::Estimator> estimator_of(ReadingName name);
 
 }  // namespace tribolog::calibration
