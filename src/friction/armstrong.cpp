@@ -5,10 +5,10 @@
 //   sliding:  T = (Tc + Tv |w| + Ts(t2) / (1 + (wl/ws)^2)) sgn(w)
 //   Ts(t2) = Ts,a + (Ts,inf - Ts,a) t2 / (t2 + gamma)
 //
-// t2: time spent sticking before; Ts,a: Stribeck torque at the end of the previous sliding.
-// Sticking ends where |kt x| reaches Tc + Ts(t2): the longer the rest, the higher break-away. wl
-// lags behind |w| with the frictional lag tL; as in HessSoomFriction a lag of first order stands
-// for the pure delay. The seven: kt, Tc, Tv, Ts,inf, ws, tL, gamma.
+// t2: dwell time before sliding; Ts,a: Stribeck torque at the end of the previous sliding. Sticking
+// ends where |kt x| reaches Tc + Ts(t2): the longer the dwell, the higher the break-away torque. wl
+// lags behind |w| with the frictional lag tL; as in HessSoomFriction a first-order lag replaces the
+// pure delay. The seven: kt, Tc, Tv, Ts,inf, ws, tL, gamma.
 
 #include <cmath>
 
@@ -22,8 +22,8 @@
 namespace tribolog::friction {
 namespace {
 
-/// State: x [rad], wl [rad/s], time in this stick t2 [s], Stribeck torque Ts [N·m] of the present
-/// sliding (of the last one while sticking), and 0 in sticking or the direction (-1, 1) of sliding.
+/// State: x [rad], wl [rad/s], dwell time t2 [s], Stribeck torque Ts [N·m] of the present sliding
+/// (of the last one while sticking), and 0 while sticking or the direction (-1, 1) of sliding.
 class ArmstrongFriction final : public DynamicFriction {
  public:
   struct Parameters {
@@ -43,8 +43,8 @@ class ArmstrongFriction final : public DynamicFriction {
   [[nodiscard]] const Parameters& parameters() const { return p_; }
   [[nodiscard]] std::string name() const override { return "armstrong"; }
   [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
-  /// Torque [N·m] at which a contact breaks away that has rested so long since sliding, at whose
-  /// end the Stribeck torque was `last_stribeck_Nm`.
+  /// Break-away torque [N·m] after a dwell `rest_s` that followed sliding, at whose end the
+  /// Stribeck torque was `last_stribeck_Nm`.
   [[nodiscard]] double break_away_Nm(double rest_s, double last_stribeck_Nm = 0.0) const;
 
   [[nodiscard]] std::size_t states() const override { return 5; }
@@ -58,7 +58,7 @@ class ArmstrongFriction final : public DynamicFriction {
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   /// After a long rest; after a shorter one the Stribeck torque is smaller.
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact but for the moment of break-away, which false position finds.
+  /// Exact except for the instant of break-away, which is found by false position.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
@@ -119,7 +119,7 @@ void ArmstrongFriction::begin_sliding(std::span<double> state, double direction)
   state[stuck_time] = 0;
 }
 
-/// The junctions keep the torque that they carry, and the Stribeck torque its value of the moment.
+/// The junctions keep the torque that they carry, and the Stribeck torque its present value.
 void ArmstrongFriction::begin_sticking(std::span<double> state) const {
   const double x = state[lagged_speed] / p_.stribeck_speed_rad_s;
   state[deflection] = state[sliding] * sliding_Nm(state, 0) / p_.stiffness_Nm_rad;

@@ -1,12 +1,12 @@
-// Friction of Bliman and Sorine (1991, 1995): a linear system along the way travelled.
+// Friction of Bliman and Sorine (1991, 1995): a linear system in the distance travelled.
 //
 //   dx1/ds = -x1/(eta e) + f1/(eta e) sgn(w)
 //   dx2/ds = -x2/e       - f2/e       sgn(w)
 //   T = x1 + x2,    s = integral of |w| dt
 //
-// Rate independent. The faster part x1 rises to f1 over the way eta e, the slower one pulls back by
-// f2 over e: on the way to the Coulomb torque f1 - f2 the torque goes through a peak, which is how
-// the second order model shows break-away.
+// Rate independent. The faster part x1 rises to f1 over the distance eta e, the slower one pulls
+// back by f2 over e: before it settles at the Coulomb torque f1 - f2 the torque passes through a
+// peak, which is how the second-order model shows break-away.
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ class BlimanSorineFriction final : public DynamicFriction {
   [[nodiscard]] const Parameters& parameters() const { return p_; }
   [[nodiscard]] std::string name() const override { return "bliman_sorine"; }
   [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
-  /// Largest torque [N·m] on the way from an unloaded contact to steady sliding.
+  /// Largest torque [N·m] between an unloaded contact and steady sliding.
   [[nodiscard]] double break_away_Nm() const;
 
   [[nodiscard]] std::size_t states() const override { return 2; }
@@ -45,7 +45,7 @@ class BlimanSorineFriction final : public DynamicFriction {
              std::span<double> rates) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact for any course of the speed.
+  /// Exact for any speed profile.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
@@ -75,7 +75,7 @@ BlimanSorineFriction::BlimanSorineFriction(const Parameters& parameters) : p_(pa
   }
 }
 
-// T(s) = f1 (1 - exp(-s/(eta e))) - f2 (1 - exp(-s/e)) is steepest down where its slope is zero.
+// T(s) = f1 (1 - exp(-s/(eta e))) - f2 (1 - exp(-s/e)) is largest where its slope is zero.
 double BlimanSorineFriction::break_away_Nm() const {
   const double f1 = p_.fast_torque_Nm;
   const double f2 = p_.slow_torque_Nm;
@@ -116,7 +116,8 @@ void BlimanSorineFriction::state_scales(std::span<double> scales) const {
   scales[1] = p_.fast_torque_Nm;
 }
 
-/// f1 and f2 such that the peak is the break-away torque; the initial stiffness then sets the ways.
+/// f1 and f2 such that the peak is the break-away torque; the initial stiffness then sets the
+/// distances.
 BlimanSorineFriction::Parameters bliman_sorine(const ContactParameters& c) {
   constexpr double eta = 0.5;
   const auto with = [&](double slow) {

@@ -12,9 +12,9 @@
 
 namespace tribolog::friction {
 
-/// What one contact looks like to every model: stiffness at rest, break-away and Coulomb torque,
-/// Stribeck velocity and viscous part. Default: table 1 of the paper as meant (Canudas de Wit et
-/// al. 1995), of a unit mass [N, m].
+/// Properties of one contact that all models share: stiffness at rest, break-away and Coulomb
+/// torque, Stribeck velocity and viscous part. Default: table 1 of the paper as intended (Canudas
+/// de Wit et al. 1995), of a unit mass [N, m].
 struct ContactParameters {
   double stiffness_Nm_rad{1e5};
   double damping_Nms_rad{316.22776601683796};  ///< sqrt(1e5)
@@ -32,7 +32,7 @@ struct FrictionTraits {
   bool presliding{};        ///< Elastic before sliding.
   bool non_local_memory{};  ///< An inner loop closes where it was left, and is forgotten.
   bool drifts{};            ///< Creeps under an oscillating torque below break-away.
-  bool rate_independent{};  ///< Without its viscous part torque depends on the way alone.
+  bool rate_independent{};  ///< Without its viscous part torque depends on the path alone.
   bool is_random{};         ///< Forward and backward are not mirror images.
   bool remembers_rest{};    ///< Steady torque depends on the rest before it, not on speed alone.
 };
@@ -40,10 +40,10 @@ struct FrictionTraits {
 /// A model by name, and how to make one from named parameters.
 template <class Model>
 struct ModelRecipe {
-  std::string name;            ///< As files say it: "lugre". Messages have its title and source.
-  NamedParameters parameters;  ///< All that it has; only the usual values mean something.
-  /// What is not among the parameters given keeps the value that it has in `parameters`.
-  /// @throw Refusal stating value and rule, or for a name that is not known.
+  std::string name;            ///< As in files: "lugre". Title and source are in the messages.
+  NamedParameters parameters;  ///< All it has; only values with `has_usual` are meaningful.
+  /// A parameter that is not given keeps its value in `parameters`.
+  /// @throw Refusal stating value and rule, or for an unknown name.
   std::function<std::unique_ptr<Model>(const NamedParameters&)> make;
 };
 
@@ -64,7 +64,7 @@ const std::vector<FrictionModelEntry>& dynamic_friction_models();
 /// In the order of the paper's equations.
 const std::vector<StaticLawEntry>& static_friction_laws();
 
-/// @throw Refusal naming the models that there are.
+/// @throw Refusal naming the available models.
 const FrictionModelEntry& dynamic_friction_model(std::string_view name);
 
 }  // namespace tribolog::friction

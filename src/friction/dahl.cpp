@@ -1,4 +1,4 @@
-// Dahl's friction (1968): the torque follows the way like the stress in a strained solid.
+// Dahl's friction (1968): the torque follows the displacement as stress follows strain in a solid.
 //
 //   dT/dx = s0 |1 - sgn(w) T/Tc|^i sgn(1 - sgn(w) T/Tc)
 //
@@ -38,7 +38,7 @@ class DahlFriction final : public DynamicFriction {
              std::span<double> rates) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact for every exponent and any course of the speed.
+  /// Exact for every exponent and any speed profile.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:

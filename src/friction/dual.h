@@ -1,6 +1,6 @@
 #pragma once
-// A number that carries its derivatives by N parameters through every operation: what the
-// exponential step is written for, so that a fit has exact derivatives of the integrated state.
+// A number that carries its derivatives with respect to N parameters through every operation: as
+// the Scalar of the exponential step it gives a fit exact derivatives of the integrated state.
 
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ struct Dual {
   std::array<double, N> by{};
 
   Dual() = default;
-  /// A constant: nothing moves it.
+  /// A constant: all derivatives are zero.
   explicit Dual(double constant) : value(constant) {}
   /// The k-th parameter itself.
   static Dual parameter(double value, int k) {
@@ -34,7 +34,7 @@ template <int N>
   return out;
 }
 
-/// f(x, y) with its two slopes.
+/// f(x, y) with its two partial derivatives.
 template <int N>
 [[gnu::always_inline]] inline Dual<N> chained(double value, double by_x, const Dual<N>& x,
                                               double by_y, const Dual<N>& y) {

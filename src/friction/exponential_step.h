@@ -1,6 +1,6 @@
 #pragma once
-// One step of the bristle equation under prescribed motion, exact in its stiff part.
-// Written for a Scalar, so that derivatives by the parameters can be carried along.
+// One step of the bristle equation under prescribed motion, exact in its stiff part. Written for a
+// Scalar, so that derivatives with respect to parameters can be carried along.
 //
 // Eq. (4) is linear in z: dz/dt = w - lambda z with lambda = |w|/g(w). In the variable
 // s = integral of lambda dt it reads dz/ds = h - z with h = sgn(w) g(w), so that over a step
@@ -9,7 +9,7 @@
 //
 // h is smooth in s as long as w keeps its sign, also right after a reversal (there s ~ w^2, and g
 // depends on w^2). It is interpolated by the parabola through the step's start, middle and end, and
-// the integral of that is exact: no bound on the step by stiffness. The error of the parabola and
+// the integral of that is exact: stiffness does not limit the step. The error of the parabola and
 // of Simpson's rule for L cancel in their leading term, which makes the step 4th order.
 
 #include <bit>
@@ -46,7 +46,7 @@ namespace tribolog::friction {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + exponent);
 }
 
-/// exp(x) for -1e-3 <= x <= 0, to the last bit or two, at a third of the work.
+/// exp(x) for -1e-3 <= x <= 0, to the last bit or two, at a third of the cost.
 [[gnu::always_inline]] inline double exp_near_zero(double x) {
   double p = 1.0 / 120.0;
   p = p * x + 1.0 / 24.0;
@@ -64,8 +64,7 @@ struct StepShape {
   Scalar c0, c1, c2;
 };
 
-/// Of y' = rate(t) (target(t) - y), which the bristle equation is with rate |w|/g(w) and target
-/// sgn(w) g(w).
+/// Of y' = rate(t) (target(t) - y); the bristle equation has rate |w|/g(w) and target sgn(w) g(w).
 /// @param r0,rm,r1 rate at the step's start, middle and end, >= 0
 /// @param h0,hm,h1 target there
 /// @param dt duration [s].
@@ -76,7 +75,7 @@ template <class Scalar>
                                                                  double dt) {
   const Scalar half = dt / 24.0 * (5.0 * r0 + 8.0 * rm - r1);
   const Scalar length = dt / 6.0 * (r0 + 4.0 * rm + r1);
-  // Where nothing moves the ratio would be 0/0; any node will do there.
+  // At rest the ratio would be 0/0; any node will do there.
   constexpr double nothing = 1e-290;
   constexpr double apart = 1e-6;
   const Scalar ratio = (half + nothing) / (length + 2 * nothing);
@@ -156,8 +155,8 @@ Scalar relaxed(const StepShape<Scalar>& shape, const Scalar& y0) {
   return m.decay * y0 + step_source(shape, m);
 }
 
-/// y at the end of a step over which the target stays the same: of the parabola only its constant
-/// is left, and of the moments one.
+/// y at the end of a step over which the target is constant: only the parabola's constant and one
+/// moment are left.
 /// @param decay exp(-L)
 template <class Scalar>
 [[gnu::always_inline]] inline Scalar relaxed_to(const Scalar& target, const Scalar& decay,

@@ -1,6 +1,6 @@
 #pragma once
-// What every friction model offers: its parameters by name, and torque, of the speed alone or
-// through a state that the motion changes.
+// What every friction model provides: its parameters by name, and its torque, as a function of
+// speed alone or through a state that the motion changes.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,31 +18,32 @@ namespace tribolog::friction {
 /// One spring and slider.
 struct MaxwellElement {
   double stiffness_Nm_rad{};  ///< > 0
-  double share{};             ///< Of the whole torque at which it slips, > 0; all add up to 1.
+  double share{};             ///< Share of the total torque at which it slips, > 0; all add up to
+                              ///< 1.
   friend bool operator==(const MaxwellElement&, const MaxwellElement&) = default;
 };
 
-/// Elements that slip one after the other on the first loading, at equal distances: the virgin
-/// curve is the polygon through points of T(x) = Ts (1 - (1 - x/xs)^2).
+/// Elements that slip one after another in virgin loading, at equally spaced deflections: the
+/// virgin curve is the polygon through points of T(x) = Ts (1 - (1 - x/xs)^2).
 /// @param stiffness_Nm_rad of all together before the first slip, > 0
 /// @param static_Nm torque at which the last one slips, > 0
 /// @throw Refusal stating the value and the rule.
 std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double static_Nm, int count);
 
-/// @throw Refusal if there is none, a value is not > 0 or the shares do not add up.
+/// @throw Refusal if there are no elements, a value is not > 0 or the shares do not add up to 1.
 void require_maxwell_elements(const std::vector<MaxwellElement>& elements);
 
 // Parameters of a friction model by name: as files state them and listings show them.
 //
-// A model's Parameters say once, in by_name(), what each of their members is called in a file. What
-// reads, writes or lists parameters goes by that and knows no model.
+// A model's Parameters say once, in by_name(), what each of their members is called in a file. Code
+// that reads, writes or lists parameters uses that and knows no model.
 
 /// A physical number, a count, or the elements of a Maxwell-slip model.
 using ParameterValue = std::variant<double, std::uint64_t, std::vector<MaxwellElement>>;
 
 struct NamedParameter {
   std::string key;   ///< With its unit: "attraction_Nm_s".
-  bool has_usual{};  ///< The literature has a usual value, which `value` is unless stated.
+  bool has_usual{};  ///< The literature has a usual value, the default of `value`.
   ParameterValue value;
   friend bool operator==(const NamedParameter&, const NamedParameter&) = default;
 };
@@ -71,11 +72,11 @@ NamedParameters named(Parameters parameters) {
 /// @throw Refusal for a key or a kind of value that the slots do not have.
 void set_values(const ParameterSlots& slots, const NamedParameters& values);
 
-/// With memory or without: a name and named parameters.
+/// A model with memory or without: its name and named parameters.
 class FrictionModel {
  public:
   virtual ~FrictionModel() = default;
-  /// As files say it: "gms".
+  /// As in files: "gms".
   [[nodiscard]] virtual std::string name() const = 0;
   /// As files state them, in the header's order.
   [[nodiscard]] virtual NamedParameters named_parameters() const = 0;
@@ -88,15 +89,15 @@ inline double direction_of(double speed_rad_s) {
   return speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
 }
 
-/// Speed over a step, as the parabola through its start, middle and end. None of the three is of
-/// opposite sign to another: a motion is cut at its reversals before models see it.
+/// Speed over a step, as the parabola through its start, middle and end. No two of these have
+/// opposite signs: a motion is cut at its reversals before models see it.
 struct SpeedStep {
   double start_rad_s{};
   double middle_rad_s{};
   double end_rad_s{};
   double duration_s{};
 
-  /// Signed way [rad]; exact for the parabola.
+  /// Signed travel [rad]; exact for the parabola.
   [[nodiscard]] double path_rad() const {
     return duration_s / 6 * (start_rad_s + 4 * middle_rad_s + end_rad_s);
   }
@@ -121,8 +122,8 @@ struct SpeedStep {
 // Models with memory.
 //
 // A model turns the motion of the shaft into a friction torque through a state that the motion
-// changes: deflections of bristles, torques of elements, a lagged speed. Angle and torque may as
-// well be displacement [m] and force [N]: no equation knows the difference.
+// changes: deflections of bristles, torques of elements, a lagged speed. Angle and torque may
+// equally be displacement [m] and force [N]: the equations are the same.
 
 class DynamicFriction : public FrictionModel {
  public:
@@ -151,24 +152,24 @@ class DynamicFriction : public FrictionModel {
   virtual void event_values(std::span<const double> /*state*/, double /*speed_rad_s*/,
                             std::span<double> /*values*/) const {}
 
-  /// The size that each member of a state usually has: what a solver's errors are measured by.
+  /// The usual magnitude of each member of a state: the scale of a solver's error tolerance.
   virtual void state_scales(std::span<double> scales) const = 0;
 
   /// Friction torque [N·m], positive where it resists a positive speed.
   [[nodiscard]] virtual double torque_Nm(std::span<const double> state,
                                          double speed_rad_s) const = 0;
 
-  /// Torque [N·m] that steady sliding at this speed ends in; 0 at rest.
+  /// Torque [N·m] to which sliding at this constant speed settles; 0 at rest.
   [[nodiscard]] virtual double steady_torque_Nm(double speed_rad_s) const = 0;
 
   /// Advances the state over a piece of prescribed motion, with the model's own method: exact where
-  /// the model allows that, and never bound by its stiffness.
+  /// the model allows it, and never limited by its stiffness.
   virtual void advance(std::span<double> state, const SpeedStep& step) const = 0;
 
-  /// Advances over steps of which each begins where the one before ended, and reads the torque
-  /// [N·m] at the end of each. As advance() and torque_Nm() in turn; a model that needs the same
-  /// numbers for a step's end and the next one's start can do better.
-  /// @param torque_Nm out: as many as steps.
+  /// Advances over consecutive steps and reads the torque [N·m] at the end of each. Equivalent to
+  /// advance() and torque_Nm() in turn; a model that needs the same numbers for a step's end and
+  /// the next one's start can do better.
+  /// @param torque_Nm out: one per step.
   virtual void respond(std::span<double> state, std::span<const SpeedStep> steps,
                        std::span<double> torque_Nm) const {
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -187,7 +188,7 @@ class StaticFriction : public FrictionModel {
   [[nodiscard]] virtual double torque_Nm(double speed_rad_s) const = 0;
 };
 
-/// What a model with memory comes to at constant speed; goes by that model's name and parameters.
+/// The steady state of a model with memory at constant speed; has that model's name and parameters.
 class SteadyFriction final : public StaticFriction {
  public:
   /// @throw std::invalid_argument if there is no model.

@@ -47,7 +47,7 @@ class GmsFriction final : public DynamicFriction {
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Sticking exact, the moment of slip found by false position, slipping by the exponential step.
+  /// Sticking exact, the instant of slip by false position, slipping by the exponential step.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:

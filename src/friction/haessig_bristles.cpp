@@ -4,8 +4,8 @@
 //
 // A bond that is stretched to ds snaps; a new one forms at a random place, with a deflection
 // equally likely anywhere between -ds and ds. The Coulomb torque of steady sliding is therefore s0
-// ds/3 on the average, and the torque scatters about it as 1/sqrt(N). The places come from a
-// counter, not from a clock: the same seed and motion give the same torque.
+// ds/3 on average, and the torque scatters about it as 1/sqrt(N). The places are derived from a
+// counter: the same seed and motion give the same torque.
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ class HaessigBristleFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-/// Equally likely in [0, 1): SplitMix64's finaliser over a counter.
+/// Uniform in [0, 1): SplitMix64's finaliser over a counter.
 double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) {
   std::uint64_t x = seed * 0x9E3779B97F4A7C15ULL + bristle * 0xD1B54A32D192ED03ULL + snaps;
   x = (x + 0x9E3779B97F4A7C15ULL) * 0xBF58476D1CE4E5B9ULL;

@@ -3,9 +3,9 @@
 //   T = (Tc + (Ts - Tc) / (1 + (wl/ws)^2)) sgn(w) + s2 w
 //
 // wl lags behind |w|: the lubricant film takes time to build up. The authors use a pure delay t;
-// here it is a lag of first order with that time constant, dwl/dt = (|w| - wl)/t, equal to the
-// delay to first order in t, so that the model remains a differential equation. Discontinuous at w
-// = 0, without pre-sliding.
+// here it is a first-order lag with that time constant, dwl/dt = (|w| - wl)/t, equal to the delay
+// to first order in t, so that the model remains a differential equation. Discontinuous at w = 0,
+// without pre-sliding.
 
 #include <cmath>
 

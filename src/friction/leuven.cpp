@@ -1,6 +1,6 @@
 // The Leuven integrated model (Swevers, Al-Bender, Ganseman, Prajogo 2000), with its hysteresis
-// torque from Maxwell-slip elements, as Lampaert, Swevers and Al-Bender (2002) put it to remove the
-// jump that the original has where an inner loop closes.
+// torque from Maxwell-slip elements, as Lampaert, Swevers and Al-Bender (2002) introduced them to
+// remove the original's jump where an inner loop closes.
 //
 //   dz/dt = w (1 - sgn(w) sgn(Th) |Th(z) / s(w)|^n)
 //   T = Th(z) + s1 dz/dt + s2 w
@@ -55,8 +55,8 @@ class LeuvenFriction final : public DynamicFriction {
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// By exponential steps of 4th order, cut where an element reaches its limit or z turns
-  /// round (towards a falling s).
+  /// By exponential steps of 4th order, cut where an element reaches its limit or z reverses
+  /// (towards a falling s).
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
@@ -72,9 +72,9 @@ class LeuvenFriction final : public DynamicFriction {
   [[nodiscard]] Stretching stretching(std::span<const double> state, double direction) const;
   /// z and the elements after a further deflection.
   void stretch(std::span<double> state, double further_rad) const;
-  /// Advances until the next element reaches its limit or z turns round; returns when, as a share
-  /// of the step.
-  /// @param way 1 while z moves with the motion, -1 against it; changed where it turns.
+  /// Advances until the next element reaches its limit or z reverses; returns when, as a share of
+  /// the step.
+  /// @param way 1 while z moves with the motion, -1 against it; changed where z reverses.
   double advance_until_change(std::span<double> state, const SpeedStep& step, double& way) const;
 
   Parameters p_;

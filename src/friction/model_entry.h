@@ -1,6 +1,6 @@
 #pragma once
-// Internal to friction: an entry of the catalogue made of a model's class. Each model with memory
-// stands in a file of its own, which gives its entry and nothing else.
+// Internal to friction: makes a catalogue entry from a model's class. Each model with memory has a
+// file of its own, which provides its entry and nothing else.
 
 #include <memory>
 
@@ -21,7 +21,7 @@ ModelRecipe<Kind> recipe(const Model& example) {
           }};
 }
 
-/// @param match the model's parameters that follow from what one contact looks like to all models.
+/// @param match gives the model's parameters from the contact properties common to all models.
 template <class Model>
 FrictionModelEntry model(FrictionTraits traits,
                          typename Model::Parameters (*match)(const ContactParameters&)) {
@@ -29,12 +29,12 @@ FrictionModelEntry model(FrictionTraits traits,
           [match](const ContactParameters& c) { return named(match(c)); }};
 }
 
-/// What the elements of a model with several, and the lag of one with a lag, are where a contact
-/// does not say it.
+/// Number of elements, and frictional lag, of models that have these: a contact does not specify
+/// them.
 inline constexpr int matched_elements = 10;
 inline constexpr double matched_lag_s = 0.003;  ///< As in lubricated contacts (Armstrong 1994).
 
-/// The contact's steady torque over the speed.
+/// The contact's steady torque over speed.
 inline StribeckCurve::Parameters matched_curve(const ContactParameters& c) {
   return {c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, 2.0};
 }

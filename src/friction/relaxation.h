@@ -3,8 +3,8 @@
 //
 //   dy/dt = rate(w) (target(w, y) - y)
 //
-// as the bristle equation with a non-linear term put into the target. Where that term is flat, as
-// in steady sliding, a step may be as long as the samples are apart, however stiff.
+// This is the bristle equation with a non-linear term in the target. Where that term is flat, as in
+// steady sliding, a step may be as long as the sampling interval, however stiff the equation.
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@ namespace tribolog::friction {
 
 /// Exponential, 4th order: the target is the parabola through its values at a step's start, middle
 /// and end, which are found by iteration; a step over which it bends too sharply is halved.
-/// @tparam Equation has a type `Node` of what the speed alone decides, among it the `rate`;
-/// `Node at(double speed) const` and `double target(const Node&, double y) const`.
+/// @tparam Equation has a type `Node` of what depends on speed alone, including the `rate`; `Node
+/// at(double speed) const` and `double target(const Node&, double y) const`.
 template <class Equation>
 class Relaxation {
   using Node = typename Equation::Node;
 
  public:
-  /// @param size of y, > 0: what errors are measured by.
+  /// @param size magnitude of y, > 0: the scale of the error limits.
   Relaxation(const Equation& equation, double size)
       : equation_(equation), roughest_(roughest_step * size), settled_(settled_share * size) {}
 
@@ -41,10 +41,10 @@ class Relaxation {
   struct Solution {
     double middle;    ///< y in the middle of the step's time,
     double end;       ///< and at its end.
-    bool is_settled;  ///< The iteration has come to rest.
+    bool is_settled;  ///< The iteration has converged.
   };
-  /// y in the middle and at the end of two equal steps taken as one, which is cheaper and as good
-  /// where samples lie closer than the motion needs. Absent where they do not.
+  /// y in the middle and at the end of two equal steps taken as one, which is cheaper and as
+  /// accurate where samples are closer than the motion requires. Absent where they are not.
   [[nodiscard]] std::optional<Solution> advance_pair(double duration_s, double y, const Node& start,
                                                      const Node& middle, const Node& last) const {
     if (duration_s * middle.rate > longest_pair) return std::nullopt;
@@ -53,9 +53,9 @@ class Relaxation {
   }
 
  private:
-  // Both measured, as the best time at its error: with the catalogue's contacts at 1 kHz they leave
-  // up to 5e-6 of y in the sharpest steps, those of an unloaded contact that is set sliding at full
-  // speed, and 1e-8 at reversals.
+  // Both chosen by measurement, the fastest at their error: with the catalogue's contacts at 1 kHz
+  // they leave up to 5e-6 of y in the sharpest steps, those of an unloaded contact that is set
+  // sliding at full speed, and 1e-8 at reversals.
   static constexpr double roughest_step = 1e-3;
   static constexpr double settled_share = 1e-10;
   // Of a pair: its length, and its roughness as a share of a step's, so that its error stays below
@@ -65,8 +65,8 @@ class Relaxation {
   static constexpr int deepest_halving = 40;
   static constexpr int most_iterations = 8;
 
-  /// The parabola's last term. What follows it grows with the step's length: y and with it the
-  /// target decay over a way of one, and over a long step three points hardly show that.
+  /// The parabola's last term. The terms beyond it grow with the step's length: y, and with it the
+  /// target, decay over a length of one, which three points hardly resolve in a long step.
   static double roughness(const StepShape<double>& shape) {
     return std::abs(shape.c2) * (1 + shape.length * shape.length * shape.length);
   }

@@ -43,7 +43,7 @@ class ResetIntegratorFriction final : public DynamicFriction {
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact for any course of the speed.
+  /// Exact for any speed profile.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Where a continuous function changes its sign.
+// Where a continuous function changes sign.
 
 #include <algorithm>
 
@@ -39,8 +39,8 @@ double sign_change(const Function& f, double low, double high, double resolution
   return high;
 }
 
-/// Where on a step, as a share of its duration: that of slip, break-away, an element's limit. A
-/// share of 1e-14 moves no torque by more than rounding does.
+/// Resolution of an instant within a step (slip, break-away, an element's limit), as a share of its
+/// duration: it changes no torque by more than rounding does.
 inline constexpr double share_resolution = 1e-14;
 
 }  // namespace tribolog::friction

@@ -1,5 +1,5 @@
 #pragma once
-// Friction laws of the speed alone, eq. (1), (2), (6) and (7).
+// Friction laws that depend on speed alone, eq. (1), (2), (6) and (7).
 
 #include "friction/friction_model.h"
 
@@ -51,8 +51,8 @@ class StribeckFriction final : public StaticFriction {
   [[nodiscard]] std::string name() const override { return "stribeck"; }
   [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] const StribeckCurve& curve() const { return curve_; }
-  /// Friction torque [N·m] in motion. At rest any torque up to Ts is possible, and it is the
-  /// applied torque that says which; by speed alone the answer is 0, the middle of them.
+  /// Friction torque [N·m] in motion. At rest any torque between -Ts and Ts is possible, and the
+  /// applied torque determines it; from speed alone it is 0, the middle of these.
   [[nodiscard]] double torque_Nm(double speed_rad_s) const override;
   /// Friction torque [N·m] at rest against an applied torque: equal to it up to Ts.
   [[nodiscard]] double torque_at_rest_Nm(double applied_Nm) const;
