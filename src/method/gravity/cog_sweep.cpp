@@ -18,12 +18,13 @@ namespace {
 
 constexpr std::size_t fewest_samples = 20;
 
-/// The representative of an angle that is nearest to `middle`.
+/// The angle, by whole turns, that is nearest to `middle`.
 double nearest_turn(double q, double middle) {
   return q - 2 * std::numbers::pi * std::round((q - middle) / (2 * std::numbers::pi));
 }
 
-/// Mean of the rising offsets less that of the falling ones, halved, as a sum over coefficients.
+/// Half the mean of the rising offsets less that of the falling ones, as a linear combination of
+/// coefficients.
 Eigen::VectorXd direction_contrast(const SweepDesign& d, const motion::SweepSamples& samples) {
   Eigen::VectorXd contrast = Eigen::VectorXd::Zero(d.x.cols());
   if (d.direction >= 0) {
@@ -84,8 +85,9 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
       contrast.dot(c), statistics::student_t_975(freedom) * error, method);
 }
 
-/// As a sum over coefficients: what of a mean torque of both directions is not gravity. The offsets
-/// were fitted against cos q - 1, from which the first coefficient has been taken out.
+/// The part of the two directions' mean torque that is not gravity, as a linear combination of
+/// coefficients. The offsets were fitted against cos q - 1; the first coefficient has since been
+/// subtracted from them.
 Eigen::VectorXd offset_gradient(const SweepDesign& d, const motion::SweepSamples& samples) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.x.cols());
   if (d.direction >= 0) {
@@ -96,7 +98,7 @@ Eigen::VectorXd offset_gradient(const SweepDesign& d, const motion::SweepSamples
   return gradient;
 }
 
-/// Of that sum over coefficients.
+/// Reads that linear combination, with its interval.
 void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
                  const SweepGravityFit& fit, CogSweepResult& out) {
   if (!samples.both_directions()) return;
@@ -157,9 +159,9 @@ void read_without_gravity(const motion::Sweep& sweep, double gear_ratio, CogSwee
       out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
 }
 
-/// Lines of so few periods over the sweep that gravity has taken part of them, and hidden their
-/// period: they are fitted beside it, with three columns each: cosine, sine, and what a change of
-/// their period does.
+/// Lines of so few periods over the sweep that gravity has absorbed part of them and biased their
+/// period: they are fitted together with it, with three columns each: cosine, sine, and the
+/// derivative with respect to their period.
 class SlowLines {
  public:
   static constexpr Eigen::Index columns = 3;
@@ -190,7 +192,7 @@ class SlowLines {
   }
   [[nodiscard]] bool any() const { return !lines_.empty(); }
 
-  /// Of the lines as they stand.
+  /// Torque of the lines with their current parameters.
   [[nodiscard]] Eigen::VectorXd torque_Nm() const {
     Eigen::VectorXd torque = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motor_rad_.size()));
     for (const RippleLine* line : lines_) {
@@ -259,9 +261,9 @@ class SlowLines {
   std::vector<RippleLine*> lines_;
 };
 
-/// Whether the offset that shows may as well be a torque of the angle that does not: beside one of
-/// twice the angle it may be none. Over less than half a turn the two look alike, and gravity takes
-/// the other sign of either.
+/// Whether the offset found may equally be a torque of the angle that is not found: with a term of
+/// twice the angle in the fit it may vanish. Over less than half a turn the two look alike, and
+/// shift gravity in opposite senses.
 bool may_be_of_angle(const motion::Sweep& sweep, double middle,
                      const std::vector<std::size_t>& blocks, const CogSweepResult& out) {
   if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed ||
@@ -280,7 +282,7 @@ bool may_be_of_angle(const motion::Sweep& sweep, double middle,
   return std::abs(offset) <= surely_shown * fit.regression.half_width_along(gradient);
 }
 
-/// What the residual shows of ripple and vibration, and the fit without them.
+/// Finds ripple and vibration in the residual, and fits without them.
 SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
                                   const std::vector<std::size_t>& blocks,
                                   const SweepGravityFit& first, SweepDesign& design,
@@ -313,7 +315,7 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   return fit;
 }
 
-/// What a change of the first two coefficients does to amplitude and angle: along them, and across.
+/// Effect of a change of the first two coefficients on amplitude (along them) and angle (across).
 struct Lever {
   Eigen::Vector2d on_gravity, on_angle;
   Lever(const SweepGravityFit& fit, double middle) {
@@ -329,8 +331,8 @@ statistics::Estimate widened(const statistics::Estimate& e, double by, Code why)
 }
 
 /// Ripple of few periods a motor turn looks like gravity, or like a twist of the gear, where the
-/// motor turns less than a few times: as large as that seen, of any such period and at any phase,
-/// it moves angle and amplitude by so much. @param times that as large.
+/// motor makes less than a few turns: widens angle and amplitude by the effect of ripple as large
+/// as that seen, of any such period and at any phase. @param times factor on that size.
 void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design, double gear_ratio,
                           double middle, const CogSweepResult& out, double times,
                           SweepGravityFit& fit) {
@@ -361,7 +363,7 @@ void widen_by_slow_ripple(const motion::Sweep& sweep, const SweepDesign& design,
   fit.gravity_Nm = widened(fit.gravity_Nm, unseen * on_gravity, why);
 }
 
-/// Coarse steps of the torque pull amplitude and angle as far as rounding the fitted curve does;
+/// Coarse steps of the torque bias amplitude and angle as much as rounding the fitted curve does;
 /// noise of half a step or more averages that out (Widrow: by exp(-2 pi^2 (sd/step)^2)).
 void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design, double middle,
                           SweepGravityFit& fit) {
@@ -385,7 +387,7 @@ void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design,
   widen(fit.gravity_Nm, lever.on_gravity.dot(pulled));
 }
 
-/// How far the error of an inertia that was taken off moves angle and amplitude.
+/// How far the error of an inertia that was subtracted moves angle and amplitude.
 void widen_by_inertia(const motion::Sweep& sweep, const SweepDesign& design, double half_width,
                       double middle, SweepGravityFit& fit) {
   const std::vector<double>& acceleration = sweep.samples.acceleration_rad_s2;
@@ -458,8 +460,8 @@ SweepBlocks blocks_of(const SweepDesign& design, const motion::SweepSamples& sam
   return kept;
 }
 
-/// Noise that hangs together for longer than a block is larger than its blocks tell. Longer ones,
-/// if fewer, can: the wider of the two intervals is stated.
+/// Noise that is correlated for longer than a block is larger than the blocks show. Longer blocks,
+/// though fewer, show it: the wider of the two intervals is stated.
 SweepGravityFit with_longer_blocks_where_coloured(const motion::Sweep& sweep, SweepDesign& design,
                                                   double middle, const SweepGravityFit& fit,
                                                   const CogSweepResult& out) {
@@ -474,8 +476,8 @@ SweepGravityFit with_longer_blocks_where_coloured(const motion::Sweep& sweep, Sw
   return longer.q_peak_rad.half_width() > fit.q_peak_rad.half_width() ? longer : fit;
 }
 
-/// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
-/// samples cannot see. Blocks of the angle can: the wider of the two intervals is stated.
+/// Strokes over the same angles repeat the model's error there, which blocks of neighbouring
+/// samples do not show. Blocks of the angle do: the wider of the two intervals is stated.
 SweepGravityFit with_the_wider_blocks(const motion::Sweep& sweep, SweepDesign& design,
                                       double middle, const SweepGravityFit& fit,
                                       const CogSweepResult& range) {
@@ -512,7 +514,7 @@ SweepCurves curves_without_fit(const motion::Sweep& sweep) {
   return curves;
 }
 
-/// The trough, half a turn from the peak, tells its place as well as the peak does.
+/// The trough, half a turn from the peak, determines the angle as well as the peak does.
 bool crosses_peak_or_trough(const CogSweepResult& sweep) {
   const double middle = (sweep.lowest_rad + sweep.highest_rad) / 2;
   const double away = std::remainder(sweep.q_peak_rad.value - middle, std::numbers::pi);

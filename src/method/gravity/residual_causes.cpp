@@ -12,12 +12,12 @@ using std::numbers::pi;
 
 constexpr std::size_t most_lines_in_all = 8;
 constexpr double least_line_share = 0.02;  // of the variance, for a line
-/// A motor that turns less than this in the sweep shows no ripple of one period a turn.
+/// A motor that makes fewer turns in the sweep shows no ripple of one period a turn.
 constexpr double fewest_turns = 3;
 
 enum class Over { angle, angle_by_direction, time };
 
-/// One spectrum: where its samples lie, and how it is searched. Over the time a "turn" is a second.
+/// One spectrum: where its samples lie, and how it is searched. Over time a "turn" is a second.
 struct Spectrum {
   Over over;
   std::vector<double> place_rad;

@@ -1,17 +1,17 @@
 #pragma once
-// Where a sweep's residual comes from, as each cause widens an interval by a rule of its own.
+// Where a sweep's residual comes from: each cause widens an interval by a rule of its own.
 //
 // ripple     repeats with the motor's angle, with the same sign there and back. A loop at one
 //            position cannot average it out.
 // friction   repeats with the angle, with opposite signs there and back: it cancels in a loop.
 // vibration  is periodic in time.
-// noise      hangs together in time without a period: what blocks of neighbours already hold.
+// noise      is correlated in time without a period: blocks of neighbours already account for it.
 //
-// Lines of all three spectra compete (over the angle, over the angle times the direction, over the
-// time): of each the strongest that stands out of its own neighbourhood is found, the one that
-// carries most is taken out, and the search goes on. In what is left, the products of both
-// directions' residuals at equal angle tell what repeats with it. A sweep of one direction cannot
-// tell; there all of it counts as ripple.
+// Lines of three spectra compete (over angle, over angle times direction, over time): the strongest
+// that stands out from its neighbourhood is found in each, the one with the most power is removed,
+// and the search continues. In the remainder, products of the two directions' residuals at equal
+// angle show what repeats with it. A sweep in one direction cannot show that; all of it then counts
+// as ripple.
 
 #include <vector>
 
@@ -31,7 +31,7 @@ struct ResidualCauses {
   std::vector<VibrationLine> vibration;  ///< In the order in which they were found.
   double friction_Nm{};                  ///< Standard deviations.
   double coloured_Nm{};
-  /// Of each sample: the torque of all lines, to be taken off.
+  /// Torque of all lines at each sample, to be subtracted.
   std::vector<double> lines_Nm;
 
   /// Standard deviation of the ripple.

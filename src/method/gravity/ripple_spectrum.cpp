@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A line of this many times its standard error squared is a chance of exp(-14) at one period.
+// A line whose power is this many times the noise's has a probability of exp(-14) at one period.
 constexpr double line_evidence = 14;
 constexpr std::size_t most_lines = 6;
 constexpr std::size_t most_bins = 1U << 16;
@@ -93,7 +93,7 @@ double power_around(const std::vector<std::complex<double>>& spectrum, std::size
 }
 
 /// The strongest line of the spectrum, refined between its neighbours.
-/// @param out_of_neighbours it has to stand out of those too.
+/// @param out_of_neighbours it has to stand out from those too.
 std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSearch& search,
                                          bool out_of_neighbours = false) {
   constexpr std::size_t padding = 4;

@@ -1,10 +1,10 @@
 #pragma once
-// Torque ripple: what of a sweep's residual repeats with the motor's turn.
+// Torque ripple: the part of a sweep's residual that repeats with the motor's angle.
 //
-// The residual, averaged over narrow bins of the motor's angle, is searched for periods by a
-// spectrum over that angle; each line found is taken out before the next is looked for. A line has
-// to rise above what white noise gives at the best of all periods, and to carry a share of the
-// ripple. What lies beyond lines (friction that changes with the angle) stays as a standard
+// The residual, averaged over narrow bins of the motor's angle, is searched for periods in its
+// spectrum over that angle; each line found is removed before the next is sought. A line has to
+// exceed what white noise gives at the best of all periods, and to hold a share of the ripple's
+// power. What remains besides lines (friction that varies with the angle) is stated as a standard
 // deviation.
 
 #include <optional>
@@ -28,21 +28,21 @@ struct Ripple {
 
   /// Torque of the lines at a motor angle [N·m].
   [[nodiscard]] double torque_Nm(double motor_angle_rad) const;
-  /// Half width that 95 % of all motor angles stay within: each line at a phase of its own, and the
-  /// rest as normal noise [N·m].
+  /// Half width of the range that holds the torque at 95 % of all motor angles: each line at an
+  /// independent phase, and the rest as normal noise [N·m].
   [[nodiscard]] double half_width_Nm() const;
 };
 
-/// How finely the motor's angle is searched. A sine is told from its neighbours where bins are a
-/// few times narrower than its period.
+/// How finely the motor's angle is searched. A sine is resolved where bins are a few times narrower
+/// than its period.
 struct RippleSearch {
   double bins_per_turn{64};          ///< > 0
   double most_periods_per_turn{24};  ///< At most 3/8 of the bins.
   double least_periods_per_turn{0};
-  double fewest_periods{3};  ///< Over all angles.
+  double fewest_periods{3};  ///< Of a line over the whole range of angles.
 };
 
-/// The strongest line that stands out of the noise and of its own neighbourhood in the spectrum;
+/// The strongest line that stands out from the noise and from its neighbourhood in the spectrum;
 /// nothing where none does.
 std::optional<RippleLine> find_strongest_line(const std::vector<double>& motor_angle_rad,
                                               const std::vector<double>& residual_Nm,
@@ -55,7 +55,7 @@ Ripple find_ripple(const std::vector<double>& motor_angle_rad,
                    const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
                    const RippleSearch& search = {});
 
-/// A torque read at one position, with the ripple laid on its interval: over a micro-oscillation
+/// A torque read at one position, its interval widened by the ripple: over a micro-oscillation
 /// ripple is a constant, which no repetition averages out.
 statistics::Estimate with_ripple(const statistics::Estimate& torque_Nm, const Ripple& ripple);
 

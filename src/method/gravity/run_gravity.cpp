@@ -17,9 +17,9 @@ namespace {
 constexpr double least_travel_share = 0.25;
 constexpr double least_travel_rad = 3 / joint::degrees_per_rad;
 constexpr std::size_t fewest_blocks = 6;
-// As for the sweep: a chance of far below 0.1 % without gravity.
+// As for the sweep: a probability far below 0.1 % without gravity.
 constexpr double least_evidence = 27;
-// Wider than this share of itself an amplitude is no candidate for the mass.
+// An amplitude whose relative half width exceeds this is no candidate for the mass.
 constexpr double widest_share = 0.2;
 constexpr double hardly = 0.05;  // share of a way
 
@@ -41,14 +41,14 @@ statistics::BlockRegression fit(std::vector<GravityRow> rows, Block block) {
   return statistics::block_regression(x, y, blocks);
 }
 
-/// Rows that share their angle share the ripple, rows of a run share its day: the variance for
-/// both together is that of the one plus that of the other less that of what they have in common
-/// (A. C. Cameron, J. B. Gelbach, D. L. Miller, J. Bus. Econ. Stat. 29 (2011) 238-249).
+/// Rows at the same angle share the ripple, rows of a run share its day: the two-way clustered
+/// variance is that of the one grouping plus that of the other less that of their intersection (A.
+/// C. Cameron, J. B. Gelbach, D. L. Miller, J. Bus. Econ. Stat. 29 (2011) 238-249).
 class TwoWayFit {
  public:
   explicit TwoWayFit(const std::vector<GravityRow>& rows, std::size_t runs)
       : by_angle_(fit(rows, angle_block)),
-        // Too few runs say nothing about how runs differ.
+        // Too few runs do not show how runs differ.
         by_run_(runs >= fewest_blocks ? fit(rows, run_of) : by_angle_),
         by_both_(runs >= fewest_blocks ? fit(rows, angle_and_run) : by_angle_) {}
 
@@ -59,7 +59,7 @@ class TwoWayFit {
     const auto variance = [&](const statistics::BlockRegression& r) {
       return std::pow(r.standard_error_along(gradient), 2);
     };
-    // Runs cannot take away from what the blocks of the angle show.
+    // Runs cannot reduce the variance that the blocks of the angle show.
     const double added = std::max(0.0, variance(by_run_) - variance(by_both_));
     const double freedom =
         std::min(by_angle_.freedom_along(gradient), by_run_.freedom_along(gradient));

@@ -24,7 +24,7 @@ struct GravityRow {
   double torque_Nm;
 };
 
-/// The angles that the rows are about.
+/// The cells of the joint angle [rad] over which rows are formed.
 struct GravityCells {
   static constexpr std::size_t count = 240;  ///< Over all angles; a run's mean in each is one row.
   static constexpr std::size_t blocks = 24;  ///< Within each, rows are not independent.
@@ -36,14 +36,16 @@ struct GravityCells {
 
 std::vector<GravityRun> gravity_runs_of(const std::vector<const joint::Recording*>& recordings);
 
-/// Rows of all runs. Taking a run's means off its columns is the same as an offset of its own.
-/// @param ripple is taken off the torque, by the motor's angle.
+/// Rows of all runs. Subtracting a run's means from its columns is equivalent to an offset of its
+/// own.
+/// @param ripple is subtracted from the torque, by the motor's angle.
 std::vector<GravityRow> gravity_rows(const std::vector<GravityRun>& runs, const GravityCells& cells,
                                      double gear_ratio, const Ripple& ripple);
 
-/// The ripple that the runs show beyond b cos + c sin and an offset for each run, from one period a
-/// motor turn and half a period a block on: what is slower comes from no motor or looks like
-/// gravity, and shows as scatter between the blocks. White noise is the median of the runs'.
+/// The ripple that the runs show beyond b cos + c sin and an offset for each run, of at least one
+/// period a motor turn and half a period a block: what is slower does not come from the motor or
+/// looks like gravity, and shows as scatter between the blocks. White noise is the median of the
+/// runs'.
 /// @param b_Nm, c_Nm amplitudes of the rows' cosine and sine [N·m].
 Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& cells,
                       double gear_ratio, double b_Nm, double c_Nm);

@@ -9,11 +9,11 @@
 namespace tribolog::method::gravity {
 
 /// Fills the `argmax` members of a result whose residual, gravity amplitude and range are known:
-/// the sample of largest torque, and the angles that the noise cannot tell from it.
+/// the sample of largest torque, and the angles that noise makes indistinguishable from it.
 void find_torque_maximum(const motion::Sweep& sweep, CogSweepResult& result);
 
 /// The fitted torque against the angle, for figures: measured torque less residual, the median of
-/// equal bins of the angle. A direction that lacks a bin is NaN there.
+/// equal bins of the angle. NaN where a direction has no samples in a bin.
 /// @param result whose range is known.
 void add_fit_curves(const motion::Sweep& sweep, const Eigen::VectorXd& residuals,
                     const CogSweepResult& result, SweepCurves& curves);

@@ -100,7 +100,7 @@ SweepDesign sweep_design(const motion::Sweep& sweep, Eigen::Index gravity_column
 
 namespace {
 
-/// What a twist adds to the torque, for each of it and of the gravity torque.
+/// What a twist adds to the torque, per unit of twist and of gravity torque.
 void fill_twist_column(const motion::Sweep& sweep, double q_peak, double twist, SweepDesign& d) {
   constexpr double smallest = 1e-6;  // below it, the limit
   constexpr double largest = 0.1;    // no gear gives more: noise alone says so
@@ -113,7 +113,7 @@ void fill_twist_column(const motion::Sweep& sweep, double q_peak, double twist, 
   }
 }
 
-/// The column of the twist depends on angle and twist themselves.
+/// Iterates: the column of the twist depends on angle and twist themselves.
 void settle_twist_column(const motion::Sweep& sweep, double middle, SweepDesign& d) {
   double q_peak = middle;
   double twist = 0;
@@ -174,8 +174,8 @@ statistics::BlockMeans blocks_in_time(const motion::Sweep& sweep, const SweepDes
   return out;
 }
 
-/// Where the torque wanders from block to block, what that does to the coefficients takes the place
-/// of what the blocks tell, if it is more.
+/// Where the torque wanders from block to block, the resulting covariance replaces that of the
+/// blocks if it is larger.
 void hold_wandering(const motion::Sweep& sweep, const SweepDesign& d,
                     statistics::BlockRegression& regression) {
   const auto wandering =
@@ -322,13 +322,13 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool seco
 
 namespace {
 
-/// Whether a sum over coefficients is surely none that chance gives.
+/// Whether a linear combination of coefficients is significant.
 bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient) {
   return std::abs(gradient.dot(fit.regression.coefficients)) >
          surely_shown * fit.regression.half_width_along(gradient);
 }
 
-/// Of a design with cos 2y and sin 2y: what of them is even about the peak, and what is odd.
+/// In a design with cos 2y and sin 2y: their parts that are even and odd about the peak.
 Eigen::VectorXd second_about_peak(const SweepDesign& d, const SweepGravityFit& fit, double middle,
                                   bool even) {
   const double turned = 2 * (fit.q_peak_rad.value - middle);
@@ -338,8 +338,8 @@ Eigen::VectorXd second_about_peak(const SweepDesign& d, const SweepGravityFit& f
   return gradient;
 }
 
-/// Whether a fit with fewer columns leaves no more than chance gives, for residuals that hang
-/// together as those of the richer one do.
+/// Whether a fit with fewer columns leaves no more than chance explains, for residuals correlated
+/// like those of the richer fit.
 bool describes_as_well(const SweepGravityFit& simple, const SweepDesign& rich_design,
                        const SweepGravityFit& rich) {
   constexpr double largest_gain = 10;  // of a chi-squared number with one degree of freedom
@@ -361,7 +361,7 @@ Eigen::VectorXd along(const SweepDesign& d, Eigen::Index column) {
 
 constexpr std::array kinks_at{0.05, 0.12, 0.25, 0.45, 0.7};  // quantiles of the speed
 
-/// The columns of friction's shape, to another design of the same samples.
+/// Copies the columns of friction's shape to another design of the same samples.
 void take_kinks(const SweepDesign& from, SweepDesign& to) {
   if (from.by_speed < 0) return;
   constexpr auto kinks = static_cast<Eigen::Index>(kinks_at.size());
@@ -370,7 +370,7 @@ void take_kinks(const SweepDesign& from, SweepDesign& to) {
   to.x.rightCols(kinks) = from.x.middleCols(from.by_speed, kinks);
 }
 
-/// Whether two fits differ by what matters: half of an interval, a tenth of a per mille of the
+/// Whether two fits differ appreciably: by half of an interval, a tenth of a per mille of the
 /// amplitude or a hundredth of a degree.
 bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
   constexpr double share = 0.5;
@@ -477,7 +477,7 @@ void fill_load_column(const motion::Sweep& sweep, double q_peak, SweepDesign& d)
   }
 }
 
-/// With the column of the load, not filled.
+/// The design with a column for the load, not filled.
 SweepDesign with_load_column(const SweepDesign& design) {
   SweepDesign with = design;
   with.load = with.x.cols();
@@ -485,8 +485,8 @@ SweepDesign with_load_column(const SweepDesign& design) {
   return with;
 }
 
-/// Mean squared error of each stroke, from a fit to the other strokes. Normal equations of scaled
-/// columns: a sweep has few, and they differ.
+/// Mean squared error of each stroke, from a fit to the other strokes. By normal equations of
+/// scaled columns: a sweep has few, and they are not collinear.
 std::vector<double> held_out_strokes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                      const std::vector<std::size_t>& stroke) {
   const Eigen::VectorXd norms =
