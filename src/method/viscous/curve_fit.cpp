@@ -13,9 +13,9 @@ namespace tribolog::method::viscous {
 
 namespace {
 
-// Shapes beyond these bounds cannot be told from a model with fewer parameters: a Stribeck effect
-// below a thirtieth of the slowest speed or beyond three times the fastest, and powers so small or
-// large that the term is a constant or a step.
+// Shapes beyond these bounds are indistinguishable from a model with fewer parameters: a Stribeck
+// effect below a thirtieth of the slowest speed or beyond three times the fastest, and powers so
+// small or large that the term is a constant or a step.
 constexpr double least_speed_share = 1.0 / 30;
 constexpr double largest_speed = 3.0;
 constexpr double least_power = 0.05;

@@ -1,6 +1,6 @@
 #pragma once
-// The models that a viscous curve may follow, from the simplest on, and the terms that each may
-// have besides.
+// The models that a viscous curve may follow, simplest first, and the further terms that each may
+// have.
 //
 //   Coulomb                 |Tf| = Tc
 //   Coulomb and viscous     |Tf| = Tc + c w
@@ -12,8 +12,8 @@
 //   asymmetry               + A d, or + A d + B d w^p with the power of the law's viscous term
 //   load                    + L |cos(q - q_peak)|
 //
-// All are linear in all but one to three shape parameters (p; ws; ws, da and p): fits separate the
-// two kinds.
+// All are linear in all parameters but up to three shape parameters (p; ws; ws, da and p): fits
+// separate the two kinds.
 
 #include <cstddef>
 #include <string>
@@ -49,27 +49,27 @@ std::string to_string(CurveLaw law);
 std::string to_string(Asymmetry asymmetry);
 /// The law's name.
 Statement described(CurveLaw law);
-/// The law's name, and the terms for direction and load that the model has besides.
+/// The law's name, and the model's further terms for direction and load.
 Statement described(const CurveModel& model);
 
-// The viscous curve as models see it: size of friction against size of speed, with the direction
-// and the load beside them.
+// The viscous curve as models see it: magnitude of friction against magnitude of speed, with
+// direction and load.
 
 struct CurveSample {
   double speed_rad_s{};  ///< > 0, motor side.
-  double friction_Nm{};  ///< Against the motion; negative where a wrong mass makes it drive.
+  double friction_Nm{};  ///< Opposing the motion; negative where a wrong mass makes it drive.
   double direction{};    ///< +1: joint angle rising, -1: falling.
-  double load{};         ///< Share of the gravity torque that loads the joint, 0 to 1.
+  double load{};         ///< Load of the joint as a share of the gravity torque, 0 to 1.
   std::size_t group{};   ///< Held out together: all runs of one speed, or neighbouring angles.
   /// Standard error of the friction from the scatter within the run; 0: not known.
   double standard_error_Nm{};
-  double count{};     ///< Samples of the log in it.
-  std::size_t run{};  ///< Of ViscousCurvesResult::runs.
+  double count{};     ///< Number of samples of the log in it.
+  std::size_t run{};  ///< Index in ViscousCurvesResult::runs.
 };
 
-/// Sorted by group, groups counting from 0. Runs within 3 % of the same speed are one group, the
-/// two directions too: what is left over them, ripple or an error of gravity, is the same. The
-/// cells of a sweep are grouped by neighbouring angles instead.
+/// Sorted by group, groups counting from 0. Runs within 3 % of the same speed are one group, both
+/// directions together: their residuals, ripple or an error of gravity, are the same. The cells of
+/// a sweep are grouped by neighbouring angles instead.
 std::vector<CurveSample> curve_samples(const ViscousCurvesResult& curves,
                                        const ViscousCurve& curve);
 
@@ -81,7 +81,7 @@ std::size_t group_count(const std::vector<CurveSample>& samples);
 /// Columns of the linear parameters at a sample, in the order of the header's formulas: the law's,
 /// then A and B, then L.
 /// @param shape logarithms of the shape parameters, speeds in units of `sample.speed_rad_s`.
-/// @param derivatives if not null: of the columns by each shape parameter.
+/// @param derivatives if not null: of the columns with respect to each shape parameter.
 void model_columns(const CurveModel& model, const CurveSample& sample, const Eigen::VectorXd& shape,
                    Eigen::RowVectorXd& columns, std::vector<Eigen::RowVectorXd>* derivatives);
 

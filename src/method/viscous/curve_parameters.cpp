@@ -16,7 +16,7 @@ namespace {
 using Unknowns = Eigen::VectorXd;  // scaled linear parameters, then logarithms of the shape
 using Quantity = std::function<double(const Unknowns&)>;
 
-/// Builds the list; knows where each unknown stands.
+/// Builds the list; knows the index of each unknown.
 class Parameters {
  public:
   Parameters(const CurveFit& fit, const std::vector<CurveSample>& samples) : fit_(fit) {

@@ -1,9 +1,9 @@
 #pragma once
 // The parameters of a fitted curve model in SI, with intervals.
 //
-// Interval: covariance of the linearised model over blocks, one block for each speed, times
-// Student's t; carried to each parameter by its derivatives. Parameters that are positive by nature
-// (a Stribeck speed, a power) get the interval of their logarithm.
+// Interval: standard error from the block covariance of the linearised model, one block for each
+// speed, times Student's t; propagated to each parameter by its derivatives. Parameters that are
+// positive by nature (a Stribeck speed, a power) get the interval of their logarithm.
 
 #include <vector>
 

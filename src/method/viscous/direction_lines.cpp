@@ -79,9 +79,9 @@ statistics::BlockRegression line_through(const std::vector<Point>& points, std::
   return statistics::block_regression(x, y, blocks);
 }
 
-/// First run beyond the Stribeck dip. There is one where the slowest run lies above the line
-/// through those from the least friction on by more than their scatter allows; friction that falls
-/// all along has none either.
+/// First run beyond the Stribeck dip. There is a dip where the slowest run lies above the line
+/// through the runs from the least friction on by more than their scatter allows; friction that
+/// falls throughout has none.
 std::size_t first_beyond_dip(const std::vector<Point>& points) {
   const auto least = std::min_element(
       points.begin(), points.end(),

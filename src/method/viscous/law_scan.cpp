@@ -23,7 +23,7 @@ struct WeightedFit {
 };
 
 /// By the normal equations of columns scaled to length 1; tens of thousands of laws are tried for
-/// one answer, so their number is fixed and nothing is allocated.
+/// one answer, so the number of terms is fixed at compile time and nothing is allocated.
 template <int Terms>
 WeightedFit fit_of(const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Terms>>& columns,
                    const Eigen::VectorXd& y) {

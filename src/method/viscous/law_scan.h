@@ -1,5 +1,5 @@
 #pragma once
-// Internal to the room: weighted least squares of a sliding law at every shape of a grid.
+// Internal to the viscous stage: weighted least squares of a sliding law at every shape of a grid.
 
 #include <cstddef>
 #include <vector>
@@ -17,12 +17,12 @@ struct SpeedMean {
 /// One shape, and the linear parameters that fit best.
 struct LawPoint {
   bool has_excess{};
-  double speed_rad_s{};  ///< ws, d and p; only p without an excess.
+  double speed_rad_s{};  ///< ws; then d and p. Without an excess only p counts.
   double exponent{2};
   double power{1};
   double coulomb_Nm{}, excess_Nm{}, slope{};  ///< Slope at the fastest speed.
   double load_Nm{};
-  double coulomb_error{}, slope_error{};  ///< Standard errors for the variances as stated.
+  double coulomb_error{}, slope_error{};  ///< Standard errors, taking the variances as given.
   double chi2{};
 };
 
@@ -35,10 +35,12 @@ struct LawGrid {
   double fastest_speed{};
 };
 
-/// The straight line, or the power law at a power. @param scatter2 adds to each variance.
+/// The straight line, or the power law at a power. @param scatter2 is added to each variance
+/// [N²·m²].
 LawPoint line_at(const std::vector<SpeedMean>& means, double scatter2, double power, bool load);
 
-/// All shapes of the grid that a joint can have: Coulomb torque, excess and slope not negative.
+/// The fits at all shapes of the grid that a joint can have: Coulomb torque, excess and slope not
+/// negative.
 std::vector<LawPoint> scan_laws(const std::vector<SpeedMean>& means, double scatter2,
                                 const LawGrid& grid, std::size_t speeds);
 

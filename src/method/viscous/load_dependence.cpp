@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t cells = 48;
 constexpr std::size_t cells_in_a_block = 3;
 constexpr std::size_t fewest_cells = 18;
-// Less change of the load than this share of the gravity torque hides in any ripple.
+// A change of the load by less than this share of the gravity torque is hidden by any ripple.
 constexpr double least_change = 0.2;
-// A speed that changes by less than this share of the fastest one is constant.
+// A speed that varies by less than this share of the fastest counts as constant.
 constexpr double constant_share = 0.1;
 
 struct Row {

@@ -2,16 +2,16 @@
 // Does friction grow with the load? From a sweep in both directions over the same angles.
 //
 // Half the difference of the two directions' torques at equal angle is friction; gravity cannot
-// enter it. It is held against the size of the gravity torque there, and against the speed where
-// that changes along the sweep:
+// enter it. It is regressed on the magnitude of the gravity torque there, and on the speed where
+// that varies along the sweep:
 //   (T(+) - T(-))/2 = unloaded + viscous |w| + per_load |G/n cos(q - q_peak)|
-// Rows are means over cells of the angle, one for each pair of strokes. What is left repeats with
+// Rows are means over cells of the angle, one for each pair of strokes. The residuals repeat with
 // the angle, so intervals are taken over blocks of the angle, and a term counts only if it also
-// brings angles closer that took no part in the fit.
+// reduces the error at held-out angles.
 //
-// It cannot tell load from angle: friction that depends on the angle itself in the same pattern
-// looks the same. In a sine about the angle of no load, speed too is a function of the load; a
-// cubic of the speed without any load is therefore fitted as a rival.
+// It cannot distinguish load from angle: friction that depends on the angle itself in the same
+// pattern looks the same. In a sine about the angle of no load, speed is a function of the load
+// too; a cubic in speed without any load is therefore fitted as a rival.
 
 #include <optional>
 #include <vector>
@@ -22,7 +22,7 @@
 
 namespace tribolog::method::viscous {
 
-/// One cell of the angle, mean of all pairs of strokes. Motor side.
+/// One cell of the angle, mean of all pairs of strokes. Motor side; the angle is the joint's.
 struct LoadPoint {
   double q_rad{};
   double load_Nm{};  ///< |G/n cos(q - q_peak)|
@@ -33,17 +33,17 @@ struct LoadPoint {
 
 struct LoadDependenceResult {
   bool examined{false};           ///< The numbers below are valid.
-  bool found{false};              ///< Friction depends on the load.
-  Statement sentence;             ///< What came of it; never empty.
-  statistics::Estimate per_load;  ///< N·m of friction for each N·m of gravity torque.
+  bool found{false};              ///< Friction was found to depend on the load.
+  Statement sentence;             ///< The outcome in words; never empty.
+  statistics::Estimate per_load;  ///< N·m of friction per N·m of gravity torque.
   statistics::Estimate
       unloaded_Nm;  ///< Friction without load, and at standstill where `viscous` is fitted.
   std::optional<statistics::Estimate>
-      viscous_Nms_rad;  ///< Where the speed changes along the sweep.
+      viscous_Nms_rad;  ///< Present where the speed varies along the sweep.
   double lowest_load_Nm{};
   double highest_load_Nm{};
-  /// Root mean square error at angles held out: with the load, without it, and of the cubic of the
-  /// speed without load (NaN where the speed does not change).
+  /// Root mean square error at held-out angles: with the load, without it, and of the cubic in
+  /// speed without load (NaN where the speed does not vary).
   double held_out_Nm{};
   double held_out_without_load_Nm{};
   double held_out_speed_alone_Nm{};

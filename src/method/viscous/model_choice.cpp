@@ -70,7 +70,8 @@ class Chooser {
     t.trial.model = model;
     Statement& why = t.trial.excluded_because;
     const bool has_stribeck = model.law == CurveLaw::stribeck || model.law == CurveLaw::waiboer;
-    // Terms of direction and load lie across the speeds; the law itself has to be told by them.
+    // Terms of direction and load are common to the speeds; the law itself has to be determined by
+    // them.
     const CurveModel law{model.law, Asymmetry::none, false};
     const std::size_t speeds = group_count(samples_);
     if (sweep_ && has_stribeck) {
@@ -104,8 +105,8 @@ class Chooser {
     return t;
   }
 
-  /// Of a fit to all speeds, at those that are held out in turn: to be compared with the errors
-  /// there.
+  /// Errors of a fit to all speeds, at those that are held out in turn: for comparison with the
+  /// held-out errors.
   [[nodiscard]] std::vector<double> training_errors(const CurveFit& fit) const {
     std::vector<double> errors;
     for (const std::size_t group : groups_) {
@@ -136,19 +137,19 @@ class Chooser {
     return best->trial.model.law;
   }
 
-  /// Coulomb friction alone has no viscous term to be different in each direction.
+  /// Coulomb friction alone has no viscous term that could differ between the directions.
   static Asymmetry terms_for(CurveLaw law, Asymmetry asymmetry) {
     return law == CurveLaw::coulomb && asymmetry == Asymmetry::coulomb_viscous ? Asymmetry::coulomb
                                                                                : asymmetry;
   }
 
-  /// An error that no drive resolves, or is only the computer's: nothing is left to explain.
+  /// An error that no drive resolves, or that is rounding: nothing is left to explain.
   static bool is_rounding(const Tried& t) {
     constexpr double resolved = 1e-6;  // of the friction's size
     return t.trial.held_out_rms_Nm < resolved * t.fit.torque_scale_Nm;
   }
 
-  /// Takes up terms one by one while the best of those left pays.
+  /// Adds terms one by one while the best of the remaining ones pays.
   CurveModel with_terms_that_pay(CurveLaw law, CurveModelChoice& out);
 
   const std::vector<CurveSample>& samples_;
@@ -288,8 +289,8 @@ CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, boo
 
 namespace {
 
-/// Where eq. (6) alone describes the curve, there is no Coulomb torque to state: without its
-/// Stribeck term it goes to zero with the speed. The Stribeck velocity is its own.
+/// Where only eq. (6) describes the curve, there is no Coulomb torque to state: without its
+/// Stribeck term it tends to zero with the speed. The Stribeck velocity is that of eq. (6).
 void follow_waiboer(const CurveModelChoice& choice, SlidingLaw& law) {
   constexpr double clearly_better = 0.5;  // of the error at held-out speeds
   if (!choice.carries_five || !law.fitted) return;

@@ -1,6 +1,6 @@
 #pragma once
-// A sweep of varying speed in both directions, cut into equal angles: at each angle one run up and
-// one run down, whose half difference is friction and whose mean is gravity.
+// A sweep of varying speed in both directions, cut into equal bins of the angle: in each bin one
+// run up and one run down, whose half difference is friction and whose mean is gravity.
 
 #include <vector>
 
@@ -10,13 +10,13 @@
 namespace tribolog::method::viscous {
 
 /// Two runs (falling, rising) for each angle bin that both directions cross, partners of each
-/// other. Inertia and offset identified by the sweep are taken out of the torque.
+/// other. Inertia and offset identified by the sweep are subtracted from the torque.
 std::vector<ConstantSpeedRun> pair_sweep_by_angle(const motion::Sweep& sweep,
                                                   const gravity::CogSweepResult& found,
                                                   double gear_ratio, double q_peak_rad);
 
-/// Of a joint without gravity: the sweep's samples by their speed, whatever the angle, a run for
-/// each direction of each bin. Without offset or gravity taken off.
+/// For a joint without gravity: the sweep's samples binned by speed, whatever the angle; one run
+/// for each direction of each bin. Neither offset nor gravity is subtracted.
 std::vector<ConstantSpeedRun> bin_sweep_by_speed(const motion::Sweep& sweep,
                                                  const gravity::CogSweepResult& found,
                                                  double gear_ratio);

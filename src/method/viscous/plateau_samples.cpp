@@ -13,7 +13,7 @@ namespace {
 constexpr double farthest = 5;         // standard deviations
 constexpr double most_left_out = 0.2;  // of the samples
 
-/// Whether two levels hold nearly all samples: the mean is then that of rounded numbers.
+/// Whether two levels hold nearly all samples: the mean is then affected by rounding.
 bool is_on_few_levels(const std::vector<double>& torque, double step) {
   constexpr double nearly_all = 0.95;
   std::map<long long, std::size_t> levels;

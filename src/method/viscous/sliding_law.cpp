@@ -46,8 +46,8 @@ struct DirectionMean {
   [[nodiscard]] double variance_of_mean() const { return variance / (count * count); }
 };
 
-/// Friction of a rising angle less that of a falling one, halved, as far as speeds with one
-/// direction alone need it: the mean over those with both, or a line where the terms have one.
+/// Half the difference of rising and falling friction, for speeds with one direction only: the mean
+/// over speeds with both, or a line in speed where the terms have one.
 class Asymmetries {
  public:
   void add(double speed, double half) {
@@ -69,8 +69,8 @@ class Asymmetries {
   double n_{}, w_{}, h_{}, ww_{}, wh_{};
 };
 
-/// Variances of the runs' means, from ten blocks each, are themselves known to a third only, and a
-/// weight must not hang on that: each is drawn to what all have in common for their number of
+/// Variances of the runs' means, from ten blocks each, are themselves known only to a third, and
+/// weights must not depend on that: each is shrunk towards the common value for its number of
 /// samples, the more so the less they differ (empirical Bayes, Smyth 2004).
 std::vector<double> variances_of(const std::vector<CurveSample>& samples) {
   constexpr double freedom = 9;
@@ -170,7 +170,7 @@ const LawPoint* best_of(const std::vector<LawPoint>& points) {
   return at == points.end() ? nullptr : &*at;
 }
 
-/// The scatter, squared, at which a fit leaves as much as its freedom lets expect.
+/// The scatter, squared, at which the weighted sum of squares equals its degrees of freedom.
 /// @param largest friction.
 template <class Leaves>
 double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
@@ -185,9 +185,9 @@ double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
   return std::exp((low + high) / 2);
 }
 
-/// Scatter of the difference of the directions between speeds, squared, beyond what the runs show
-/// by themselves. A difference that is constant (gravity, offset), a share of the friction or
-/// proportional to the speed is no scatter. 0 if none is significant beyond `scatter2`.
+/// Scatter between speeds of the directions' difference, squared, beyond the scatter within the
+/// runs. A difference that is constant (gravity, offset), a share of the friction or proportional
+/// to the speed is no scatter. 0 if none is significant beyond `scatter2`.
 double direction_scatter2(const std::vector<Speed>& speeds, double scatter2,
                           double freedom_of_scatter) {
   constexpr Eigen::Index terms = 3;
@@ -233,7 +233,7 @@ class Laws {
     }
   }
 
-  /// All speeds ws, at d and p as they are.
+  /// All speeds ws, at the present d and p.
   [[nodiscard]] LawGrid whole_grid() const {
     constexpr double below_slowest = 30;
     constexpr double beyond_fastest = 3;
@@ -259,7 +259,7 @@ class Laws {
     const std::optional<LawPoint> dip = best_law(whole_grid());
     return dip && dip->chi2 < straight.chi2 ? *dip : straight;
   }
-  /// By scans that close in on it.
+  /// By successively finer scans.
   [[nodiscard]] std::optional<LawPoint> best_law(LawGrid grid) const {
     std::optional<LawPoint> best;
     constexpr int rounds = 4;
@@ -285,7 +285,7 @@ class Laws {
   [[nodiscard]] double largest() const { return largest_; }
   [[nodiscard]] const std::vector<SpeedMean>& means() const { return means_; }
 
-  /// Scatter between speeds at which the best law leaves what it should.
+  /// Scatter between speeds at which the best law's chi2 equals its degrees of freedom.
   void find_scatter() {
     scatter2_ = 0;
     constexpr int rounds = 3;
@@ -324,7 +324,7 @@ std::vector<SpeedMean> means_of(const std::vector<Speed>& speeds, std::size_t wi
 
 constexpr std::size_t no_speed = std::numeric_limits<std::size_t>::max();
 
-/// Takes out speeds that the others exclude, the farthest first.
+/// Removes speeds that are inconsistent with the others, the farthest first.
 std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load) {
   std::vector<StrayFriction> out;
   const auto most = static_cast<std::size_t>(strays_per_speed * static_cast<double>(speeds.size()));
@@ -364,7 +364,7 @@ std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load)
   return out;
 }
 
-/// From the smallest to the largest value of a parameter in laws that are not excluded.
+/// Range of a parameter over the laws that are not excluded.
 struct Hull {
   double low{std::numeric_limits<double>::infinity()};
   double high{-std::numeric_limits<double>::infinity()};
@@ -414,7 +414,7 @@ void add_points(const std::vector<LawPoint>& points, double limit, Hulls& hulls)
   }
 }
 
-/// Scans ever closer about the speeds that are not excluded, `law` among them.
+/// Successively finer scans about the speeds ws that are not excluded, including that of `law`.
 Hulls hulls_of(const Laws& laws, LawGrid grid, const LawPoint& law, double limit) {
   constexpr int rounds = 6;
   Hulls hulls;
@@ -552,8 +552,8 @@ Choice choose(Laws& laws, double direction_scatter) {
   return out;
 }
 
-/// Shapes close about a curved law, ever closer until some beside it are not excluded: on a coarse
-/// grid there may be none.
+/// Shapes about a curved law, ever closer until some besides it are not excluded: on a coarse grid
+/// there may be none.
 void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
   double exponent_step = 1.0 / 4;  // octaves
   double power_step = 0.05;
@@ -593,8 +593,8 @@ void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
   }
 }
 
-/// Another law of a curve that is no straight line: linear and quadratic in the speed. Of it what
-/// is not excluded, if it describes the speeds about as well.
+/// A rival law of a curve that is not a straight line: linear plus quadratic in speed. Adds its
+/// values that are not excluded, if it describes the speeds about as well.
 void add_quadratic_rival(const Laws& laws, const Choice& choice, Hulls& hulls) {
   std::vector<SpeedMean> means = laws.means();
   for (SpeedMean& m : means) m.load = std::pow(m.speed_rad_s / laws.fastest(), 2);

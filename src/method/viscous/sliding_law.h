@@ -8,16 +8,16 @@
 // viscous coefficient is the law's slope at high speed; the Stribeck velocity is where the excess
 // has fallen to 1/e. The straight line E = 0 is among these laws.
 //
-// Data: the mean over both directions at each speed, so that an error of gravity cancels. Its error
-// is the scatter within the runs and a scatter between speeds that no run shows by itself, of the
-// size at which the law describes the speeds (Paule and Mandel 1982).
+// Data: the mean over both directions at each speed, so that an error of gravity cancels. Its
+// variance is that of the scatter within the runs plus that of a scatter between speeds that no
+// single run shows, estimated so that the law describes the speeds (Paule and Mandel 1982).
 //
-// Interval: profile likelihood. Each value that a parameter has in any law that the data do not
-// exclude belongs to it, the exponent d included: what the data cannot tell is not settled by
-// assuming d = 2. The scatter is estimated, hence Student's t with the degrees of freedom that
-// the law leaves. The value is that of the simplest law that is not excluded: line, d = 2, any d.
+// Interval: profile likelihood. It includes each value that a parameter has in any law that the
+// data do not exclude, with any exponent d: what the data cannot determine is not settled by
+// assuming d = 2. The scatter is estimated, hence Student's t with the law's residual degrees of
+// freedom. The value is that of the simplest law that is not excluded: line, d = 2, any d.
 //
-// A speed whose friction lies outside what the others let expect (F of its deletion, Holm's
+// A speed whose friction is inconsistent with that of the others (F test of its deletion, Holm's
 // correction for their number) is left out and named.
 //
 // It fails where few speeds were recorded: five laws then describe the same points, and the
@@ -34,17 +34,17 @@
 
 namespace tribolog::method::viscous {
 
-/// Motor side. What is not known for sure says why.
+/// Motor side. What is not certain states why.
 struct SlidingQuantity {
   std::optional<statistics::Estimate> estimate;
   Statement why_not;  ///< Why there is none, or why it is doubtful; empty: neither.
 };
 
-/// A speed that took no part.
+/// A speed that was left out.
 struct StrayFriction {
   double speed_rad_s{};
-  std::vector<std::size_t> runs;  ///< Of ViscousCurvesResult::runs.
-  double off_Nm{};                ///< From the law of the others.
+  std::vector<std::size_t> runs;  ///< Indices in ViscousCurvesResult::runs.
+  double off_Nm{};                ///< Deviation from the law of the others.
 };
 
 struct SlidingLaw {
@@ -57,28 +57,30 @@ struct SlidingLaw {
   double excess_Nm{};           ///< E
   double dip_rad_s{};           ///< ws
   double rise_Nm{};             ///< c w^p at the fastest speed.
-  double fastest_rad_s{};       ///< That took part.
+  double fastest_rad_s{};       ///< Of the speeds used.
   double stribeck_exponent{2};  ///< d, and the values that are not excluded.
   double lowest_exponent{2};
   double highest_exponent{2};
   double viscous_exponent{1};  ///< p; other than 1 only where 1 is excluded.
-  double scatter_Nm{};         ///< Between speeds, beyond the scatter within the runs.
-  /// Of half the difference of the directions, between speeds, where it is significant; else 0.
+  double scatter_Nm{};         ///< Standard deviation between speeds, beyond the scatter within the
+                               ///< runs.
+  /// Standard deviation between speeds of half the difference of the directions, where significant;
+  /// else 0.
   double direction_scatter_Nm{};
   double residual_Nm{};  ///< Root mean square over the speeds.
-  double freedom{};      ///< Degrees of freedom that the law leaves.
-  std::size_t speeds{};  ///< That took part.
+  double freedom{};      ///< Residual degrees of freedom.
+  std::size_t speeds{};  ///< Number of speeds used.
   std::vector<StrayFriction> left_out;
   std::vector<Statement> findings;  ///< "cause.stribeck...", "cause.outliers...", "check..."
 
-  /// All three are doubtful for this, which is a finding too.
+  /// Makes all three doubtful for this reason, and adds it to the findings.
   void doubt(const Statement& why);
-  /// Of the law at a motor speed >= 0. Valid if fitted.
+  /// The law's friction [N·m] at a motor speed >= 0. Valid if fitted.
   [[nodiscard]] double friction_Nm(double speed_rad_s) const;
 };
 
-/// @param samples of runs at constant speed: see curve_samples(). @param terms that the friction
-/// has besides; its law takes no part.
+/// @param samples of runs at constant speed: see curve_samples(). @param terms further terms of the
+/// friction; its law is ignored.
 SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveModel& terms);
 
 }  // namespace tribolog::method::viscous

@@ -4,8 +4,8 @@
 // The mean of both directions at equal speed and angle, less gravity, is
 //   (T+ + T-)/2 - G cos(q - q_peak) = offset + asymmetry |Tf|(v)
 // An offset is the same at every speed; friction that is larger in one direction by a share of
-// itself follows the curve of friction. Pairs of runs of different speeds, and the sweep, tell the
-// two apart as far as friction changes with speed.
+// itself follows the friction curve. Pairs of runs at different speeds, and the sweep, separate the
+// two as far as friction changes with speed.
 
 #include <cstddef>
 #include <optional>
@@ -17,11 +17,11 @@
 namespace tribolog::method::viscous {
 
 struct TorqueBalance {
-  /// Motor side. Of pairs and sweep together where there are pairs enough, else the sweep's mean of
-  /// both directions, which is either.
+  /// Motor side. From pairs and sweep together where there are enough pairs, else the sweep's mean
+  /// of both directions, which may be either.
   std::optional<statistics::Estimate> offset_Nm;
-  /// Half the difference of the directions' friction over its mean; absent where it cannot be told
-  /// from an offset.
+  /// Half the difference of the directions' friction over its mean; absent where it is
+  /// indistinguishable from an offset.
   std::optional<statistics::Estimate> asymmetry;
   std::size_t pairs{};
 };

@@ -65,8 +65,8 @@ BlockMean block_mean(const PlateauSamples& samples, std::size_t first, std::size
           std::move(means)};
 }
 
-/// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
-/// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
+/// T less the sweep's gravity, so that the scatter is of friction and noise alone. The sweep's
+/// ripple, at the same motor angles, is subtracted from the run where that reduces the scatter.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
 /// @param samples receives those of the plateau that count.
 /// @param blocks_Nm receives the friction's means over the run's blocks.
@@ -128,7 +128,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   return run;
 }
 
-/// Gravity as the sweep has it, for the scatter of what is left without it.
+/// Gravity as found in the sweep, to be subtracted before scatter is estimated.
 struct GravityShape {
   double q_peak_rad, gravity_Nm;
   [[nodiscard]] double torque_Nm(double q_rad) const {
@@ -140,8 +140,8 @@ struct MeanTorque {
   double torque_Nm, half_width_Nm, cosine;
 };
 
-/// Mean torque of a run within [low, high], gravity and all, with the interval that friction and
-/// noise leave it; NaN if it has too few samples there.
+/// Mean torque of a run within [low, high], including gravity, with the interval due to friction
+/// and noise; NaN if it has too few samples there.
 MeanTorque torque_between(const RunSource& s, double low, double high, const GravityShape& shape) {
   std::size_t from = s.samples.last;
   std::size_t to = s.samples.first;
@@ -204,7 +204,7 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
   }
 }
 
-/// Points at one speed and direction, by their places.
+/// Indices of the points at each speed and direction.
 std::vector<std::vector<std::size_t>> repeated_points(const joint::FrictionPoints& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -221,8 +221,9 @@ std::vector<std::vector<std::size_t>> repeated_points(const joint::FrictionPoint
   return groups;
 }
 
-/// Each point is a run of one sample, and each pair of directions at one speed are partners.
-/// @param gravity_Nm amplitude, motor side, which loads are shares of; 0: of the largest.
+/// Each point is a run of one sample; the two directions at one speed are partners.
+/// @param gravity_Nm amplitude, motor side, of which loads are shares; 0: they are shares of the
+/// largest load.
 std::vector<ConstantSpeedRun> runs_of_points(const joint::FrictionPoints& points,
                                              double gravity_Nm) {
   const std::vector<std::vector<std::size_t>> groups = repeated_points(points);
@@ -261,8 +262,8 @@ std::vector<ConstantSpeedRun> runs_of_points(const joint::FrictionPoints& points
   return runs;
 }
 
-/// Where the angle has no part in it: each rising one of a speed with a falling one. Friction
-/// points; of a joint without gravity the runs too.
+/// Pairs each rising run of a speed with a falling one, where the angle does not matter: friction
+/// points and, for a joint without gravity, the runs too.
 void pair_by_speed(std::vector<ConstantSpeedRun>& runs, bool is_free) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     ConstantSpeedRun& rising = runs[i];

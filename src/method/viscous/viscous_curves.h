@@ -2,8 +2,8 @@
 // Stage 5: friction against motor speed, one curve per candidate mass, eq. (11):
 // Tf = T - (G/n) cos(q - q_peak), averaged over each plateau of constant speed.
 //
-// Where no constant-speed run was recorded but a sweep of varying speed in both directions was,
-// its samples are paired at equal angle instead: each angle gives a run of each direction.
+// Where no constant-speed run was recorded but a sweep of varying speed in both directions was, its
+// samples are paired at equal angle instead: each angle bin gives a run of each direction.
 
 #include <cmath>
 #include <optional>
@@ -19,28 +19,29 @@
 
 namespace tribolog::method::viscous {
 
-/// Speeds that differ by less count as one: share of the speed.
+/// Speeds whose relative difference is smaller count as one.
 inline constexpr double same_speed = 0.03;
 
 /// One plateau, or one angle bin of a paired sweep in one direction, or a friction point that was
-/// read elsewhere: of that angles are NaN, and gravity has no part in it (mean_cos is 0).
+/// read elsewhere: its angles are NaN, and it contains no gravity (mean_cos is 0).
 struct ConstantSpeedRun {
   std::string recording;
   double speed_rad_s{};  ///< Motor side, signed.
   double torque_Nm{};    ///< Mean driving torque T, motor side (inertia and ripple removed).
   double torque_half_width_Nm{};      ///< 95 % of the mean.
-  double torque_standard_error_Nm{};  ///< Of the mean, from the scatter within; 0: not known.
+  double torque_standard_error_Nm{};  ///< Of the mean, from the scatter within the run; 0: not
+                                      ///< known.
   double q_rad{};                     ///< Mean joint angle.
   double mean_cos{};                  ///< Mean of cos(q - q_peak) over it.
   std::size_t samples{};
   int partner{-1};  ///< Index of the run of opposite direction at the same speed; -1: none.
-  /// (T(+v) - T(-v))/2 over the angles that both directions share, with this run's sign;
-  /// NaN without a partner or a common angle.
+  /// (T(+v) - T(-v))/2 over the angles that both directions share, with this run's sign; NaN
+  /// without a partner or common angles.
   double direction_difference_Nm{};
   double direction_difference_half_width_Nm{};
   double mean_sin{};  ///< Mean of sin(q - q_peak).
-  /// Mean of |cos(q - q_peak)|: share of the gravity torque that loads it. Of a point with a load:
-  /// its share of the gravity torque, or of the largest load where there is none.
+  /// Mean of |cos(q - q_peak)|: load as a share of the gravity torque. For a friction point with a
+  /// load: share of the gravity torque, or of the largest load where no gravity is known.
   double mean_load{};
   double lowest_rad{};  ///< Joint angles that it covers.
   double highest_rad{};
@@ -53,7 +54,7 @@ struct ConstantSpeedRun {
   [[nodiscard]] bool has_angle() const { return !std::isnan(q_rad); }
 };
 
-/// Angles of the runs that travel a quarter of the widest way or more.
+/// Joint angles of the runs that travel at least a quarter of the longest travel.
 struct DirectionAngles {
   bool has_rising{false};
   bool has_falling{false};
@@ -79,7 +80,7 @@ struct ViscousCurvesResult {
   DirectionAngles angles;
   bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
-  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling, wild samples.
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling, outliers.
   std::size_t recordings_without_plateau{};
 
   [[nodiscard]] const ViscousCurve* find(std::optional<hysteresis::Estimator> estimator) const;
@@ -87,13 +88,13 @@ struct ViscousCurvesResult {
 
 struct ViscousCurves {
   ViscousCurvesResult result;
-  /// For resampling, run by run: T less gravity, averaged over each of the run's blocks; empty if
-  /// there are none.
+  /// For resampling, run by run: T less gravity, averaged over each of the run's blocks [N·m];
+  /// empty if there are none.
   std::vector<std::vector<double>> block_friction_Nm;
 };
 
-/// @param points of friction, which join the runs. What repeated points scatter about their speeds
-/// is the uncertainty of each.
+/// @param points of friction, which join the runs. The scatter of repeated points at one speed is
+/// the uncertainty of each.
 /// @param sweep the rough one, and what was found in it; paired at equal angle where no run was
 /// recorded.
 /// @param stated gravity known beforehand: the curve Estimator::stated, at its own angle of the

@@ -28,8 +28,8 @@ struct CurvePoint {
   double friction_Nm{};
 };
 
-/// Residuals model - measured, and their derivatives if asked for. Unknown: log Ta, log ws, log da,
-/// log cv, and log of the viscous exponent 1 - dv: all positive by construction.
+/// Residuals model - measured, and their derivatives unless `j` is null. Unknowns: log Ta, log ws,
+/// log da, log cv, and the log of the viscous exponent 1 - dv, all positive by construction.
 void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p,
                        Eigen::VectorXd& r, Eigen::MatrixXd* j);
 
