@@ -19,7 +19,7 @@ constexpr double least_travel_rad = 3 / joint::degrees_per_rad;
 constexpr std::size_t fewest_blocks = 6;
 // As for the sweep: a probability far below 0.1 % without gravity.
 constexpr double least_evidence = 27;
-// An amplitude whose relative half width exceeds this is no candidate for the mass.
+// An amplitude with a larger relative half width is no candidate for the mass.
 constexpr double widest_share = 0.2;
 constexpr double hardly = 0.05;  // share of a way
 

@@ -20,8 +20,8 @@ bool nearly_all(std::size_t some, std::size_t all) {
   return static_cast<double>(some) >= share_needed * static_cast<double>(all);
 }
 
-/// Whether nearly all of the angles, sorted and different, stand on a grid of this step, each on a
-/// place of its own: a resting joint stands on any.
+/// Whether nearly all of the angles, sorted and distinct, lie on a grid of this step, each at a
+/// point of its own: a resting joint would fit any.
 bool stand_on_grid(const std::vector<double>& angles, double step_rad) {
   std::size_t places = 0;
   double last = NAN;
@@ -36,7 +36,7 @@ bool stand_on_grid(const std::vector<double>& angles, double step_rad) {
   return nearly_all(places, angles.size());
 }
 
-/// The coarsest step of decimals that the angles stand on [rad]; 0: none.
+/// The coarsest step of decimals on which the angles lie [rad]; 0: none.
 double print_step_rad(std::vector<double> angles, double gear_ratio) {
   constexpr std::size_t fewest_angles = 20;
   constexpr int most_decimals = 6;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether the angle was recorded finely enough to see pre-sliding.
+// Whether the angle was recorded finely enough to resolve pre-sliding.
 
 #include <vector>
 
@@ -9,16 +9,16 @@ namespace tribolog::method::motion {
 /// smallest difference of neighbours, if nearly all differences are whole multiples of it.
 double common_step(const std::vector<double>& values);
 
-/// In what steps the angles of a log come.
+/// The step of a log's angles.
 struct AngleStep {
   double step_rad{};       ///< 0: the angles look continuous.
-  bool is_of_the_print{};  ///< That of the decimals the angles were printed with: the log resolves
-                           ///< nothing finer, and its encoder's own step may be larger.
+  bool is_of_the_print{};  ///< It is that of the printed decimals: the log resolves nothing finer,
+                           ///< and the encoder's own step may be larger.
 };
 
 /// The common step of the angles; where there is none above it, the coarsest power of ten, in rad
 /// or in degrees, at the joint or at the motor, that nearly all different angles are whole
-/// multiples of. Down to 1e-6 of the unit: finer prints are as good as continuous.
+/// multiples of. Down to 1e-6 of the unit: finer prints count as continuous.
 /// @param gear_ratio motor angle per joint angle, > 0: logs of the motor's angle are printed there.
 AngleStep angle_step(const std::vector<double>& q_rad, double gear_ratio);
 

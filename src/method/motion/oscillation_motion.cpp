@@ -13,7 +13,8 @@ namespace {
 using std::numbers::pi;
 
 /// Mean period from the upward crossings of the middle, each counted after a swing of a quarter of
-/// the range to both sides, so that noise at the crossing does not count twice. 0: less than one.
+/// the range to both sides, so that noise at the crossing does not count twice. 0: less than one
+/// period.
 double rough_period(const joint::Recording& r) {
   const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
   const double middle = (*low + *high) / 2;
@@ -36,7 +37,7 @@ double rough_period(const joint::Recording& r) {
   return r.t_s.back() - r.t_s.front() >= 1.9 * half ? 2 * half : 0;
 }
 
-/// Of a longer recording the first rounds see every so many samples; the last ones see all.
+/// Of a longer recording the first iterations use every n-th sample; the last ones use all.
 constexpr std::size_t most_samples_at_first = 50'000;
 constexpr double fewest_samples_a_period = 60;
 
@@ -48,15 +49,15 @@ std::size_t first_stride(const joint::Recording& r, double period_s) {
   return static_cast<std::size_t>(std::max(1.0, stride));
 }
 
-/// A harmonic series of unknown frequency along a recording, by Gauss and Newton: linear in centre
-/// and harmonics, and a column of the derivative by the frequency. A stretch of the recording at a
-/// time, so that a long one needs no more room.
+/// A harmonic series of unknown frequency fitted to a recording by Gauss-Newton: linear in centre
+/// and harmonics, with a column for the derivative with respect to frequency. Processes a stretch
+/// of the recording at a time: a long one needs no more memory.
 class SeriesFit {
  public:
   SeriesFit(const joint::Recording& recording, int harmonics, double omega)
       : r_(recording), harmonics_(harmonics), omega_(omega) {}
 
-  /// Up to so many rounds over every `stride`-th sample.
+  /// Up to so many iterations over every `stride`-th sample.
   void improve(std::size_t stride, int rounds) {
     stride_ = stride;
     for (int round = 0; round < rounds; ++round) {
@@ -73,7 +74,7 @@ class SeriesFit {
   /// Centre, counted from the first angle, and cosine and sine of each harmonic.
   [[nodiscard]] const Eigen::VectorXd& coefficients() const { return c_; }
 
-  /// Standard deviation of what the last round left.
+  /// Standard deviation of the last iteration's residuals.
   double residual() {
     double squares = 0;
     over_stretches(last_omega_, last_c_, [&](const auto& x, const auto& y) {

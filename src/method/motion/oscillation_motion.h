@@ -21,19 +21,19 @@ struct OscillationMotion {
   /// Amplitude of a harmonic as a share of the first's. @param order from 1 on; 0 beyond those
   /// fitted.
   [[nodiscard]] double share_of_harmonic(std::size_t order) const;
-  /// Whether the motion has a second harmonic, beyond what the noise of the angle explains, that
-  /// matters.
+  /// Whether the motion has an appreciable second harmonic, beyond what the noise of the angle
+  /// explains.
   [[nodiscard]] bool has_even_harmonics() const;
-  /// Whether the harmonics are the motion: what they leave is below a fiftieth of the amplitude, or
-  /// below a step of the encoder. A joint driven by torque creeps and drifts; its loops are not
-  /// periodic.
+  /// Whether the harmonics describe the motion: their residual is below a fiftieth of the
+  /// amplitude, or below a step of the encoder. A joint driven by torque creeps and drifts; its
+  /// loops are not periodic.
   [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
   /// Motor-side motion as a function of the time since start_s.
   [[nodiscard]] simulate::HarmonicMotion motor_motion(double gear_ratio) const;
 };
 
-/// Fits `harmonics` harmonics and their frequency to the angle. Absent if the angle does not swing
-/// through at least one cycle.
+/// Fits `harmonics` harmonics and their frequency to the angle. Absent if the angle does not
+/// complete at least one cycle.
 std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,
                                                         int harmonics = 3);
 

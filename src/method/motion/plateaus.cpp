@@ -10,8 +10,8 @@ namespace tribolog::method::motion {
 
 namespace {
 
-/// Noise of the local slope, from second differences over windows that share no sample: a steady
-/// speed, a ramp and a slow sine all drop out.
+/// Noise of the local slope, from second differences over disjoint windows: a steady speed, a ramp
+/// and a slow sine all drop out.
 double slope_noise(const std::vector<double>& v, std::size_t window, double rest) {
   std::vector<double> differences;
   for (std::size_t i = window; i + window < v.size(); i += std::max<std::size_t>(1, window / 2)) {
@@ -23,9 +23,9 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
          std::sqrt(6.0);
 }
 
-/// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the
-/// middle half, within its noise. A speed that is another over a tenth of the stretch and more
-/// drifts, and is no ramp: it is allowed as much.
+/// The stretch [first, last) without the ends of its ramps: trimmed until the speed is that of the
+/// middle half, within its noise. A speed that differs over a tenth of the stretch or more is a
+/// drift, not a ramp: that much is tolerated.
 std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, std::size_t first,
                                                 std::size_t last, double noise) {
   constexpr double tight = 1e-3;

@@ -18,7 +18,7 @@ struct Plateau {
   [[nodiscard]] std::size_t size() const { return last - first; }
 };
 
-/// A recording cut by its motion. The four counts add up to the recording's size.
+/// A recording segmented by its motion. The four counts add up to the recording's size.
 struct MotionSegments {
   std::vector<Plateau> plateaus;    ///< In the order of time.
   std::vector<double> speed_rad_s;  ///< Local slope of the angle, one per sample.
@@ -28,8 +28,8 @@ struct MotionSegments {
   std::size_t samples_accelerating{};  ///< Speeding up, slowing down, reversing.
   std::size_t samples_trimmed{};       ///< Cut off a plateau's ends as settling.
   double fastest_rad_s{};              ///< Largest |local slope|.
-  std::size_t window{};                ///< Samples that a local slope is made from.
-  /// Share of the moving samples that lies on plateaus; low for a sine.
+  std::size_t window{};                ///< Number of samples that a local slope is computed from.
+  /// Share of the moving samples that lie on plateaus; low for a sine.
   [[nodiscard]] double plateau_share() const;
 };
 
@@ -37,25 +37,25 @@ struct PlateauOptions {
   double tolerance{0.02};       ///< Largest relative deviation of speed on a plateau.
   double shortest_share{0.03};  ///< Of the recording's duration.
   std::size_t fewest_samples{20};
-  double rest_share{0.02};  ///< Of the fastest speed: slower is rest.
+  double rest_share{0.02};  ///< Of the fastest speed: slower counts as rest.
 };
 
 MotionSegments find_plateaus(const joint::Recording& recording, const PlateauOptions& options = {});
 
 // How the speed of each recording is found. Never from a logged speed: that is often filtered,
-// delayed or wrongly scaled, and the angle has it all; the logged one is held against it by the
-// checks on the data.
+// delayed or wrongly scaled, and the angle contains all the information; the checks on the data
+// compare the logged speed with it.
 
 struct SpeedSource {
   std::string recording;
   joint::Role role{};
   bool is_logged{};      ///< A speed is logged too.
-  std::size_t window{};  ///< Samples from which a local slope of the angle is made.
+  std::size_t window{};  ///< Number of samples that a local slope of the angle is computed from.
   double window_s{};     ///< Their duration at the median interval.
   double cut_off_Hz{};   ///< -3 dB of that derivative; see sampled_signal.h.
 };
 
-/// One for each recording of two samples or more.
+/// One for each recording with two or more samples.
 std::vector<SpeedSource> speed_sources(const std::vector<joint::Recording>& recordings);
 
 }  // namespace tribolog::method::motion

@@ -24,7 +24,7 @@ bool is_slow(const MotionSegments& motion, std::size_t i) {
 }
 
 /// Samples at an abrupt stop or start, and those within two windows of it: the local slopes there
-/// are made from some of its samples, and structure and control settle.
+/// are computed from some of its samples, and structure and controller settle.
 std::vector<bool> abrupt_samples(const MotionSegments& motion) {
   const std::size_t n = motion.speed_rad_s.size();
   std::vector<bool> abrupt(n, false);

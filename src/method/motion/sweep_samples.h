@@ -1,6 +1,6 @@
 #pragma once
-// The samples of a sweep that take part in a fit, and what is left out: shared by the stages that
-// look at sweeps.
+// The samples of a sweep that are used in fits, and what is left out: shared by the stages that use
+// sweeps.
 
 #include <cstddef>
 #include <vector>
@@ -11,10 +11,10 @@
 namespace tribolog::method::motion {
 
 struct SweepSamples {
-  bool constant_speed{};               ///< Plateaus carry the sweep; else all moving samples do.
+  bool constant_speed{};               ///< Samples on plateaus are used; else all moving samples.
   std::vector<std::size_t> recording;  ///< Index of the recording of each sample.
   std::vector<std::size_t> index;      ///< Index within it.
-  std::vector<std::size_t> stroke;     ///< Runs of one direction, numbered in time.
+  std::vector<std::size_t> stroke;     ///< Stretches of one direction, numbered in time.
   std::vector<double> direction;       ///< +1: joint angle rising, -1: falling.
   std::vector<double> speed_rad_s;     ///< Joint side, local slope.
   std::vector<double> acceleration_rad_s2;
@@ -27,8 +27,8 @@ struct SweepSamples {
 /// @param recordings any number; those without motion contribute nothing.
 SweepSamples select_sweep_samples(const std::vector<const joint::Recording*>& recordings);
 
-/// The recordings of a sweep with those of their samples that take part: prepared once, and handed
-/// to every stage that looks at the sweep. Refers to the recordings.
+/// The recordings of a sweep with the samples that are used: prepared once, and passed to every
+/// stage that uses the sweep. Refers to the recordings, which must outlive it.
 struct Sweep {
   Sweep() = default;
   /// @param of_sweep may be empty: no sweep was recorded.
@@ -37,7 +37,7 @@ struct Sweep {
   std::vector<const joint::Recording*> recordings;
   SweepSamples samples;
 
-  /// Joint angle of a sample that takes part [rad].
+  /// Joint angle of a used sample [rad].
   [[nodiscard]] double q_rad(std::size_t i) const {
     return recordings[samples.recording[i]]->q_rad[samples.index[i]];
   }
@@ -45,7 +45,7 @@ struct Sweep {
   [[nodiscard]] double torque_Nm(std::size_t i) const {
     return recordings[samples.recording[i]]->torque_Nm[samples.index[i]];
   }
-  /// Of each recording: which of its samples take part.
+  /// For each recording: which of its samples are used.
   [[nodiscard]] std::vector<std::vector<bool>> used() const;
 };
 

@@ -13,7 +13,7 @@
 namespace tribolog::method::motion {
 namespace {
 
-/// The angle about a sample, by a polynomial of fourth order over the samples beside it.
+/// The angle about a sample, by a polynomial of fourth order over its neighbours.
 struct LocalMotion {
   double speed{}, acceleration{}, jerk{}, snap{};
 };
@@ -64,7 +64,7 @@ constexpr double least_speed_share = 0.05;  // slower: the contact may still bui
 constexpr double least_acceleration_share = 0.05;
 constexpr double most_lag_s = 0.2;
 
-/// Largest of many but for a thousandth, so that a wild sample does not set the scale.
+/// The 99.9 % quantile, so that an outlier does not set the scale.
 double largest_usual(std::vector<double> sizes) {
   if (sizes.empty()) return 0;
   const std::size_t rank = sizes.size() - 1 - sizes.size() / 1000;
@@ -93,7 +93,7 @@ Scale scale_of(const std::vector<LocalMotion>& all) {
   return {largest_usual(std::move(v)), largest_usual(std::move(a)), largest_usual(std::move(j))};
 }
 
-/// Rows of the transients of a recording, its starts and stops counted on from `transients`.
+/// Adds the rows of a recording's transients; numbers its starts and stops from `transients` on.
 void add_rows(const joint::Recording& r, std::vector<Row>& rows, std::size_t& transients) {
   constexpr std::size_t narrowest = 4;
   constexpr std::size_t widest = 40;
@@ -128,7 +128,7 @@ void add_rows(const joint::Recording& r, std::vector<Row>& rows, std::size_t& tr
   }
 }
 
-/// Knots of the friction polygon over the speed, each with as many rows beside it.
+/// Knots of the friction polygon over the speed, with equally many rows between them.
 std::vector<double> speed_knots(const std::vector<Row>& rows) {
   constexpr std::size_t pieces = 6;
   std::vector<double> speeds;
@@ -154,7 +154,7 @@ void add_polygon(const std::vector<double>& knots, double speed, Eigen::Ref<Eige
 
 enum Column : Eigen::Index { inertia, lag, curvature, cosine, sine, offset, friction };
 
-/// The torque so much later than a sample, between samples along a straight line.
+/// The torque `lag_s` after a sample, by linear interpolation.
 double torque_behind(const Row& row, double lag_s) {
   const joint::Recording& r = *row.recording;
   const double t = r.t_s[row.index] + lag_s;
@@ -166,8 +166,8 @@ double torque_behind(const Row& row, double lag_s) {
   return std::lerp(r.torque_Nm[above - 1], r.torque_Nm[above], std::clamp(share, 0.0, 1.0));
 }
 
-/// Torque over the rows' motion. What lag is taken off the torque before changes the right-hand
-/// side alone: the coefficient of `lag` is then what is left of it.
+/// Regression of the torque on the rows' motion. A lag removed from the torque beforehand changes
+/// only the right-hand side: the coefficient of `lag` is then the remaining lag.
 class TransientRegression {
  public:
   TransientRegression(const std::vector<Row>& rows, const std::vector<double>& knots)
@@ -215,8 +215,9 @@ class TransientRegression {
   Eigen::HouseholderQR<Eigen::MatrixXd> solved_;
 };
 
-/// How far inertia by starts alone and by stops alone is from that by both: what is neither inertia
-/// nor friction of the speed acts the other way round in them. 0 where either are too few.
+/// How far the inertia from starts alone and from stops alone is from that from both: what is
+/// neither inertia nor a friction that depends on speed acts in opposite senses in them. 0 where
+/// either are too few.
 double inertia_apart(const std::vector<Row>& rows, const std::vector<double>& knots, double lag_s,
                      double by_both) {
   constexpr std::size_t fewest_rows = 50;

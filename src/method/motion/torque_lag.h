@@ -1,18 +1,18 @@
 #pragma once
 // How much later the torque is logged than the angle, from the starts and stops of sweeps and runs.
 //
-// Where the joint speeds up and slows down the torque follows the acceleration; one that is late
-// follows the acceleration of a moment before:
+// Where the joint speeds up and slows down the torque follows the acceleration; a late torque
+// follows an earlier acceleration:
 //
 //   T(t) = J a(t - lag) + Tf(|v|) sgn v + b cos q + c sin q + offset
 //
-// a(t - lag) = a - lag a' + lag^2/2 a'' - ...: the ratio of two coefficients of a linear
-// regression, repeated with the torque moved by what was found until nothing is left of it. Tf is a
-// polygon over the speed, so that no friction law is asked for. A first-order filter of the torque
-// looks the same but for the last term, which is free.
+// a(t - lag) = a - lag a' + lag^2/2 a'' - ...: the lag is the ratio of two coefficients of a linear
+// regression, repeated with the torque shifted by the lag found until none is left. Tf is a polygon
+// over the speed: no friction law is assumed. A first-order filter of the torque looks the same
+// except for the last term, which is free.
 //
-// It fails where accelerations are too short for the sampling, or too small against the noise; the
-// interval then says so, or nothing is found.
+// It fails where accelerations are too short for the sampling, or too small relative to the noise;
+// the interval then shows it, or nothing is found.
 
 #include <optional>
 #include <vector>
@@ -23,21 +23,22 @@
 namespace tribolog::method::motion {
 
 struct TorqueLag {
-  /// [s]; > 0: the torque is late against the angle. Absent: the recordings do not show it.
+  /// [s]; > 0: the torque lags behind the angle. Absent: the recordings do not show it.
   std::optional<statistics::Estimate> lag_s;
-  /// Of all that turns with the joint, reflected to the motor [kg·m²].
+  /// Reflected inertia at the motor of all that turns with the joint [kg·m²].
   std::optional<statistics::Estimate> inertia_kgm2;
-  /// By starts alone or stops alone less by both, whichever is farther, as a share of it.
+  /// Relative difference of the inertia from starts alone or stops alone, whichever is larger, to
+  /// that from both.
   double inertia_apart{};
-  std::size_t transients{};  ///< Starts and stops that were looked at.
+  std::size_t transients{};  ///< Number of starts and stops used.
   Statement why_not;         ///< Empty where lag_s is there.
 
-  /// The interval leaves out zero: it is taken off the oscillations' torque.
+  /// The interval excludes zero: the lag is then removed from the oscillations' torque.
   [[nodiscard]] bool is_clear() const { return lag_s && (lag_s->low > 0 || lag_s->high < 0); }
 };
 
-/// The recording with its torque as it was so much later: beside the angle that it belongs to.
-/// Samples at the end, whose torque was not recorded any more, are left out.
+/// The recording with its torque advanced by the lag, aligned with the angle that it belongs to.
+/// Samples at the end, whose torque was no longer recorded, are left out.
 joint::Recording aligned(const joint::Recording& recording, double lag_s);
 
 /// @param recordings sweeps and runs, of any number.

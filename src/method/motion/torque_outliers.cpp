@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t beside = 3;        // neighbours on either side that a sample is compared with
 constexpr std::size_t beside_scale = 7;  // those that tell the scale
 
-/// Median of the samples about i, so many on either side.
+/// Median of the samples about i, `half` on either side.
 double median_about(const std::vector<double>& y, std::size_t i, std::size_t half) {
   std::array<double, 2 * beside_scale + 1> window{};
   const auto end = std::copy(y.begin() + static_cast<std::ptrdiff_t>(i - half),
@@ -33,8 +33,8 @@ double deviation_about(const std::vector<double>& y, std::size_t i, double media
   return statistics::normal_sd_by_median_size * window[beside_scale];
 }
 
-/// Whether the joint speeds up or slows down about a sample as it rarely does: its torque may then
-/// well be a spike.
+/// Whether the joint accelerates or decelerates unusually about a sample: its torque may then well
+/// be a genuine spike.
 class RareMotion {
  public:
   explicit RareMotion(const std::vector<double>& q_rad) : q_(q_rad) {

@@ -15,16 +15,16 @@ namespace tribolog::method::motion {
 
 // Where a recorded angle is known, and how well.
 //
-// An angle in steps, slowly passed, is best known where it steps: between two samples there it is
-// on the edge between two steps, to within its way from one sample to the next. The samples on a
-// step tell no more than that the angle is within it; they count where the angle turns round or
-// the recording begins or ends, and no edge tells more.
+// A quantised angle that changes slowly is best known where it steps: between two samples there it
+// is at the edge between two steps, to within its travel from one sample to the next. The samples
+// on a step only show that the angle is within it; they count where the angle reverses or the
+// recording begins or ends, and no edge shows more.
 
 namespace {
 
 /// Standard deviation of rounding, in steps.
 const double rounding = 1 / std::sqrt(12.0);
-/// Steps rest for many samples where the motion all but stands; it is not known that well there.
+/// Steps last for many samples where the motion all but stops; it is not known that well there.
 constexpr double most_samples_on_step = 20;
 
 /// Samples [first, last) of one value.
@@ -77,13 +77,14 @@ constexpr std::size_t fewest_samples = 40;
 /// A start and one loop.
 constexpr std::size_t fewest_strokes = 3;
 constexpr double fewest_samples_in_stroke = 20;
-/// As of harmonics: what is left of the angle stays below a fiftieth of the amplitude.
+/// As for harmonics: the residual of the angle stays below a fiftieth of the amplitude.
 constexpr double largest_noise_share = 0.02;
-/// A turn is one where the angle runs back by this many standard deviations of its noise, or by
+/// A reversal counts where the angle runs back by this many standard deviations of its noise, or by
 /// this share of its range.
 constexpr double turn_noises = 10;
 constexpr double turn_share = 1e-3;
-/// Way to and fro within the noise, which bristles would take for motion, over that of the strokes.
+/// Travel to and fro within the noise, which bristles would take for motion, over that of the
+/// strokes.
 constexpr double largest_excess_way = 0.1;
 
 class SplineMotion final : public simulate::Motion {

@@ -1,10 +1,10 @@
 #pragma once
-// The motion of a joint that swings as its torque drives it: no sine, often not periodic, its loops
-// of any size. A smoothing spline through the recorded angle (smoothing_spline.h), through the
-// edges of its steps where it comes in steps (traced_motion.cpp).
+// The motion of a joint driven by a torque: not a sine, often not periodic, with loops of any size.
+// A smoothing spline through the recorded angle (smoothing_spline.h), through the edges of its
+// steps where the angle is quantised (traced_motion.cpp).
 //
-// The noise is found from the angle: a step of the encoder, which rounds by step/sqrt(12), or the
-// white noise of its third differences where that is larger than a step.
+// The noise is estimated from the angle: the rounding of an encoder step, step/sqrt(12), or the
+// white noise from third differences where that is larger than a step.
 
 #include <memory>
 #include <optional>
@@ -22,19 +22,19 @@ struct TracedMotion {
   double encoder_step_rad{};    ///< 0: the angle looks continuous.
   double residual_rad{};        ///< Standard deviation of q less the spline.
   double centre_rad{};          ///< Halfway between the extremes.
-  double amplitude_rad{};       ///< Half of the way between them.
+  double amplitude_rad{};       ///< Half the distance between them.
   double frequency_Hz{};        ///< Half the number of strokes per second.
-  std::vector<double> turns_s;  ///< Times of the turns between strokes, since the first sample.
+  std::vector<double> turns_s;  ///< Times of the reversals between strokes, since the first sample.
 
   [[nodiscard]] std::size_t strokes() const { return turns_s.size() + 1; }
-  /// Whether the steps of the encoder are the noise.
+  /// Whether the noise is that of the encoder's steps.
   [[nodiscard]] bool is_stepped() const { return noise_rad < encoder_step_rad; }
-  /// What the noise is taken from: the step of the encoder, or the scatter of the samples.
+  /// The source of the noise: the step of the encoder, or the scatter of the samples.
   [[nodiscard]] Statement noise_source() const;
   /// Motor-side motion as a function of the time since the first sample.
   [[nodiscard]] std::unique_ptr<simulate::Motion> motor_motion(double gear_ratio) const;
 
-  // Of the joint's angle less its first sample, by the time since then.
+  // The joint's angle from its first sample, against the time since then.
   std::shared_ptr<const statistics::SmoothingSpline> spline;
   double origin_rad{};
 };
@@ -44,9 +44,9 @@ struct MotionTrace {
   Statement refusal;  ///< Why there is none, with the number; empty if there is one.
 };
 
-/// Refuses an angle that is too short, does not turn round twice, is sampled too coarsely for its
+/// Refuses an angle that is too short, does not reverse twice, is sampled too coarsely for its
 /// strokes, or is too rough to have a speed.
-/// @param found the same motion, traced before: it is smoothed much the same (see SmoothingSpline).
+/// @param found the same motion, traced before: it is smoothed about as much (see SmoothingSpline).
 MotionTrace trace_motion(const joint::Recording& recording, const TracedMotion* found = nullptr);
 
 }  // namespace tribolog::method::motion

@@ -2,7 +2,7 @@
 // Stage 8, second half: parameters of the viscous curve of the recommended estimator.
 //
 // Waiboer's five of eq. (6) by Levenberg-Marquardt where the curve has enough speeds, and the
-// straight line Coulomb + viscous beside it, which a curve of any size can carry.
+// straight line Coulomb + viscous in addition, which a curve of any size supports.
 
 #include <optional>
 #include <vector>
@@ -31,13 +31,14 @@ struct FrictionParametersResult {
   std::optional<CoulombViscousFit> coulomb_viscous;
 };
 
-/// A law of friction over motor speeds from 0 on, for figures.
+/// A friction law over motor speeds from 0 on, for figures. Motor side.
 struct FrictionCurve {
   std::vector<double> speed_rad_s;
   std::vector<double> torque_Nm;
 };
 
-/// Of the parameters, up to the fastest run; of a line alone that line. Empty without either.
+/// The law of the five parameters up to the fastest run, else the straight line. Empty without
+/// either.
 FrictionCurve fitted_curve(const FrictionParametersResult& fitted);
 
 FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesResult& curves,

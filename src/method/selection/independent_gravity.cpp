@@ -24,7 +24,7 @@ struct ClassicalFit {
 
 constexpr std::size_t most_rows = 16000;
 constexpr std::size_t blocks_per_recording = 10;
-// Columns more alike than this cannot be told apart.
+// Columns beyond this condition number are collinear.
 constexpr double largest_condition = 1e6;
 constexpr double rest_share = 0.02;  // of the recording's fastest speed
 enum Column { cosine, sine, coulomb, viscous, inertia, offset, columns };
@@ -79,8 +79,8 @@ void add_rows(const joint::Recording& r, std::size_t number, std::size_t group, 
 
 /// Neighbouring samples are averaged in groups, so that a long log costs no more than a short one:
 /// the terms are linear, and a mean of rows is a row. Speed and acceleration are slopes over
-/// neighbouring groups. Rest takes no part. Absent without both directions, or if the recordings
-/// cannot tell the columns apart.
+/// neighbouring groups. Rest is left out. Absent without both directions, or if the columns are
+/// collinear.
 std::optional<ClassicalFit> classical_regression(
     const std::vector<const joint::Recording*>& recordings, double gear_ratio, double middle_rad) {
   std::size_t samples = 0;
@@ -219,9 +219,9 @@ std::optional<IndependentGravity> gravity_of_sweep_directions(const motion::Swee
   return out;
 }
 
-/// From pairs of runs of opposite direction; absent with fewer than three pairs.
-/// The sweep's offset is taken off as it is off the loops (surrogate_masses.h): by the mean of 1
-/// and the ratio of the pair's friction to the sweep's.
+/// From pairs of runs of opposite direction; absent with fewer than three pairs. The sweep's offset
+/// is subtracted as for the loops (surrogate_masses.h): scaled by the mean of 1 and the ratio of
+/// the pair's friction to the sweep's.
 std::optional<IndependentGravity> gravity_of_run_directions(
     const viscous::ViscousCurvesResult& curves, const gravity::CogSweepResult& rough) {
   std::vector<double> cosine;

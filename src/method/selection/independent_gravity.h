@@ -1,5 +1,5 @@
 #pragma once
-// Gravity torque by methods that the chain itself does not use, to compare its result with.
+// Gravity torque by methods that the chain itself does not use, for comparison with its result.
 //
 // sweep_directions: mean of the sweep's two directions at equal angle, T+ + T- = 2 G cos(q -
 // q_peak):
@@ -26,17 +26,17 @@ enum class IndependentMethod { sweep_directions, run_directions, classical };
 /// Stable: "sweep_directions".
 std::string to_string(IndependentMethod method);
 
-/// A gravity torque with what is needed to resample it.
+/// A gravity torque with what its resampling needs.
 struct IndependentGravity {
   IndependentMethod method{};
-  statistics::Estimate gravity_Nm;  ///< Motor side.
-  std::vector<double>
-      block_shifts;  ///< What the error of each block does to it; see BlockRegression.
+  statistics::Estimate gravity_Nm;   ///< Motor side.
+  std::vector<double> block_shifts;  ///< Shift of gravity_Nm by the error of each block; see
+                                     ///< BlockRegression.
   double freedom{};
-  double further_half_width_Nm{};  ///< Of the offset that was taken off.
+  double further_half_width_Nm{};  ///< Of the offset that was subtracted.
 };
 
-/// What else the classical regression says; motor side.
+/// The other results of the classical regression; motor side.
 struct ClassicalRegression {
   statistics::Estimate q_peak_rad;
   statistics::Estimate gravity_Nm;  ///< With the interval of blocks.
@@ -46,8 +46,8 @@ struct ClassicalRegression {
   statistics::Estimate viscous_Nms_rad;
   statistics::Estimate inertia_kgm2;  ///< Reflected to the motor.
   double offset_Nm{};
-  double residual_Nm{};   ///< Standard deviation of what it leaves; rows as averaged.
-  double row_noise_Nm{};  ///< What the white noise of the torque alone would leave.
+  double residual_Nm{};   ///< Standard deviation of its residuals; rows as averaged.
+  double row_noise_Nm{};  ///< Residual that the torque's white noise alone would leave.
 };
 
 struct IndependentGravities {

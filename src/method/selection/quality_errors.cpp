@@ -13,7 +13,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // A driving torque below this share of the largest makes a percentage of it meaningless.
 constexpr double smallest_torque_share = 0.05;
-// With a reference for less than this share of the runs, an error would speak of a few stray ones.
+// With a reference for a smaller share of the runs, an error would represent only a few of them.
 constexpr double least_share_with_reference = 0.2;
 
 Statement no_reference(const viscous::ViscousCurvesResult& curves, std::size_t with_reference) {

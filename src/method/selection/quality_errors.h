@@ -3,9 +3,9 @@
 // 100 (Tf,candidate - Tf,reference) / T.
 //
 // Where no true curve is known the reference is (T(+v) - T(-v))/2 at equal angle. Gravity cannot
-// enter it, so it takes no knowledge beforehand. It has an interval of its own, and it is the mean
-// of both directions' friction: where friction is not the same in both, every candidate is off by
-// the asymmetry, (T(+v) + T(-v))/2 less gravity (direction_lines.h).
+// enter it, so it needs no prior knowledge. It has an interval of its own, and it is the mean of
+// both directions' friction: where friction differs between them, every candidate is off by the
+// asymmetry, (T(+v) + T(-v))/2 less gravity (direction_lines.h).
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ class StaticFriction;
 }
 namespace tribolog::method::selection {
 
-/// What the candidates' curves are held against.
+/// What the candidates' curves are compared with.
 enum class CurveReference {
   none,
   analytic,              ///< The true curve.
@@ -45,7 +45,7 @@ struct QualityErrorsResult {
   /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
   /// torque: an rms error below it is no evidence against a mass.
   double reference_rms_percent{};
-  Statement evidence;           ///< What the reference can tell; empty without errors.
+  Statement evidence;           ///< What the reference can show; empty without errors.
   std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
 
   [[nodiscard]] const QualityError* find(std::optional<hysteresis::Estimator> estimator) const;

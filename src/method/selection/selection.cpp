@@ -33,14 +33,14 @@ struct Recommendation {
   Code why;
 };
 
-/// The first is taken of which there is a mass.
+/// The first that has a mass is chosen.
 constexpr Recommendation in_order_of_trust[] = {{Estimator::midline, "selection.midline"},
                                                 {Estimator::sweep, "selection.sweep_alone"},
                                                 {Estimator::runs, "selection.runs_alone"},
                                                 {Estimator::stated, "selection.stated_alone"}};
 
-/// A loop's torque holds friction by direction and an offset as far as the sweep cannot tell them
-/// from each other; where that makes it clearly less sure than the sweep, the sweep is taken.
+/// A loop's torque contains asymmetric friction and an offset as far as the sweep cannot separate
+/// the two; where that makes it clearly less certain than the sweep, the sweep is chosen.
 bool sweep_is_surer(const hysteresis::SurrogateMassesResult& masses) {
   constexpr double clearly = 0.8;
   constexpr double numerical_share = 1e-4;  // no interval is narrower

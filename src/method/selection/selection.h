@@ -14,13 +14,13 @@ namespace tribolog::method::selection {
 
 struct SelectionResult {
   statistics::StageReport stage;
-  /// Of A..F the one of smallest rms error; absent: cannot be said.
+  /// The one of A..F with the smallest rms error; absent: cannot be determined.
   std::optional<hysteresis::Estimator> paper_rule;
-  /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
-  /// may be as near to the recommended mass.
+  /// Those of A..F that the rule could have chosen instead: within the intervals of their masses
+  /// they may be as close to the recommended mass.
   std::vector<hysteresis::Estimator> paper_rule_rivals;
-  /// Ours: the first there is of midline, sweep, runs and stated, but the sweep before a mid-line
-  /// that is clearly less sure; absent without any of them.
+  /// Ours: the first available of midline, sweep, runs and stated, but the sweep before a mid-line
+  /// that is clearly less certain; absent without any of them.
   std::optional<hysteresis::Estimator> recommended;
   Statement why;  ///< A few sentences; empty without a recommendation.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
