@@ -18,11 +18,11 @@ namespace {
 
 constexpr double fewest_steps = 20;      // across which a speed is taken
 constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
-// Where a ramp ends before it is seen to break away, it may slide from here on.
+// Where a ramp ends before break-away is seen, it may be sliding from this yield on.
 constexpr double yield_that_may_slide = 5;
 constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
 
-/// How far the torque gets from where it begins.
+/// How far the torque gets from its initial value.
 double largest_change_Nm(const joint::Recording& r) {
   double largest = 0;
   for (const double torque : r.torque_Nm) {
@@ -37,8 +37,8 @@ struct RampBegin {
   double sign{1};
 };
 
-/// Where the torque has first left its rest: what the joint does before is none of the ramp's.
-/// Means over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
+/// Where the torque first leaves its initial level: earlier motion is not due to the ramp. By means
+/// over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
 RampBegin begin_of_ramp(const joint::Recording& r) {
   constexpr std::size_t share = 100;
   constexpr std::size_t most = 50;
@@ -58,9 +58,9 @@ RampBegin begin_of_ramp(const joint::Recording& r) {
   return {std::min(i + window / 2, r.size() - 1), change < 0 ? -1.0 : 1.0};
 }
 
-/// The usual step of the angle from sample to sample, standing still left out: the encoder's step
-/// or its noise, whichever is seen. Of the part that surely rests, up to half of the ramp's torque:
-/// sliding has larger ones.
+/// The usual step of the angle from sample to sample, zero steps left out: the encoder's step or
+/// its noise, whichever shows. From the part that certainly rests, up to half of the ramp's torque:
+/// steps in sliding are larger.
 double usual_step_rad(const joint::Recording& r) {
   const double largest = largest_change_Nm(r);
   std::vector<double> at_rest;
@@ -84,11 +84,11 @@ std::size_t moved_on(const statistics::Summits& travel, std::size_t i, double ne
 }
 
 /// Mean speed up to where the torque has risen half as far as at a sample, its first twentieth left
-/// out; asked for samples in their order.
+/// out; to be called for samples in their order.
 class SpeedOfFirstHalf {
  public:
   SpeedOfFirstHalf(const joint::Recording& r, double sign) : r_(r), sign_(sign) {}
-  /// @param least travel that can be seen.
+  /// @param smallest travel that can be resolved.
   [[nodiscard]] double before(std::size_t i, const std::vector<double>& travel, double least) {
     constexpr double begin = 0.05;
     constexpr double half = 0.5;
@@ -111,7 +111,7 @@ class SpeedOfFirstHalf {
 };
 
 /// Travel from break-away at sample `at` to where the joint has slowed down to a third of the speed
-/// by which break-away was told.
+/// at which break-away was detected.
 std::optional<double> slip_until_stop(const joint::Recording& r, const statistics::Summits& summits,
                                       std::size_t at, std::size_t end, double least) {
   const std::vector<double>& travel = summits.signal();
@@ -157,8 +157,8 @@ BentFit fit_bent(const std::vector<double>& x, const std::vector<double>& fricti
   return {level, fall, ff - level * f1 + fall * fe};
 }
 
-/// What friction tends to while the joint rests.
-/// @param friction with gravity taken off, a magnitude; `travel` from rest; both up to break-away.
+/// The level to which friction tends while the joint rests.
+/// @param friction less gravity, a magnitude; `travel` from rest; both up to break-away.
 std::optional<double> level_at_rest(const std::vector<double>& travel,
                                     const std::vector<double>& friction, double reading) {
   // Noise crosses the share to and fro: the middle of its first and its last crossing.
@@ -209,7 +209,7 @@ std::optional<double> level_at_rest(const std::vector<double>& travel,
   return fit.level;
 }
 
-/// Acceleration about a sample: of a parabola through as many samples beside it.
+/// Acceleration about a sample: of a parabola through `beside` samples on either side.
 double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t beside) {
   const std::size_t first = at > beside ? at - beside : 0;
   const std::size_t last = std::min(r.size() - 1, at + beside);
@@ -293,7 +293,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   return ramp;
 }
 
-/// A LuGre contact is seen to yield so far below what it holds.
+/// A LuGre contact is seen to yield at this share of its static torque.
 constexpr double share_at_reading = 0.993;
 
 /// Of the ramps of one direction that broke away; absent with fewer than two.
@@ -312,8 +312,8 @@ std::optional<RampMean> mean_over(const std::vector<double>& values) {
   return RampMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
 }
 
-/// @param is_level the levels at rest are the values, and the readings what they are held against.
-/// @param apart is raised to what these two differ by beyond their noise.
+/// @param is_level the levels at rest are the values, and are compared with the readings.
+/// @param apart is raised to the difference of these two beyond their noise.
 std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
                                             bool is_level,
                                             const std::optional<KnownGravity>& gravity,

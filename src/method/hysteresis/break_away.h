@@ -1,28 +1,28 @@
 #pragma once
 // Break-away ramps: the joint stands, the torque rises slowly until it slides.
 //
-// Before break-away the contact yields a little under the rising torque: pre-sliding. At
-// break-away it yields without limit. The moment is found without a scale of its own: where the
-// joint, over a tenth of its travel so far (and twenty of its usual steps), moves
-// `yield_at_break_away` times faster than on average since the ramp began. A LuGre contact does so
-// 0.7 % below its static torque, whatever its stiffness and the rate. A heavy joint that runs away
-// slowly never does: its mean speed grows along. It has broken away where it moves
-// `speed_up_at_break_away` times faster than up to half of the torque, which a LuGre contact does
-// 0.7 % below its static torque, too.
+// Before break-away the contact yields a little under the rising torque: pre-sliding. At break-away
+// it yields without limit. The instant is found without an absolute scale: where the joint, over a
+// tenth of its travel so far (and at least twenty of its usual steps), moves `yield_at_break_away`
+// times faster than on average since the start of the ramp. A LuGre contact does so 0.7 % below its
+// static torque, whatever its stiffness and the rate. A heavy joint that runs away slowly never
+// does: its mean speed grows as well. It has broken away where it moves `speed_up_at_break_away`
+// times faster than up to half of the torque, which a LuGre contact also does 0.7 % below its
+// static torque.
 //
-// Where the torque rises fast for the contact, the joint is already being sped up when it is seen
-// to yield, and more torque is read than friction holds. The part of the ramp in which it rests
-// tells without that: the bristles give way as
+// Where the torque rises fast for the contact, the joint is already accelerating when it is seen to
+// yield, and the reading exceeds the friction. The part of the ramp before that is free of this
+// error: the bristles deflect as
 //
 //   Tf(x) = Ts - (Ts - T0) exp(-x / d)
 //
-// (LuGre along a travel x at no speed; T0 at the start, d = Ts / s0), and Ts is what that part
-// tends to. It is the value where every ramp bends far enough for it; the reading is what it is
-// held against, and what they differ by goes into the interval, for another contact has another
-// bend.
+// (LuGre over a travel x in the limit of zero speed; T0 at the start, d = Ts / s0), and Ts is the
+// level to which that part tends. That level is stated where every ramp bends far enough to show
+// it; it is compared with the reading, and their difference goes into the interval, for another
+// contact has a different bend.
 //
-// A ramp that ends before that tells only that friction is larger than what was reached: a censored
-// value. It bounds the break-away torque from below and takes no part in the mean.
+// A ramp that ends before that shows only that friction is larger than what was reached: a censored
+// value. It bounds the break-away torque from below and is not part of the mean.
 
 #include <optional>
 #include <string>
@@ -37,7 +37,7 @@ namespace tribolog::method::hysteresis {
 inline constexpr double yield_at_break_away = 30;
 inline constexpr double speed_up_at_break_away = 100;
 
-/// Gravity torque at the motor, to be taken off the driving torque.
+/// Gravity torque at the motor, to be subtracted from the driving torque.
 struct KnownGravity {
   statistics::Estimate amplitude_Nm;
   double q_peak_rad{};
@@ -47,15 +47,15 @@ struct BreakAwayRamp {
   std::string recording;
   bool is_rising{};      ///< The torque rises to positive values.
   bool broke_away{};     ///< false: censored, friction_Nm is a lower bound.
-  double rate_Nm_s{};    ///< Mean rate of the torque up to there, motor side, >= 0.
-  double torque_Nm{};    ///< Driving torque there, motor side, signed.
-  double friction_Nm{};  ///< Magnitude with gravity and inertia taken off (if known).
-  double inertia_Nm{};   ///< What was taken off for inertia, in the ramp's direction.
-  /// What friction tends to in the part that rests, a magnitude; absent where that does not bend
-  /// over, or too few angles are seen in it.
+  double rate_Nm_s{};    ///< Mean rate of the torque up to break-away, motor side, >= 0.
+  double torque_Nm{};    ///< Driving torque at break-away, motor side, signed.
+  double friction_Nm{};  ///< Magnitude, gravity and inertia subtracted (if known).
+  double inertia_Nm{};   ///< What was subtracted for inertia, in the ramp's direction.
+  /// Level to which friction tends in the resting part, a magnitude; absent where that does not
+  /// bend over, or shows too few distinct angles.
   std::optional<double> level_Nm;
-  double travel_rad{};     ///< Joint travel from rest up to there.
-  double largest_yield{};  ///< Largest ratio of speed to mean speed seen up to there.
+  double travel_rad{};     ///< Joint travel from rest up to break-away.
+  double largest_yield{};  ///< Largest ratio of speed to mean speed up to break-away.
   double q_start_rad{};    ///< Joint angle at rest.
   /// Travel of the first slip, if the joint stopped again under a torque that still rose: caught by
   /// gravity, or by friction that changes with the angle. Absent: it slid on to the ramp's end.
@@ -70,8 +70,8 @@ struct BreakAwayResult {
   std::vector<BreakAwayRamp> ramps;
   std::size_t censored{};
   bool is_level{};  ///< The values are the ramps' levels, not their readings.
-  /// What levels and readings differ by beyond their scatter, of the larger direction's, as a
-  /// share.
+  /// Relative difference of levels and readings beyond their scatter, of the direction where it is
+  /// larger.
   double apart{};
   /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
   /// scatter of the ramps, absent with fewer than two that broke away.
@@ -82,18 +82,19 @@ struct BreakAwayResult {
 };
 
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
-/// @param inertia_at_joint of all that turns, by the joint's acceleration: torque at the motor
-/// [N·m s²/rad]; what it takes at the reading is taken off. 0: unknown, nothing is.
+/// @param inertia_at_joint of all that turns: torque at the motor per joint acceleration [N·m
+/// s²/rad]; its torque at the reading is subtracted. 0: unknown, nothing is subtracted.
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity,
                                     double inertia_at_joint = 0);
 
-// The level that hysteresis loops flatten at, against torque ramps that made the joint slide or
-// not.
+// The level at which hysteresis loops flatten, compared with torque ramps that made the joint slide
+// or not.
 
-/// Takes the static torque, and what was read relative to it, out of what the fit shows, with the
-/// reason, where ramps show that the joint holds more: its loops then creep, and what flattens them
-/// is no break-away. What the fit keeps for resampling (LuGreFit::linearised) still has them.
+/// Removes the static torque, and what was read relative to it, from what the fit shows, with the
+/// reason, where ramps show that the joint holds more: its loops then creep, and do not flatten
+/// because of break-away. What the fit keeps for resampling (FittedLuGre::linearised) still has
+/// them.
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
 
 }  // namespace tribolog::method::hysteresis

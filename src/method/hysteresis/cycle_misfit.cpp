@@ -42,7 +42,7 @@ struct MeanAndScatter {
   double freedom{};   ///< Of both components.
 };
 
-/// Along a straight line over the cycles, which takes a drift out.
+/// About a straight line over the cycles, which removes a drift.
 MeanAndScatter over_cycles(const std::vector<Coefficients>& cycles, std::size_t k) {
   const auto n = static_cast<double>(cycles.size());
   MeanAndScatter out;

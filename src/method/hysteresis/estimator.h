@@ -24,7 +24,7 @@ enum class Estimator {
   fit,      ///< Of LuGre fitted to all loops.
   sweep,    ///< Gravity amplitude of the rough sweep.
   runs,     ///< That of the runs at constant speed.
-  stated,   ///< That of the manifest, by which nothing is decided where anything was identified.
+  stated,   ///< That of the manifest, which decides nothing where anything was identified.
 };
 
 inline constexpr std::array all_estimators{
@@ -41,16 +41,16 @@ std::string to_string(Estimator estimator);
 /// The same; empty without one.
 std::string to_string(std::optional<Estimator> estimator);
 
-/// Of a key as to_string() gives it; nothing for any other text.
+/// The inverse of to_string(); nothing for any other text.
 std::optional<Estimator> estimator_of(const std::string& key);
 
-/// Place of a point among loop_points; nothing for another estimator.
+/// Index of a point in loop_points; nothing for other estimators.
 std::optional<std::size_t> point_index(Estimator estimator);
 
-/// The two points that a pair mean is of; nothing for another estimator.
+/// The two points of a pair mean; nothing for other estimators.
 std::optional<std::pair<Estimator, Estimator>> points_of_pair(Estimator estimator);
 
-/// The point on the other side of the steady loop: B of A. @param point one of loop_points.
+/// The point on the opposite side of the steady loop: B for A. @param point one of loop_points.
 Estimator opposite_point(Estimator point);
 
 }  // namespace tribolog::method::hysteresis

@@ -52,7 +52,7 @@ Turns read_turns(const LoopTrace& trace, const TraceReader& reader, std::size_t 
   return turns;
 }
 
-/// Averaged point by point.
+/// The turns averaged point by point.
 std::vector<LoopPoint> average_turns(const Turns& turns) {
   if (turns.empty()) return {};
   std::vector<LoopPoint> mean = turns.front();
@@ -76,9 +76,9 @@ std::vector<LoopPoint> average_turns(const Turns& turns) {
   return mean;
 }
 
-/// One reading scatters as the same reading of the steady turns does, which knows more than the
-/// noise of the torque: the instant to read at is uncertain too. A belongs to the start-up stroke,
-/// which has no like.
+/// A reading scatters like the same reading of the steady turns, by more than the noise of the
+/// torque: the instant of reading is uncertain too. A belongs to the start-up stroke, which has no
+/// counterpart.
 void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
                       std::vector<LoopPoint>& points) {
   if (turns < 3) return;
@@ -102,7 +102,7 @@ struct LoopResult {
   std::optional<LoopMidline> midline;  ///< Of a loop with a period.
 };
 
-/// The mid-lines of all recordings that have one as one estimate of the gravity torque.
+/// Combines the mid-lines of all recordings that have one into one estimate of the gravity torque.
 void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Ripple& ripple,
                       double gear_ratio, Hysteresis& made) {
   HysteresisResult& out = made.result;
@@ -134,7 +134,7 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
   }
 }
 
-/// The motion of a recording, by harmonics or else by a spline; why not, if neither.
+/// Finds the motion of a recording, by harmonics or else by a spline; returns why not, if neither.
 Statement follow_the_angle(double encoder_step, LoopResult& loop) {
   loop.motion = motion::fit_oscillation_motion(loop.recording);
   if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return {};
@@ -173,7 +173,8 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
           encoder_step};
 }
 
-/// LuGre fitted to all loops together; it observes the bristle of those that hold none.
+/// Fits LuGre to all loops together; the fit provides the bristle state of those that recorded
+/// none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
                      const gravity::Ripple& ripple, const LagOfLoops& lag, Hysteresis& made) {
   std::vector<LuGreInput> inputs;

@@ -6,7 +6,7 @@
 // whole table): A z = 0 while the arm rises; C largest z; F smallest dz/dt (arm dropping, z > 0);
 // B z = 0 while the arm drops; D smallest z; E largest dz/dt (arm rising, z < 0).
 //
-// A log of a real drive holds no z. It then comes from a LuGre model fitted to T(t) (stage 8).
+// The log of a real drive contains no z. It then comes from a LuGre model fitted to T(t) (stage 8).
 
 #include <array>
 #include <optional>
@@ -40,7 +40,7 @@ struct LoopTrace {
   std::vector<double> t_s;
   std::vector<double> q_rad;
   std::vector<double> torque_Nm;
-  std::vector<double> z_rad;  ///< Recorded or of the fitted model; empty if neither.
+  std::vector<double> z_rad;  ///< Recorded or from the fitted model; empty if neither.
   std::vector<double> dz_rad_s;
   std::vector<double> model_torque_Nm;  ///< Of the fitted model; empty without a fit.
   /// Mid-line of the steady loop: mean of the rising and the falling branch at equal angle.
@@ -53,7 +53,7 @@ struct Oscillation {
   double amplitude_rad{};
   double frequency_Hz{};
   double cycles{};            ///< Whole cycles in the recording.
-  double steady_cycles{};     ///< Those behind the start-up stroke, used for the mid-line.
+  double steady_cycles{};     ///< Those after the start-up stroke, used for the mid-line.
   double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
   bool step_is_of_print{};    ///< It is that of the log's decimals; see AngleStep.
   double second_harmonic{};   ///< Of the motion, as a share of the first; 0: not known.
@@ -66,8 +66,8 @@ struct HysteresisResult {
   /// "loop.bristle_recorded", "loop.bristle_fitted", or empty where there is no deflection.
   Statement bristle_source;
   std::vector<Oscillation> oscillations;  ///< One per recording used.
-  /// The paper's reading: from the first strokes of the first recording, in the order A..F.
-  /// Empty if no bristle state is to be had.
+  /// The paper's reading: from the first strokes of the first recording, in the order A..F. Empty
+  /// if no bristle state is available.
   std::vector<LoopPoint> points;
   /// The same points of the steady loop, averaged over its cycles.
   std::vector<LoopPoint> steady_points;
@@ -76,40 +76,41 @@ struct HysteresisResult {
   double midline_q_rad{};         ///< Mean angle of the loop.
   double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
   std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
-  double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
-  /// Mean friction of the loops that the mid-line is of: the mean distance of their torque from it.
+  double loop_height_Nm{};        ///< Largest minus smallest torque of the loop, motor side.
+  /// Mean friction of the loops behind the mid-line: the mean distance of their torque from it.
   double midline_friction_Nm{};
   bool midline_by_angle{};  ///< Some are means over the angle: their motion has even harmonics.
-  /// Whether the scatter of the mid-lines over distinct positions holds the torque ripple.
+  /// Whether the scatter of the mid-lines over distinct positions includes the torque ripple.
   bool positions_hold_ripple{};
 
-  /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
-  /// within which torque turns over, and the encoder's step.
+  /// Where pre-sliding cannot be resolved, what shows it: travel after a reversal within which
+  /// friction reverses, and the encoder's step.
   std::optional<double> presliding_travel_rad;
   std::optional<double> encoder_step_rad;
-  bool step_is_of_print{};  ///< That step is the one of the log's decimals; see AngleStep.
+  bool step_is_of_print{};  ///< That step is of the log's decimals; see AngleStep.
 };
 
-/// What a resample needs to redo the loop without its samples.
+/// What a resample needs to repeat the loop's readings without its samples.
 struct LoopCycles {
   std::vector<double> means_Nm;  ///< Of the first recording's steady cycles.
   /// Torques at A to F, in the order of loop_points, in each steady turn of the first.
   std::vector<std::array<double, loop_points.size()>> turn_torques_Nm;
-  std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
+  std::optional<PositionMean> positions;  ///< Of the mid-lines, where there are several recordings.
 };
 
 struct Hysteresis {
   HysteresisResult result;
   std::vector<LoopTrace> traces;     ///< In the order of HysteresisResult::oscillations.
-  std::optional<FittedLuGre> lugre;  ///< Stage 8; its loops' signals have gone into the traces.
+  std::optional<FittedLuGre> lugre;  ///< Stage 8; its signals have been moved into the traces.
   LoopCycles cycles;
 };
 
 /// @param oscillations recordings of that role; may be empty.
-/// @param sweep the rough sweep, and what was found in it: its reversals tell about pre-sliding
-/// where no oscillation does.
-/// @param lag of the torque against the angle.
-/// @param q_peak_rad from the sweeps, or nullopt: the arm is then taken to swing about its peak.
+/// @param sweep the rough sweep, and what was found in it: its reversals show pre-sliding where no
+/// oscillation does.
+/// @param lag of the torque behind the angle.
+/// @param q_peak_rad from the sweeps, or nullopt: the arm is then assumed to swing about the
+/// gravity peak.
 Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,

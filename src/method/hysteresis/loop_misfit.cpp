@@ -19,7 +19,7 @@ struct Mean {
     count += 1;
   }
   [[nodiscard]] double value() const { return sum / count; }
-  /// Square of the mean, without the part that independent scatter has in it.
+  /// Square of the mean, less the contribution of independent scatter.
   [[nodiscard]] double square_without_scatter() const {
     if (count < 2) return 0;
     const double scatter = (squares - count * value() * value()) / (count - 1);

@@ -1,6 +1,6 @@
 #pragma once
-// What a fitted loop leaves, averaged over equal bins of the angle: scatter averages out there, and
-// what stays is where the model is wrong.
+// Residuals of a fitted loop, averaged over equal bins of the angle: scatter averages out there,
+// and what remains is the model's error.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 namespace tribolog::method::hysteresis {
 
 struct LoopMisfit {
-  std::vector<double> q_rad;       ///< Middles of the bins that both directions pass.
+  std::vector<double> q_rad;       ///< Centres of the bins that both directions pass.
   std::vector<double> rising_Nm;   ///< Mean of T - model while the angle grows.
   std::vector<double> falling_Nm;  ///< While it falls.
-  /// Root mean square of both, less what scatter leaves of itself in the means of bins.
+  /// Root mean square of both, less the scatter that remains in the means of bins.
   double systematic_Nm{};
 };
 

@@ -61,8 +61,8 @@ void add_branches(const joint::Recording& r, const motion::OscillationMotion& mo
   }
 }
 
-/// Share of the mean over the angle in what it corrects that is not trusted: friction does depend
-/// on the speed a little.
+/// Share of the correction by the mean over the angle that is not trusted: friction does depend on
+/// speed a little.
 constexpr double distrust_of_angle_mean = 0.1;
 
 /// |dq/dt| of the motion at the samples.

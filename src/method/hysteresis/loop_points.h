@@ -12,17 +12,17 @@
 
 namespace tribolog::method::hysteresis {
 
-// The mid-line of a steady loop: what is left of the torque when friction has cancelled.
+// The mid-line of a steady loop: what remains of the torque when friction has cancelled.
 //
 // In a steady loop under a motion that is half-wave symmetric, friction is half-wave antisymmetric:
 // Tf(t + P/2) = -Tf(t). Its mean over whole cycles is zero whatever the model, and the mean torque
-// is gravity's alone. The same holds for the torque of inertia. Reading single points has no such
-// protection.
+// is gravity's alone. The same holds for the torque of inertia. Readings of single points have no
+// such protection.
 //
-// A second harmonic of the motion breaks the symmetry in time: the joint spends more of it on one
-// side of the loop than on the other. Friction that goes by the way alone, as it does before
-// sliding, does not mind: its mean over the angle, there and back, is zero still. Where the motion
-// has such harmonics samples are therefore weighted by |dq/dt|.
+// A second harmonic of the motion breaks the symmetry in time: the joint spends more time on one
+// side of the loop than on the other. Friction that depends on the path alone, as in pre-sliding,
+// is not affected: its mean over the angle, there and back, is still zero. Where the motion has
+// such harmonics samples are therefore weighted by |dq/dt|.
 
 struct LoopMidline {
   statistics::Estimate torque_Nm;  ///< Mean over the steady cycles, motor side.
@@ -30,7 +30,7 @@ struct LoopMidline {
   double mean_q_rad{};
   double cycles{};         ///< Whole cycles in the recording.
   double steady_cycles{};  ///< Those averaged.
-  /// Mean of the torque's distance from its mean over the same cycles: friction as the loop has it.
+  /// Mean distance of the torque from its mean over the same cycles: the loop's friction.
   double friction_Nm{};
   bool by_angle{false};           ///< Mean over the angle, the motion having even harmonics.
   bool start_up_included{false};  ///< Only one cycle was recorded, start-up stroke and all.
@@ -69,7 +69,7 @@ class TraceReader {
   const LoopTrace& trace_;
   double window_s_;
   double noise_Nm_;
-  bool is_clean_;  ///< The noise is next to nothing of the torque's range.
+  bool is_clean_;  ///< The noise is negligible relative to the torque's range.
 };
 
 /// The six points of the turn that begins at the first upward zero of z at or after `first`, in the

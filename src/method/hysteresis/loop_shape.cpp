@@ -105,7 +105,7 @@ double dissipated_per_cycle(const SteadyPart& s, double gear_ratio, double cycle
   return whole > 0 ? work / whole : 0;
 }
 
-/// Compliances behind each reversal of the steady cycles. A reversal is the last sample at the
+/// Compliances after each reversal of the steady cycles. A reversal is the last sample at the
 /// extreme angle of a half cycle about the fitted motion's own.
 std::vector<double> compliances(const SteadyPart& s, const simulate::HarmonicMotion& motion,
                                 double start_s, double height_Nm) {

@@ -1,5 +1,5 @@
 #pragma once
-// What torque ripple and a lag do to the parameters that are read from loops.
+// Effect of torque ripple and of a lag on the parameters that are read from loops.
 
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
@@ -7,21 +7,21 @@
 
 namespace tribolog::method::hysteresis {
 
-/// Ripple of amplitude a and k periods to the motor's turn rises across a loop of half travel x by
-/// up to a sin(k x) to each side: as a spring of stiffness a k does. That is in static and Coulomb
-/// torque, in the stiffness, and, at the loop's angular frequency w, in the inertia as a k / w^2.
-/// Taken off by the phase that the sweep shows (take_ripple_off_loop), a part of it stays: the
-/// intervals are widened by that at any phase.
+/// Ripple of amplitude a and k periods per motor turn rises across a loop of half travel x by up to
+/// a sin(k x) to each side, like a spring of stiffness a k. That enters static and Coulomb torque,
+/// the stiffness and, at the loop's angular frequency w, the inertia as a k / w^2. Where it is
+/// subtracted with the phase found in the sweep (take_ripple_off_loop), a part of it remains: the
+/// intervals are widened by that part at any phase.
 LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple);
 
-/// Takes off a loop's torque what the sweep's ripple changes within it; its mean over the loop
-/// stays, as the paper's loops have it. Only where the loop lies within the sweep's angles, and
-/// where that is a noticeable part of the loop's height.
+/// Subtracts from a loop's torque the variation of the sweep's ripple within it; the ripple's mean
+/// over the loop stays, as in the paper's loops. Only where the loop lies within the sweep's
+/// angles, and where that is an appreciable part of the loop's height.
 void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
                           joint::Recording& loop);
 
-/// A lag that was taken off as a delay may be a filter's, which rounds the reversal too: by about
-/// the square of the lag over the time in which the contact builds up.
+/// Widens intervals: a lag that was removed as a delay may be a filter's, which also rounds the
+/// reversal, by about the square of the lag over the rise time of friction after it.
 LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s);
 
 }  // namespace tribolog::method::hysteresis

@@ -9,7 +9,8 @@
 namespace tribolog::method::hysteresis {
 namespace {
 
-/// By how much a parameter's torque has to grow against the scatter to be shown, with a margin.
+/// Factor by which a parameter's torque has to grow relative to the scatter to be shown, with a
+/// margin.
 double growth_needed(const LuGreParameter& p, const LuGreFit& fit) {
   constexpr double margin = 2;
   constexpr double t_factor = 2;

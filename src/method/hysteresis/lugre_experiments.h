@@ -7,9 +7,10 @@
 
 namespace tribolog::method::hysteresis {
 
-/// Fills LuGreParameter::experiment of what is not shown, with amplitudes and frequencies.
-/// @param stribeck_speed_rad_s of the curve at constant speed (motor), where one was fitted:
-/// without it the plan for Tc and ws has no number.
+/// Fills LuGreParameter::experiment of parameters that are not shown, with amplitudes and
+/// frequencies.
+/// @param stribeck_speed_rad_s from runs at constant speed (motor side), where one was fitted:
+/// without it the plan for Tc and ws contains no number.
 LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
                           const std::optional<double>& stribeck_speed_rad_s);
 

@@ -18,7 +18,7 @@
 namespace tribolog::method::hysteresis {
 namespace {
 
-/// Samples a cycle that first guesses are tried on.
+/// Samples per cycle on which first guesses are tried.
 constexpr double thinned_per_cycle = 60;
 
 std::size_t stride_of(const joint::Recording& r, double frequency_Hz) {
@@ -29,13 +29,13 @@ std::size_t stride_of(const joint::Recording& r, double frequency_Hz) {
 
 using GrainOf = LuGreGrain (*)(const LuGreInput& loop);
 
-/// Of many cycles the first hundred or two.
+/// The samples for first guesses; of many cycles the first hundred or two.
 LuGreGrain thinned(const LuGreInput& loop) {
   constexpr std::size_t most_samples = 10'000;
   return {stride_of(*loop.recording, loop.frequency_Hz()), 1, most_samples};
 }
 
-/// Of long recordings so many samples lead close to where all of them lead.
+/// For long recordings: this many samples lead close to the solution for all samples.
 LuGreGrain halfway(const LuGreInput& loop) {
   constexpr std::size_t long_from = 100'000;
   constexpr std::size_t most_samples = 20'000;
@@ -44,8 +44,8 @@ LuGreGrain halfway(const LuGreInput& loop) {
   return {std::clamp<std::size_t>(size / most_samples, 1, thinned(loop).stride), 1, most_samples};
 }
 
-/// All samples; of a long recording some neighbours together, which hold nothing that their mean
-/// does not. Rows bound the room that the fit takes.
+/// All samples; in a long recording neighbours are averaged where their mean contains all they do.
+/// This bounds the fit's memory.
 LuGreGrain all_samples(const LuGreInput& loop) {
   constexpr std::size_t enough_rows = 100'000;
   constexpr std::size_t fewest_thinned = 4;  // rows where the thinned problem has one sample
@@ -72,8 +72,8 @@ std::optional<LuGreProblem> problem_halfway(const std::vector<LuGreInput>& loops
   return problem_of(loops, gear_ratio, q_peak_rad, halfway);
 }
 
-/// Half loops of all recordings, counted on, in which residuals of a misfitted loop hang together;
-/// of each row that of its first sample.
+/// Half loops of all recordings, numbered consecutively, within which residuals of a misfitted loop
+/// are correlated; of each row that of its first sample.
 std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
                                           const LuGreProblem& problem) {
   std::vector<std::size_t> blocks;
@@ -122,7 +122,7 @@ void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProble
   }
 }
 
-/// How the model's motion was made, and what that says of the loop.
+/// How the model's motion was obtained, and what that shows about the loop.
 void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const LuGreClimb& climb,
                      double gear_ratio, const LuGreSignals& signals, LuGreLoop& loop) {
   loop.motion = input.traced != nullptr ? LoopMotion::spline : LoopMotion::harmonics;
@@ -210,7 +210,7 @@ class LateTorque {
   LateTorque(std::vector<double> time_s, Eigen::VectorXd torque_Nm)
       : t_(std::move(time_s)), torque_(std::move(torque_Nm)) {}
 
-  /// By a second of lag.
+  /// Derivative with respect to the lag [N·m/s].
   [[nodiscard]] Eigen::VectorXd slope() const {
     Eigen::VectorXd out(torque_.size());
     for (Eigen::Index i = 0; i < torque_.size(); ++i) {
@@ -221,7 +221,7 @@ class LateTorque {
     }
     return out;
   }
-  /// Behind a first-order filter of that time constant, less the same late by it.
+  /// The torque after a first-order filter of that time constant, less the torque delayed by it.
   [[nodiscard]] Eigen::VectorXd filtered_less_delayed(double lag_s) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(torque_.size());
     double filtered = torque_(0);
@@ -247,8 +247,8 @@ class LateTorque {
   Eigen::VectorXd torque_;
 };
 
-/// What the lag does to the fit's parameters: one column for what is not known of its size, and one
-/// for its shape, which may be that of a delay or of a filter. Standard deviations.
+/// Shifts of the fit's parameters by the lag, as standard deviations: one column for the
+/// uncertainty of its size, and one for its shape, which may be that of a delay or of a filter.
 Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& problem,
                               const LagOfLoops& lag) {
   Eigen::MatrixXd late = Eigen::MatrixXd::Zero(problem.rows(), 2);
@@ -301,7 +301,7 @@ std::vector<std::size_t> samples_in_rows(const LuGreProblem& problem) {
   return samples;
 }
 
-/// Says where neighbouring samples were taken together.
+/// States where neighbouring samples were averaged.
 void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
     if (samples_in_row[r] == 1) continue;
@@ -310,7 +310,7 @@ void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   }
 }
 
-/// Of the loop that noise explains worst; empty where it explains all of them.
+/// The misfit of the loop that noise explains worst; empty where it explains all of them.
 Statement worst_misfit(const LuGreFit& fit) {
   const LuGreLoop* worst = nullptr;
   const auto share = [](const LuGreLoop& loop) {

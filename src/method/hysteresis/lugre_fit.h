@@ -1,18 +1,18 @@
 #pragma once
 // Stage 8, first half: every LuGre parameter that recorded loops T(q) can show, and the gravity
-// torque, with no bristle deflection measured: z is the fitted model's own.
+// torque, without a measured bristle deflection: z is the fitted model's.
 //
 // All recordings together, of any amplitude, frequency and position: friction and inertia are
-// shared, gravity torque and the deflection at the start are each recording's own (torque ripple is
-// a constant over a micro-oscillation). The motion is what was fitted to q(t): harmonics, or a
-// spline where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a
-// loop, and the first reversal makes it forget where. Which parameters the loops carry is decided
-// by the data (lugre_ladder.h); one that they do not show is held, is given no number, and comes
-// with the experiment that would show it.
+// shared, gravity torque and initial deflection are separate for each recording (torque ripple is a
+// constant over a micro-oscillation). The motion is what was fitted to q(t): harmonics, or a spline
+// where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a loop, and
+// the first reversal erases where. The data decide which parameters the loops support
+// (lugre_ladder.h); one that they do not show is held and reported without a number, with the
+// experiment that would show it.
 //
-// Intervals: block regression over half cycles, right for residuals that hang together within a
-// stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
-// spline the noise of the angle is added (traced_loop.h).
+// Intervals: block regression over half cycles, valid for residuals that are correlated within a
+// stroke; wrong where the model is wrong, which the residuals' scatter shows in comparison with the
+// noise. Along a spline the noise of the angle is added (traced_loop.h).
 
 #include <array>
 #include <memory>
@@ -61,8 +61,8 @@ struct LuGreParameter {
   LuGreParameterName name{};
   /// Present only where the loops show it. Motor side.
   std::optional<statistics::Estimate> estimate;
-  std::optional<double> held_at;  ///< Where the fit did not vary it.
-  /// Standard error over the value; absent where it was held.
+  std::optional<double> held_at;  ///< The value at which the fit held it.
+  /// Relative standard error; absent where it was held.
   std::optional<double> relative_error;
   /// Torque (rms over the samples) that the parameter makes and no other can imitate; absent where
   /// it was held.
@@ -71,28 +71,29 @@ struct LuGreParameter {
   Statement experiment;  ///< What would show it; empty if it is shown.
 };
 
-/// What the singular values of the scaled Jacobian tell. Columns are scaled by the parameters'
-/// natural sizes (the value at which its torque would be that of friction), those of single
-/// recordings other than the first are projected out, and rows are averaged: a unit change along a
-/// direction changes the torque by its singular value [N·m, rms].
+/// Identifiability by the singular values of the scaled Jacobian. Columns are scaled by the
+/// parameters' natural sizes (the value at which a parameter's torque would be that of friction),
+/// those of single recordings other than the first are projected out, and rows are averaged: a unit
+/// change along a direction changes the torque by its singular value [N·m, rms].
 struct LuGreIdentifiability {
   std::vector<Statement> names;                  ///< Of the columns.
   std::vector<double> singular_values_Nm;        ///< Descending.
   double condition{};                            ///< First over last.
-  std::vector<double> weakest;                   ///< Direction of the last, by names.
-  Statement weakest_statement;                   ///< Columns that make it up, the largest first.
-  std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
+  std::vector<double> weakest;                   ///< Singular vector of the last, in the order of
+                                                 ///< `names`.
+  Statement weakest_statement;                   ///< Columns of that direction, the largest first.
+  std::vector<std::vector<double>> correlation;  ///< Of the estimates, in the order of `names`.
 };
 
 enum class LoopMotion {
-  harmonics,  ///< Of the angle.
-  spline,     ///< Through it.
+  harmonics,  ///< Harmonics fitted to the angle.
+  spline,     ///< Smoothing spline through the angle.
 };
 
 /// Stable: "harmonics".
 std::string to_string(LoopMotion motion);
 
-/// The fit's view of one recording.
+/// The fit's results for one recording.
 struct LuGreLoop {
   std::string recording;
   std::optional<statistics::Estimate>
@@ -100,13 +101,14 @@ struct LuGreLoop {
   double start_deflection_rad{};
   double residual_Nm{};  ///< Standard deviation of T - model.
   LoopMisfit misfit;
-  CycleMisfit cycle_misfit;  ///< Of a loop with a period.
-  double height_Nm{};        ///< Largest less smallest torque.
-  /// What the model leaves and noise does not explain, root mean square.
+  CycleMisfit cycle_misfit;  ///< Only of a periodic loop.
+  double height_Nm{};        ///< Largest minus smallest torque.
+  /// Root mean square of the residual that noise does not explain.
   double systematic_Nm{};
   LoopMotion motion{};               ///< What drove the model.
-  double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
-  std::optional<TracedLoop> traced;  ///< Of a spline.
+  double motion_residual_rad{};      ///< Standard deviation of the recorded angle about that
+                                     ///< motion.
+  std::optional<TracedLoop> traced;  ///< Only with a spline.
 };
 
 struct LuGreFit {
@@ -118,15 +120,15 @@ struct LuGreFit {
   LuGreIdentifiability identifiability;
   std::vector<LuGreLoop> loops;  ///< In the order given.
   double residual_Nm{};          ///< Standard deviation of T - model.
-  double height_Nm{};            ///< Largest height of a loop.
+  double height_Nm{};            ///< Height of the highest loop.
   double peak_speed_rad_s{};     ///< Largest motor speed in the loops.
   double motor_amplitude_rad{};  ///< Largest.
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
   int iterations{};
   Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
 
-  /// The loop in which what noise does not explain is the largest share of the height; null
-  /// without loops.
+  /// The loop in which the unexplained residual is the largest share of the height; null without
+  /// loops.
   [[nodiscard]] const LuGreLoop* worst_described() const;
   /// Present only where the parameter is shown.
   [[nodiscard]] std::optional<statistics::Estimate> shown(LuGreParameterName name) const;
@@ -140,20 +142,20 @@ struct LuGreSignals {
   std::vector<double> dz_rad_s;
 };
 
-/// Lag of the loops' torque against their angle.
+/// Lag of the loops' torque behind their angle.
 struct LagOfLoops {
-  double taken_off_s{};   ///< Already, as a delay; it may have been a filter's.
+  double taken_off_s{};   ///< Already removed as a delay; it may have been a filter's.
   double half_width_s{};  ///< 95 %; 0: known exactly.
 };
 
 struct FittedLuGre {
   LuGreFit fit;
   std::vector<LuGreSignals> signals;  ///< In the order of LuGreFit::loops.
-  /// Gravity before ripple is laid on it; present with LuGreFit::gravity_Nm.
+  /// Gravity, its interval not yet widened by ripple; present with LuGreFit::gravity_Nm.
   std::optional<PositionMean> positions;
   /// For resampling, of a fit that converged (statistics/levenberg_marquardt.h).
   std::shared_ptr<const statistics::LinearisedFit> linearised;
-  std::vector<LuGreParameterName> readings;  ///< What those of `linearised` are, in their order.
+  std::vector<LuGreParameterName> readings;  ///< Names of the readings in `linearised`, in order.
 };
 
 /// @param loops at least one.

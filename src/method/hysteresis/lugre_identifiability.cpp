@@ -36,7 +36,7 @@ class Reader {
     add(parameter, 1, out.gradient);
     return out;
   }
-  /// Torque that a change of the reading by its size makes and nothing else imitates.
+  /// Torque due to a change of the reading by its size that no other parameter can imitate.
   [[nodiscard]] double effect_Nm(const Reading& r) const {
     const Eigen::VectorXd row =
         climb_.linear.r_factor.triangularView<Eigen::Upper>().transpose().solve(r.gradient);
@@ -123,7 +123,7 @@ Size size_of(Shared::Index parameter, const LuGreClimb& climb, double peak_speed
   return {{}, 1};
 }
 
-/// The columns that make up a direction, the largest first, each with the sense in which it goes.
+/// The columns that make up a direction, the largest first, each with its sign.
 Statement described_direction(const std::vector<Statement>& names,
                               const std::vector<double>& direction) {
   constexpr double worth_naming = 0.3;

@@ -1,5 +1,5 @@
 #pragma once
-// What a climbed ladder shows: parameters in their own units, and the singular values behind it.
+// What a climbed ladder shows: parameters in their own units, and the singular values behind them.
 
 #include "method/hysteresis/lugre_fit.h"
 #include "method/hysteresis/lugre_ladder.h"
@@ -9,7 +9,7 @@ namespace tribolog::method::hysteresis {
 struct LuGreReadings {
   std::vector<LuGreParameter> parameters;  ///< All: the estimate, or why there is none.
   std::vector<LuGreParameterName> shown;   ///< Those with an estimate,
-  std::vector<statistics::LinearisedReading> readings;  ///< and what they read from the fit.
+  std::vector<statistics::LinearisedReading> readings;  ///< and how they follow from the fit.
 };
 
 /// @param peak_speed_rad_s largest motor speed in the loops.

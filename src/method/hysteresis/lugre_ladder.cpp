@@ -19,12 +19,13 @@ const std::vector<Shared::Index> friction_only{Shared::log_stiffness, Shared::lo
 const std::vector<Shared::Index> at_level{Shared::log_stiffness, Shared::log_static,
                                           Shared::damping, Shared::viscous, Shared::inertia};
 
-/// Gain in squares, in units of the residual variance, that a rung has to bring: five standard
-/// errors of one parameter, as two rungs are tried from four first guesses each.
+/// Least reduction of the sum of squares, in units of the residual variance, that a rung has to
+/// bring: five standard errors of one parameter, as two rungs are tried from four first guesses
+/// each.
 constexpr double least_gain = 25;
 
-/// Gain in the same units at which the fit to long recordings ends: a step of a hundredth of a
-/// standard error. Digits beyond it cost as much as those that count.
+/// Reduction in the same units at which the fit to long recordings stops: a step of a hundredth of
+/// a standard error. Further digits cost as much as those that count.
 constexpr double smallest_gain = 1e-4;
 
 std::vector<Shared::Index> with(std::vector<Shared::Index> some,
@@ -78,7 +79,7 @@ class Climber {
     return c.converged && c.point.shared(Shared::fall) > 0 && c.point.shared(Shared::log_share) < 0;
   }
 
-  /// Whether the higher rung explains what chance among several first guesses would not.
+  /// Whether the higher rung explains more than chance among several first guesses would.
   static bool pays(const LuGreClimb& lower, const LuGreClimb& higher) {
     const double before = lower.linear.fit.residuals.squaredNorm();
     const double after = higher.linear.fit.residuals.squaredNorm();
@@ -100,8 +101,8 @@ class Climber {
     return guess;
   }
 
-  /// The best of several first guesses, roughly. Starts stay where they are: while all else is
-  /// wrong they would run away to fit it.
+  /// The best of several first guesses, roughly. Initial deflections stay fixed: while all else is
+  /// wrong they would run away to compensate.
   LuGreProblem::Solution best_thinned(const LuGreFreedom& free,
                                       const std::vector<LuGrePoint>& guesses) {
     const statistics::LeastSquaresLimits rough{1e-6, 1e-4, 60};
@@ -110,14 +111,15 @@ class Climber {
     for (const LuGrePoint& guess : guesses) {
       LuGreProblem::Solution s = thinned_.solve({free.shared, false}, guess, rough);
       evaluations_ += s.evaluations;
-      // Roughly is enough: one that ran out of evaluations may still be the best to go on from.
+      // A rough solution is enough: one that ran out of evaluations may still be the best to
+      // continue from.
       if (s.squares < best.squares) best = std::move(s);
     }
     best.converged = std::isfinite(best.squares);
     return best;
   }
 
-  /// Fitted to all samples from a guess, with what surrounds the solution.
+  /// Fits all samples from a guess, and linearises about the solution.
   LuGreClimb polished(LuGreRung rung, const LuGreFreedom& free, const LuGrePoint& guess) {
     LuGreClimb out;
     out.rung = rung;

@@ -1,6 +1,6 @@
 #pragma once
-// How much of LuGre a set of loops can carry: from a spring to the whole model, and no further than
-// the data pay for.
+// How much of LuGre a set of loops supports: from a spring to the whole model, and no further than
+// the data justify.
 //
 //   elastic    s0, s1                         the loop does not bend
 //   level      s0, Ts, s1, s2, J              it bends, at speeds far below the Stribeck velocity
@@ -9,10 +9,10 @@
 //
 // Damping, viscous coefficient or inertia may come out below zero, which no joint has: a torque
 // that is logged late makes s1 smaller by s0 times the lag. Such a parameter is not held at zero,
-// where it would bend the others; it is not shown, and says why (lugre_identifiability.cpp).
+// which would bias the others; it is not shown, with the reason (lugre_identifiability.cpp).
 //
-// G and the deflection at the start are each recording's own on all rungs (on the first the start
-// cannot be told from G, and neither is found).
+// G and the initial deflection are separate for each recording on all rungs (on the first they
+// cannot be distinguished, and neither is found).
 
 #include <string>
 #include <vector>
@@ -27,18 +27,19 @@ enum class LuGreRung { elastic, level, curvature, whole };
 /// Stable: "curvature".
 std::string to_string(LuGreRung rung);
 
-/// A parameter stands where the data alone hold it.
+/// How well the data alone determine a parameter.
 struct LuGreStanding {
   double half_width{};  ///< 95 %, in the fit's variable.
-  double relative{};    ///< Half width over the size; of a logarithm the half width itself.
+  double relative{};    ///< Half width over the size; for a logarithm the half width itself.
   double effect_Nm{};   ///< Torque (rms) of its size that no other parameter can imitate.
 };
 
-/// Of a parameter that is to be given as a number.
+/// Largest relative half width of a parameter that is stated as a number.
 inline constexpr double widest_shown = 0.5;
-/// Of one that a rung is climbed for: its interval leaves out zero, or a factor of e.
+/// Of one that justifies a rung: its interval excludes zero, or a factor of e.
 inline constexpr double widest_climbed = 1.0;
-/// Effect below this share of the loop's height: no drive follows a friction model more closely.
+/// Smallest effect that counts, as a share of the loop's height: no drive follows a friction model
+/// more closely.
 inline constexpr double smallest_effect = 1e-4;
 
 struct LuGreClimb {
@@ -48,14 +49,14 @@ struct LuGreClimb {
   LuGrePoint point;
   LuGreProblem::Linearisation linear;
   statistics::BlockRegression
-      around;          ///< The next step of the fit, which is none, and its covariance.
+      around;          ///< The next step of the fit, which is zero, and its covariance.
   double height_Nm{};  ///< Largest height of a loop.
   int evaluations{};
 
   /// Column of a shared parameter, or -1 where it is held.
   [[nodiscard]] Eigen::Index column(LuGreShared::Index parameter) const;
   [[nodiscard]] LuGreStanding standing(Eigen::Index column, double size) const;
-  /// By the size of a shared parameter: 1 of a logarithm, its value of the others.
+  /// By the size of a shared parameter: 1 for a logarithm, else its value.
   [[nodiscard]] LuGreStanding standing(LuGreShared::Index parameter) const;
   [[nodiscard]] bool stands(LuGreShared::Index parameter, double widest) const;
 };
@@ -65,10 +66,10 @@ inline constexpr double held_share = 0.6;
 /// Ts is held at this many heights of the loop where it does not bend.
 inline constexpr double elastic_heights = 1e3;
 
-/// The same recordings, coarse to fine.
+/// The same recordings, from coarse to fine.
 struct LuGreProblems {
-  const LuGreProblem& thinned;           ///< A few hundred samples each, to try first guesses on.
-  const LuGreProblem* halfway{nullptr};  ///< Of long recordings: where the last fit starts from.
+  const LuGreProblem& thinned;           ///< A few hundred samples each, for first guesses.
+  const LuGreProblem* halfway{nullptr};  ///< For long recordings: its solution starts the last fit.
   const LuGreProblem& whole;             ///< All samples.
 };
 

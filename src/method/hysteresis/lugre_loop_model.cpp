@@ -19,8 +19,8 @@ enum DualIndex { by_log_rest, by_start, by_log_share, by_fall };
 constexpr int at_micro_speed = 2;
 constexpr int at_any_speed = 4;
 
-/// Halvings of a step between two samples. A Stribeck velocity that a solver tries in passing may
-/// be so small that no step is ever short enough; one that a log can show needs fewer.
+/// Most halvings of a step between two samples. A Stribeck velocity that a solver tries in passing
+/// may be so small that no step is ever short enough; one that a log can show needs fewer.
 constexpr int deepest_halving_in_a_fit = 5;
 
 /// g(w) with its derivatives: level * (c + (1 - c) exp(-b w^2)).
@@ -59,7 +59,7 @@ Deflection deflection_of(const Shared::Vector& p) {
 
 }  // namespace
 
-/// Samples that are compared together: of the recording from `first` to before `end`.
+/// Samples that are compared as one row: of the recording from `first` to before `end`.
 struct LuGreLoopModel::Together {
   std::size_t first, end;
   double way_rad{};
@@ -67,9 +67,9 @@ struct LuGreLoopModel::Together {
   bool is_smooth{};
 };
 
-/// Whether the model is smooth through a row, so that one look at it is enough: not just behind a
-/// turn, or behind the start, where the bristle bends over within some way, nor beside a turn or
-/// the end.
+/// Finds the rows through which the model is smooth, so that one evaluation is enough: not just
+/// after a reversal or the start, where the bristle bends over within a short travel, nor next to a
+/// reversal or the end.
 void LuGreLoopModel::tell_smooth_rows(std::vector<Together>& rows) {
   // Of a torque that bends over as exp(-x / d), no d leaves more than 1e-5 unseen then.
   constexpr double ways_to_bend_over = 5;
@@ -117,7 +117,7 @@ std::vector<double> LuGreLoopModel::look_at_samples(const joint::Recording& reco
   return instants;
 }
 
-/// @return the instants at which the model is looked at
+/// @return the instants at which the model is evaluated
 std::vector<double> LuGreLoopModel::look_at_rows(const joint::Recording& recording,
                                                  const LuGreGrain& grain) {
   std::vector<double> instants;
@@ -195,7 +195,7 @@ Eigen::VectorXd LuGreLoopModel::measured() const {
   return Eigen::Map<const Eigen::VectorXd>(measured_Nm_.data(), rows());
 }
 
-/// Two pieces where the motion turns on the way.
+/// Adds one piece, or two where the motion reverses within it.
 void LuGreLoopModel::add_way(double from_s, double to_s, double start_speed, double end_speed) {
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_instant) {
     const double wm = motion_->speed((a + b) / 2);
@@ -307,8 +307,9 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   }
 }
 
-/// Means over the rows' samples, of sums over where the model was looked at. Where that was the
-/// middle of a row alone, half the variance of its times times the second derivative is added.
+/// Turns values at the instants of evaluation into means over the rows' samples. For a row
+/// evaluated only at its middle, half the variance of its times, times the second derivative, is
+/// added.
 void LuGreLoopModel::average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const {
   const Eigen::Index n = column.size();
   const auto row = [&](Eigen::Index k) -> const Row& { return row_[static_cast<std::size_t>(k)]; };

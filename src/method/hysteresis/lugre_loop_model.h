@@ -4,13 +4,13 @@
 //   T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w + J dw/dt,    dz/dt = w - |w| z / g(w)
 //   s0 g(w) = Ts (c + (1 - c) exp(-b w^2)),    c = Tc/Ts,    b = 1/ws^2
 //
-// One recording: G and the deflection at its start are its own, all else is shared by the
-// recordings of a joint. z depends on four numbers only: g at rest Ts/s0, c, b and its start; its
-// derivatives by them are carried through the exponential step as dual numbers. s1, s2, J and G
-// enter linearly.
+// One recording: G and the initial deflection are its own, all else is shared by the recordings of
+// a joint. z depends on four numbers only: g at rest Ts/s0, c, b and its initial value; its
+// derivatives with respect to them are carried through the exponential step as dual numbers. s1,
+// s2, J and G enter linearly.
 //
-// At speeds far below ws only b (1 - c) shows, the curvature of g; b = 0 is the level of
-// micro-speed, and a derivative by b is to be had there too.
+// At speeds far below ws only b (1 - c) shows, the curvature of g; b = 0 is the micro-speed limit,
+// where the derivative with respect to b exists too.
 
 #include <cstddef>
 #include <limits>
@@ -24,7 +24,7 @@
 
 namespace tribolog::method::hysteresis {
 
-/// The shared parameters as the fit varies them: positive ones by their logarithm.
+/// The shared parameters as the fit varies them: positive ones as their logarithms.
 struct LuGreShared {
   enum Index { log_stiffness, log_static, log_share, fall, damping, viscous, inertia };
   static constexpr int count = 7;
@@ -37,11 +37,11 @@ struct LuGreLocal {
   double start_rad{};   ///< z at the first sample.
 };
 
-/// How finely a recording is compared with the model.
+/// The sampling at which a recording is compared with the model.
 struct LuGreGrain {
-  std::size_t stride{1};          ///< Every so many samples; the others are passed over.
-  std::size_t samples_in_row{1};  ///< Neighbours that are compared as their mean, of the model too.
-  std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< From the first on.
+  std::size_t stride{1};          ///< Every `stride`-th sample is used; the others are skipped.
+  std::size_t samples_in_row{1};  ///< Neighbours averaged before comparison, as is the model.
+  std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< Counted from the first.
 };
 
 class LuGreLoopModel {
@@ -56,7 +56,7 @@ class LuGreLoopModel {
   LuGreLoopModel(const joint::Recording& recording, std::shared_ptr<const simulate::Motion> motion,
                  double gear_ratio, double q_peak_rad, const LuGreGrain& grain = {});
 
-  /// One for each of the samples, or for so many of them together.
+  /// One per sample, or per samples_in_row() samples.
   [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(measured_Nm_.size()); }
   [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
   /// Times of the rows since the first sample, and the torque measured there.
@@ -64,7 +64,7 @@ class LuGreLoopModel {
   [[nodiscard]] Eigen::VectorXd measured() const;
   /// Residuals T_model - T_measured, and their derivatives.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
-  /// level of micro-speed is integrated at half the work.
+  /// micro-speed limit is integrated at half the cost.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
   /// Residuals alone. @pre a row is a sample
@@ -75,17 +75,17 @@ class LuGreLoopModel {
                std::vector<double>& dz_rad_s) const;
   /// Motor speed at the samples, by the motion. @pre a row is a sample
   [[nodiscard]] const std::vector<double>& speed_rad_s() const { return speed_; }
-  /// Largest motor speed [rad/s] where the model is looked at.
+  /// Largest motor speed [rad/s] where the model is evaluated.
   [[nodiscard]] double peak_speed_rad_s() const;
-  /// Half of the way between the ends of the motion [rad, motor].
+  /// Half the distance between the extremes of the motion [rad, motor].
   [[nodiscard]] double motor_amplitude_rad() const;
-  /// Largest less smallest torque.
+  /// Largest minus smallest torque [N·m].
   [[nodiscard]] double height_Nm() const;
   [[nodiscard]] double mean_torque_Nm() const;
 
  private:
-  /// A piece of the way between two instants in which the speed keeps its sign. It begins where the
-  /// one before ends.
+  /// A piece of the motion between two instants in which the speed keeps its sign. It begins where
+  /// the previous one ends.
   struct Piece {
     double end_s, middle_speed, end_speed;
     bool backward, ends_at_instant;

@@ -40,7 +40,7 @@ namespace {
 using Shared = LuGreShared;
 using Triangle = Eigen::MatrixXd;
 
-/// Where the fit's parameters sit in its vector, and back.
+/// Maps the fit's parameters to its vector, and back.
 class Layout {
  public:
   Layout(const LuGreFreedom& free, std::size_t recordings)
@@ -74,7 +74,7 @@ class Layout {
     }
     return p;
   }
-  /// @param held supplies what is not free.
+  /// @param held supplies the values that are not free.
   [[nodiscard]] LuGrePoint point_of(const Eigen::VectorXd& p, LuGrePoint held) const {
     for (Eigen::Index k = 0; k < shared_; ++k) held.shared(free_.shared[at(k)]) = p(k);
     for (std::size_t r = 0; r < held.locals.size(); ++r) {
@@ -110,7 +110,7 @@ Triangle compressed(const LuGreLoopModel::Rows& rows, const Eigen::VectorXd& res
   return stack.topRows(n + 1);
 }
 
-/// The rows that stand for all recordings: J and r with the same J'J, J'r and |r|.
+/// Reduced rows that replace those of all recordings: J and r with the same J'J, J'r and |r|.
 struct Reduced {
   Eigen::VectorXd at;
   Eigen::VectorXd residuals;

@@ -1,7 +1,6 @@
 #pragma once
-// One recording as the LuGre fit takes it: what was measured, and the motion that the model is
-// driven along. A joint moved along a sine has its harmonics; one that a torque drives has the
-// spline through its angle.
+// One recording as input of the LuGre fit: what was measured, and the motion that drives the model:
+// harmonics for a joint moved along a sine, a spline through the angle for one driven by a torque.
 
 #include <cstddef>
 #include <memory>
@@ -21,26 +20,27 @@ namespace tribolog::method::hysteresis {
 
 struct LuGreInput {
   const joint::Recording* recording{};
-  const motion::OscillationMotion* motion{};  ///< Fitted to it; unless `traced` is given.
-  const motion::TracedMotion* traced{};       ///< Taken instead where it is given.
+  const motion::OscillationMotion* motion{};  ///< Fitted to the recording; used unless `traced` is
+                                              ///< given.
+  const motion::TracedMotion* traced{};       ///< Used instead where given.
 
-  /// By the time since the recording's first sample.
+  /// Motion as a function of the time since the recording's first sample.
   [[nodiscard]] std::shared_ptr<const simulate::Motion> motor_motion(double gear_ratio) const;
   [[nodiscard]] double frequency_Hz() const;
   [[nodiscard]] double centre_rad() const;
   /// Half loop of each sample, counted from 0: half cycles of the frequency, or the strokes between
-  /// the turns of the angle. Residuals of a misfitted loop hang together within one.
+  /// the reversals of the angle. Residuals of a misfitted loop are correlated within one.
   [[nodiscard]] std::vector<std::size_t> half_loops() const;
 };
 
 // LuGre fitted to any number of loops at once: least squares over all their samples.
 //
-// Levenberg-Marquardt is Eigen's port of MINPACK. It sees, of each recording, not its thousands of
-// rows but the triangular factor of [J r], which has the same J'J, J'r and |r|, hence gives exactly
-// the same steps: columns that belong to one recording alone then cost nothing in the others.
-// Ceres is not used: on one loop its automatic differentiation took 17 ms where this way took 1.7
-// (dual numbers go through the recursion once; its Jets carry all parameters through every row),
-// and its package brings SuiteSparse, ATLAS and glog.
+// Levenberg-Marquardt is Eigen's port of MINPACK. Of each recording it sees not the thousands of
+// rows but the triangular factor of [J r], which has the same J'J, J'r and |r| and hence gives
+// exactly the same steps: columns that belong to one recording alone then cost nothing in the
+// others. Ceres is not used: on one loop its automatic differentiation took 17 ms where this way
+// took 1.7 (dual numbers go through the recursion once; its Jets carry all parameters through every
+// row), and its package brings SuiteSparse, ATLAS and glog.
 
 /// A value for every parameter of every recording.
 struct LuGrePoint {
@@ -48,10 +48,10 @@ struct LuGrePoint {
   std::vector<LuGreLocal> locals;  ///< One per recording.
 };
 
-/// Which parameters a fit varies; the others keep the value of its start. G is always free.
+/// Which parameters a fit varies; the others keep their starting values. G is always free.
 struct LuGreFreedom {
   std::vector<LuGreShared::Index> shared;
-  bool starts{true};  ///< Deflections at the start of the recordings.
+  bool starts{true};  ///< Initial deflections of the recordings.
 
   [[nodiscard]] bool has(LuGreShared::Index parameter) const;
 };
@@ -69,8 +69,8 @@ class LuGreProblem {
   [[nodiscard]] Solution solve(const LuGreFreedom& free, const LuGrePoint& start,
                                const statistics::LeastSquaresLimits& limits = {}) const;
 
-  /// Columns: the free shared parameters in their order, then of each recording G and, if free, its
-  /// start.
+  /// Columns: the free shared parameters in their order, then for each recording G and, if free,
+  /// its initial deflection.
   struct Linearisation {
     statistics::LinearisedFit fit;
     Eigen::MatrixXd r_factor;  ///< Triangular factor of the Jacobian.
@@ -82,7 +82,7 @@ class LuGreProblem {
   [[nodiscard]] static Eigen::Index gravity_column(const LuGreFreedom& free, std::size_t recording);
 
   [[nodiscard]] const std::vector<LuGreLoopModel>& models() const { return models_; }
-  /// Of all recordings' residuals.
+  /// Number of residuals of all recordings.
   [[nodiscard]] Eigen::Index rows() const;
 
  private:

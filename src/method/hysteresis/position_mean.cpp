@@ -14,7 +14,8 @@
 namespace tribolog::method::hysteresis {
 namespace {
 
-// Lines whose sines look alike at the positions would make the mean worse than leaving them.
+// Lines whose sines are nearly collinear at the positions would make the mean worse than omitting
+// them.
 constexpr double largest_condition = 30;
 constexpr Eigen::Index fewest_spare = 2;
 constexpr Eigen::Index fewest_for_harmonics = 6;
@@ -77,7 +78,7 @@ Positions without_repeats(const std::vector<statistics::Estimate>& gravity_Nm,
   return out;
 }
 
-/// The columns with cosine and sine of one more period beside them.
+/// Appends columns of cosine and sine of one more period.
 Eigen::MatrixXd with_period(const Eigen::MatrixXd& x, const std::vector<double>& angle,
                             double periods_per_turn) {
   Eigen::MatrixXd wider(x.rows(), x.cols() + 2);
@@ -96,7 +97,7 @@ double evenness(const Eigen::MatrixXd& x) {
   return svd.singularValues()(x.cols() - 1) / svd.singularValues()(0);
 }
 
-/// Columns: 1, and cosine and sine of as many lines as the positions can tell apart; of harmonics
+/// Columns: 1, and cosine and sine of as many lines as the positions can separate; of harmonics
 /// where no line is known.
 Eigen::MatrixXd position_design(const std::vector<double>& angle, const gravity::Ripple& ripple) {
   const auto n = static_cast<Eigen::Index>(angle.size());

@@ -1,13 +1,14 @@
 #pragma once
-// Gravity torque from oscillations at several positions of the motor: of the mid-lines and of the
-// loop fit alike.
+// Gravity torque from oscillations at several positions of the motor, for mid-lines and loop fit
+// alike.
 //
-// Over a micro-oscillation ripple is a constant, another one at each position. Where the sweep has
-// shown the ripple's periods and there are positions to spare, their sines are fitted along with
-// the mean, so that only what they leave counts as scatter. Where it shows none, and six positions
-// or more are spread evenly over a motor turn, harmonics of the motor's angle are fitted instead
-// (two fewer orders than half the positions): an even spread averages such ripple out, and plain
-// scatter would take it for an error. Else the plain mean, with the scatter of the positions.
+// Over a micro-oscillation ripple is a constant, a different one at each position. Where the sweep
+// has shown the ripple's periods and there are positions to spare, sines of these periods are
+// fitted along with the mean, and only their residuals count as scatter. Where it shows none, and
+// six or more positions are spread evenly over a motor turn, harmonics of the motor's angle are
+// fitted instead (two fewer orders than half the positions): an even spread averages such ripple
+// out, and plain scatter would count it as error. Otherwise the plain mean, with the scatter of the
+// positions.
 
 #include <cstddef>
 #include <string>
@@ -19,7 +20,7 @@
 
 namespace tribolog::method::hysteresis {
 
-/// From this many positions on their scatter tells of the ripple.
+/// From this many positions on, their scatter shows the ripple.
 inline constexpr std::size_t fewest_positions = 3;
 
 /// Positions that see different ripple: motor angles more than a 24th of a turn apart (ripple of
@@ -30,17 +31,17 @@ std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravit
 struct PositionMean {
   statistics::Estimate gravity_Nm;
   /// Degrees of freedom of the positions' scatter. 0: distinct positions are fewer than three; the
-  /// interval is that of the recordings, and ripple has still to be laid on it (with_ripple()).
+  /// interval is that of the recordings, and has yet to be widened by ripple (with_ripple()).
   double freedom{};
-  /// What each position leaves, in the order of the angles; empty without degrees of freedom.
+  /// Residual of each position, in the order of the angles; empty without degrees of freedom.
   std::vector<double> residuals_Nm;
 };
 
 /// Recordings that repeat a position are averaged first: they share its ripple. Fewer than three
 /// distinct positions: the wider of the recordings' own intervals and of their scatter.
 /// @param gravity_Nm of each recording, at the gravity peak, motor side.
-/// @param motor_angle_rad centres of the oscillations, one of each.
-/// @param scatter what the interval of fewer than three positions comes from.
+/// @param motor_angle_rad centre of each oscillation.
+/// @param scatter what the interval from fewer than three positions is based on.
 /// @throw std::invalid_argument if there is none, or the sizes differ.
 PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravity_Nm,
                                  const std::vector<double>& motor_angle_rad,

@@ -22,7 +22,7 @@ std::vector<double> spread(double centre, double over) {
   return angles;
 }
 
-/// Standard deviation of the mean that the lines leave, each at any phase.
+/// Standard deviation of the mean due to the lines, each at any phase.
 double ripple_left(const gravity::Ripple& ripple, const std::vector<double>& angles) {
   double variance = 0;
   for (const gravity::RippleLine& line : ripple.lines) {

@@ -13,17 +13,17 @@ namespace tribolog::method::hysteresis {
 struct PositionPlan {
   double spread_motor_rad{};        ///< Motor angle over which the positions are evenly spread.
   std::vector<double> further_rad;  ///< Joint angles of the oscillations still to be recorded.
-  double half_width_now_Nm{};       ///< Of the mid-line's torque, motor side, as it stands.
-  double ripple_half_width_Nm{};    ///< What of it the ripple demands.
+  double half_width_now_Nm{};       ///< Of the mid-line's torque, motor side, at present.
+  double ripple_half_width_Nm{};    ///< The part of it due to the ripple.
   double expected_half_width_Nm{};  ///< With all positions recorded.
 };
 
-/// Positions to which a plan fills up.
+/// Total number of positions that a plan aims at.
 inline constexpr std::size_t planned_positions = 8;
 
 /// Absent where no ripple shows, where there is no loop, or where three positions or more were
 /// recorded.
-/// @param cycles steady ones, whose scatter the mid-line's interval comes from.
+/// @param cycles steady ones, whose scatter determines the mid-line's interval.
 std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
                                            const HysteresisResult& hysteresis, std::size_t cycles,
                                            double gear_ratio);

@@ -6,7 +6,7 @@
 namespace tribolog::method::hysteresis {
 namespace {
 
-/// Behind the last sample there is one more step to the end of the last cycle.
+/// The last cycle ends one step after the last sample.
 double end_of(const LoopTrace& trace) {
   const auto n = static_cast<double>(trace.t_s.size());
   return trace.t_s.back() + (trace.t_s.back() - trace.t_s.front()) / (n - 1);

@@ -1,5 +1,5 @@
 #pragma once
-// The steady loop of an oscillation in few points, for keeping and drawing.
+// The steady loop of an oscillation in few points, for storing and drawing.
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +17,7 @@ struct SteadyLoop {
   std::vector<double> torque_Nm;        ///< Motor side.
 };
 
-/// The mean of the steady cycles over their phase; of a loop without a period, or with one cycle,
+/// The mean of the steady cycles over their phase; for a loop without a period, or with one cycle,
 /// its last cycle, thinned out.
 /// @param most_points at least 3. @return nothing where the trace has fewer points or no length.
 std::optional<SteadyLoop> steady_loop(const LoopTrace& trace, const Oscillation& oscillation,

@@ -19,12 +19,12 @@ struct Context {
   double gravity_m_s2{};
 };
 
-/// The value where its interval leaves out zero, else none.
+/// The value where its interval excludes zero, else 0.
 double beyond_interval(const statistics::Estimate& e) {
   return e.low > 0 || e.high < 0 ? e.value : 0.0;
 }
 
-/// The sweep's offset, where it is known well enough to be taken off.
+/// The sweep's offset, where it is known well enough to be subtracted.
 struct SweepOffset {
   double value_Nm{}, half_width_Nm{};
   double friction_Nm{};  ///< Of the sweep.
@@ -34,7 +34,7 @@ struct SweepOffset {
   const std::optional<gravity::TorqueOfAngle>& of_angle;
 
   explicit SweepOffset(const gravity::CogSweepResult& rough) : of_angle(rough.of_angle) {
-    // A short sweep cannot tell an offset from gravity: taking off its error would do harm.
+    // A short sweep cannot distinguish an offset from gravity: subtracting its error would do harm.
     constexpr double widest_share = 0.02;
     if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
     value_Nm = rough.torque_offset_Nm->value;
@@ -47,7 +47,7 @@ struct SweepOffset {
     is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
   }
 
-  /// @param friction_Nm mean of what friction the reading holds, there and back.
+  /// @param friction_Nm mean friction in the reading, there and back.
   /// @param q_rad where it was read.
   [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm, double q_rad) const {
     OffsetTaken taken = of_torque(friction_of_reading_Nm);
@@ -71,7 +71,7 @@ struct SweepOffset {
 };
 
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
-/// @param offset taken off it; @param offset_half_width of the sweep's.
+/// @param offset subtracted from it; @param offset_half_width of the sweep's.
 SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double q_rad,
                         double cosine, const Context& c, const OffsetTaken& offset = {},
                         double offset_half_width = 0) {
@@ -112,7 +112,7 @@ double cosine_at(const Context& c, double q_rad) {
   return c.q_peak_rad ? std::cos(q_rad - *c.q_peak_rad) : 1.0;
 }
 
-/// Whose gravity amplitude the mass stands for where there is no loop.
+/// Whose gravity amplitude gives the mass where there is no loop.
 Code mass_without_loop(const gravity::CogSweepResult& rough, const SurrogateMassesResult& out) {
   if (rough.found) return {"masses.of_sweep_only"};
   if (out.find(Estimator::runs) != nullptr) return {"masses.of_runs_only"};

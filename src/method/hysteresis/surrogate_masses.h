@@ -2,12 +2,13 @@
 // Stage 4: the surrogate mass of every estimator, eq. (12) as corrected.
 // A loop far from the gravity peak, where little of the gravity torque shows, gives no mass.
 //
-// A loop at the peak cannot tell gravity from an offset of the torque, nor from friction that
-// differs between the directions; a sweep in both directions over a long way can. What it shows is
-// taken off mid-line, pair means and loop fit, with its interval. An offset is the same everywhere,
-// asymmetric friction grows with the friction, and the loop's is not the sweep's: the sweep's value
-// is scaled by the mean of 1 and the ratio of the two frictions, and what lies between counts as
-// not known. The paper's six readings stay as the paper has them.
+// A loop at the peak cannot distinguish gravity from an offset of the torque, nor from friction
+// that differs between the directions; a sweep in both directions over a long range can. The
+// sweep's offset is subtracted from mid-line, pair means and loop fit, with its interval. An offset
+// is the same everywhere, asymmetric friction is proportional to friction, and the loop's friction
+// is not the sweep's: the sweep's value is scaled by the mean of 1 and the ratio of the two
+// frictions, and the range between these counts as uncertainty. The paper's six readings are left
+// as in the paper.
 
 #include <optional>
 #include <vector>
@@ -21,18 +22,18 @@
 
 namespace tribolog::method::hysteresis {
 
-/// A loop's torque is divided by this cosine of its distance from the peak at least: further away
-/// an error of the friction grows to more than twice its size in the mass.
+/// Least cosine of a loop's angle from the peak, by which its torque is divided: further away an
+/// error of the friction more than doubles in the mass.
 inline constexpr double least_loop_cosine = 0.5;
 
-/// Gravity that comes from neither sweep nor readings of the loop.
+/// Gravity from other sources than the sweep and the loop's readings.
 struct OtherGravity {
   std::optional<statistics::Estimate> loop_fit_Nm{};  ///< At the peak, motor side; of LuGreFit.
   const gravity::RunGravityResult* runs{nullptr};
   std::optional<joint::StatedGravity> stated;
 };
 
-/// What was taken off a torque for the sweep's offset; zero where nothing was.
+/// What was subtracted from a torque for the sweep's offset; zero where nothing was.
 struct OffsetTaken {
   double value_Nm{};
   double share{};         ///< Of the sweep's offset.
@@ -42,11 +43,12 @@ struct OffsetTaken {
 struct SurrogateMass {
   Estimator estimator{};
   statistics::Estimate torque_Nm;  ///< Motor side, as read.
-  double q_rad{};                  ///< Joint angle it was read at.
+  double q_rad{};                  ///< Joint angle at which it was read.
   statistics::Estimate mass_kg;
   statistics::Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: (torque - offset) /
                                     ///< cos(q - q_peak).
-  double mean_cosine{1.0};          ///< Of the angle from the peak, by which it was divided.
+  double mean_cosine{1.0};          ///< Mean cosine of the angle from the peak, by which it was
+                                    ///< divided.
   OffsetTaken offset;
 };
 

@@ -31,7 +31,7 @@ joint::Recording recorded_again(const joint::Recording& r, const motion::TracedM
   return out;
 }
 
-/// The beginnings of recordings, as much of each.
+/// The beginnings of recordings, the same share of each.
 class Beginnings {
  public:
   /// @param most_samples of all together.
@@ -50,7 +50,7 @@ class Beginnings {
   Beginnings& operator=(const Beginnings&) = delete;
 
   [[nodiscard]] const std::vector<LuGreInput>& inputs() const { return inputs_; }
-  /// 1: they are whole.
+  /// Share of the recordings; 1: whole.
   [[nodiscard]] double share() const { return share_; }
 
  private:
@@ -125,8 +125,8 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
 
 namespace {
 
-/// A fit that leaves more than this many times what noise explains is no LuGre joint's. Of one that
-/// is, smoothing takes part of the angle's noise away, and it leaves less than once.
+/// A residual of more than this many times what noise explains is not that of a LuGre joint. For a
+/// LuGre joint smoothing removes part of the angle's noise, and the factor is below one.
 constexpr double misfit_factor = 1.5;
 
 /// Nor does a misfit count that is smaller than this share of the torque's range: no drive follows

@@ -1,13 +1,15 @@
 #pragma once
-// What the noise of a recorded angle does to a fit along the motion traced through it.
+// Effect of a recorded angle's noise on a fit along the motion traced through it.
 //
-// The traced motion is taken for the truth, recorded again with the noise that was found (its steps
+// The traced motion is taken as the truth, recorded again with the noise that was found (its steps
 // at another phase, or other white noise), traced anew, and the fit takes one step from its
-// solution. Steps of several such recordings show the error that no scatter of the torque shows:
-// motion that is smoothed too much at every turn is wrong in the same way in all half loops.
+// solution. The steps over several such recordings show the error that no scatter of the torque
+// shows: motion that is smoothed too much at every reversal is wrong in the same way in all half
+// loops.
 //
-// Of long recordings a part shows it: the shift by the noise of the part, over the root of how many
-// parts there are. The deflection at the start, which the first strokes alone tell, keeps its own.
+// For long recordings a part suffices: the shift by the noise of the part, divided by the square
+// root of the number of parts. The initial deflection, which the first strokes alone determine,
+// keeps its own shift.
 
 #include <cstddef>
 #include <optional>
@@ -25,25 +27,25 @@
 
 namespace tribolog::method::hysteresis {
 
-/// Columns whose products with themselves add up to the parameters' covariance by that noise, in
-/// the order of the climb's columns; none where no motion was traced.
+/// Columns whose outer products add up to the parameters' covariance due to that noise, rows in the
+/// order of the climb's columns; no columns where no motion was traced.
 Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
                                        const LuGreClimb& climb, double gear_ratio,
                                        double q_peak_rad);
 
-// What the fit of a loop along a traced motion tells besides the numbers: how well the motion is
-// known, how much of the scatter its noise explains, and whether the model is as stiff behind a
-// reversal as the joint was measured to be.
+// What the fit of a loop along a traced motion shows besides the parameters: how well the motion is
+// known, how much of the scatter its noise explains, and whether the model is as stiff after a
+// reversal as the measured joint.
 
 struct TracedLoop {
   double noise_rad{};      ///< Of the angle, standard deviation, joint side.
-  Statement noise_source;  ///< What tells it.
-  std::size_t strokes{};   ///< Between reversals.
+  Statement noise_source;  ///< Where it comes from.
+  std::size_t strokes{};   ///< Number of strokes between reversals.
   /// Scatter of the torque that the noise of angle and torque can explain: the angle's noise times
   /// the model's slope, and the torque's white noise.
   double explained_Nm{};
-  /// Torque at the motor over joint angle behind the reversals (loop_shape.h), measured
-  /// and of the model over the same samples; absent where fewer than two strokes show it.
+  /// Motor torque over joint angle after the reversals (loop_shape.h), measured and of the model
+  /// over the same samples; absent where fewer than two strokes show it.
   std::optional<statistics::Estimate> turn_stiffness_Nm_rad;
   std::optional<statistics::Estimate> model_turn_stiffness_Nm_rad;
 };
@@ -55,7 +57,7 @@ TracedLoop describe_traced_loop(const joint::Recording& recording,
                                 const std::vector<double>& model_Nm,
                                 const std::vector<double>& slope_Nm_rad, double gear_ratio);
 
-/// What the fit left where noise does not explain it; empty where it does.
+/// States the misfit where noise does not explain it; empty where it does.
 Statement described_misfit(const std::string& recording, const TracedLoop& loop,
                            double residual_Nm);
 

@@ -29,9 +29,9 @@ std::string to_string(IndependentMethod method);
 /// A gravity torque with what its resampling needs.
 struct IndependentGravity {
   IndependentMethod method{};
-  statistics::Estimate gravity_Nm;   ///< Motor side.
-  std::vector<double> block_shifts;  ///< Shift of gravity_Nm by the error of each block; see
-                                     ///< BlockRegression.
+  statistics::Estimate gravity_Nm;  ///< Motor side.
+  std::vector<double>
+      block_shifts;  ///< What the error of each block does to it; see BlockRegression.
   double freedom{};
   double further_half_width_Nm{};  ///< Of the offset that was subtracted.
 };
