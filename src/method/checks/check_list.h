@@ -1,6 +1,6 @@
 #pragma once
-// Internal to the checks: each of them, in the order of the report. A source file each, or one for
-// a close family.
+// Internal to the checks: each of them, in the order of the report; one source file per check or
+// family of checks.
 
 #include "method/checks/check_outcome.h"
 #include "method/checks/checked_recordings.h"

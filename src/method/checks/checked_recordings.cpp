@@ -9,7 +9,7 @@
 namespace tribolog::method::checks {
 namespace {
 
-// A turn counts where the angle runs back by this share of its range, or by a few steps of the
+// A reversal counts where the angle runs back by this share of its range, or by a few steps of the
 // encoder: less is noise.
 constexpr double share_of_a_turn = 0.05;
 constexpr double steps_of_a_turn = 4;

@@ -1,5 +1,5 @@
 #pragma once
-// Internal to the checks: the recordings with what several checks want to know of them.
+// Internal to the checks: the recordings with what several checks need to know about them.
 
 #include <string>
 #include <vector>
@@ -24,14 +24,14 @@ struct CheckedRecording {
   double angle_step_rad{};  ///< 0: continuous.
   bool step_is_of_print{};  ///< See AngleStep.
 
-  /// Sweep or run: what moves on its way, neither to and fro nor from rest.
+  /// Sweep or run: travels over a range, neither oscillates nor starts from rest.
   [[nodiscard]] bool travels() const {
     return recording->role != joint::Role::oscillation &&
            recording->role != joint::Role::break_away;
   }
   [[nodiscard]] double range_rad() const { return highest_rad - lowest_rad; }
-  /// What the recording is there for: the plateaus of a run at constant speed, else its strokes. A
-  /// run's start, its stop and its way back are not its business.
+  /// The useful part of the recording: the plateaus of a run at constant speed, else its strokes. A
+  /// run's start, stop and return do not count.
   [[nodiscard]] std::vector<motion::Stroke> ways() const;
 };
 
@@ -42,7 +42,7 @@ struct CheckedDataset {
   bool has_torque{};
 
   [[nodiscard]] std::vector<const CheckedRecording*> with_role(joint::Role role) const;
-  /// So stated.
+  /// Whether the manifest states that there is none.
   [[nodiscard]] bool has_no_gravity() const {
     return manifest != nullptr && manifest->known_gravity &&
            manifest->known_gravity->amplitude_Nm() == 0;

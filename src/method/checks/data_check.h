@@ -2,8 +2,8 @@
 // Checks on the recordings before any fit: what can be wrong with a log, each with its number and
 // its limit.
 //
-// A check that fails lowers the verdict of the quantities it touches (verdict/judge.cpp
-// says which). One that warns is told, and lowers nothing.
+// A check that fails lowers the verdict of the quantities it affects (see verdict/judge.cpp). One
+// that warns is reported, and lowers nothing.
 
 #include <optional>
 #include <string>
@@ -58,15 +58,16 @@ std::string to_string(CheckName name);
 
 struct DataCheck {
   CheckName name{};
-  std::string recording;           ///< The one the number is of, a role, or "all"; empty: none.
+  std::string recording;           ///< The recording that the number is from, a role, or "all";
+                                   ///< empty: none.
   Statement measure;               ///< What was measured.
   std::optional<double> measured;  ///< In `unit`; absent where not applicable.
   std::optional<double> at_least;  ///< Limits of what passes, in `unit`.
   std::optional<double> at_most;
   std::string unit;  ///< "1" for a pure number.
   CheckState state{CheckState::not_applicable};
-  Statement found;          ///< One clause on what was found, or why the check does not apply.
-  Statement consequence;    ///< What that does to the results; empty if it passed.
+  Statement found;          ///< A clause stating what was found, or why the check does not apply.
+  Statement consequence;    ///< Its effect on the results; empty if it passed.
   Statement experiment;     ///< What to record instead; empty if it passed.
   bool is_of_whole_role{};  ///< `recording` is a role: the number is of all its recordings.
 };

@@ -12,19 +12,19 @@
 
 namespace tribolog::method::checks {
 
-/// Checks that need nothing but the recordings. Without a torque those on torque are not
-/// applicable; those on the motion still run.
+/// Checks that need only the recordings. Without a torque those on torque are not applicable; those
+/// on motion still run.
 DataChecksResult check_recordings(const joint::Dataset& dataset);
 
-/// What the sweeps and the runs say of gravity.
+/// What the sweeps and the runs show of gravity.
 struct GravityResults {
-  const gravity::CogSweepResult& rough;   ///< The one whose amplitude is used further on.
-  const gravity::RunGravityResult& runs;  ///< Compared with what is stated without a sweep.
+  const gravity::CogSweepResult& rough;   ///< The sweep whose amplitude is used in later stages.
+  const gravity::RunGravityResult& runs;  ///< Without a sweep, compared with the stated gravity.
   const std::optional<statistics::Estimate>& q_peak_rad;
 };
 
-/// Those, and the checks that need the place and size of gravity: whether the oscillation is at the
-/// gravity peak, and whether the gravity found can be.
+/// The same, and the checks that need angle and size of gravity: whether the oscillation is at the
+/// gravity peak, and whether the gravity found is plausible.
 DataChecksResult check_recordings(const joint::Dataset& dataset, const GravityResults& gravity);
 
 }  // namespace tribolog::method::checks

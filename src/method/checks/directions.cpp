@@ -1,5 +1,5 @@
-// Both directions, over the same angles: without them friction and what depends on the angle
-// cannot be told apart.
+// Both directions, over the same angles: without them friction and what depends on the angle cannot
+// be separated.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ Code none_of(joint::Role role) {
                                              : Code{"not_applicable.no_rough_sweep"};
 }
 
-/// In which direction alone the joint went.
+/// The only direction in which the joint moved.
 Code only_direction(joint::Role role, bool rises) {
   if (role == joint::Role::constant_speed) {
     return rises ? Code{"directions.runs_only_rise"} : Code{"directions.runs_only_fall"};
@@ -52,8 +52,8 @@ DataCheck check_directions(const CheckedDataset& data, joint::Role role, CheckNa
   return check;
 }
 
-/// Share of the plateaus' travel that another plateau of the opposite direction and the same speed
-/// passed too.
+/// Share of the plateaus' travel that is also covered by a plateau of the opposite direction at the
+/// same speed.
 double share_with_a_partner(const std::vector<const CheckedRecording*>& recordings) {
   constexpr double same_speed = 0.05;
   struct Way {

@@ -1,4 +1,4 @@
-// A torque measured behind the gear holds the load, but little of the gear's friction.
+// A torque measured behind the gear includes the load, but little of the gear's friction.
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace tribolog::method::checks {
 
 namespace {
 
-// A good planetary stage, up to a ratio of ten, passes on 97 % of its torque; strain wave gears
-// lose more. What a joint's gear loses of the torque it carries is at least that.
+// A good planetary stage, up to a ratio of ten, transmits 97 % of its torque; strain wave gears
+// lose more. A joint's gear loses at least that share of the torque it carries.
 constexpr double passed_on_by_ten = 0.97;
-// Where the manifest states everything at the joint, as if there were no gear.
+// Assumed where the manifest states everything at the joint, as if there were no gear.
 constexpr double usual_gear_ratio = 100;
 constexpr double beside_spikes = 0.99;
 
@@ -22,7 +22,7 @@ double least_gear_loss_percent(double gear_ratio) {
   return 100 * (1 - std::pow(passed_on_by_ten, std::abs(std::log10(gear_ratio))));
 }
 
-/// The largest torque of the recordings, beside single spikes.
+/// The largest torque of the recordings, apart from single spikes.
 double largest_torque_Nm(const std::vector<const CheckedRecording*>& recordings) {
   std::vector<double> sizes;
   for (const CheckedRecording* r : recordings) {
@@ -90,7 +90,7 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
   return check;
 }
 
-// What power says: friction takes it up, and a joint has only so much of it.
+// What power shows: friction dissipates it, and a joint has only so much of it.
 
 DataCheck check_dissipation(const CheckedDataset& data) {
   DataCheck check;

@@ -1,7 +1,7 @@
-// Does friction change while it is measured, as it does when the gear warms up?
+// Does friction change during the measurement, as when the gear warms up?
 //
-// Strokes that repeat each other within one recording are compared: half the difference of each
-// rising one and the falling one beside it, at equal angle, over the time.
+// Strokes that repeat each other within one recording are compared: half the difference between
+// each rising stroke and the adjacent falling one, at equal angle, over time.
 
 #include <algorithm>
 #include <array>

@@ -30,7 +30,7 @@ Statement stated(const std::vector<gravity::RippleLine>& lines) {
   return {"ripple_lines.found", {{"lines", all}}};
 }
 
-/// Why a sweep cannot tell of ripple; empty: it can.
+/// Why a sweep cannot show ripple; empty: it can.
 Statement why_not(const gravity::CogSweepResult& sweep, double gear_ratio) {
   if (!sweep.found) return {"not_applicable.no_sweep_residual"};
   const double turns = gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);
@@ -72,8 +72,7 @@ DataCheck check_torque_ripple(const joint::Dataset& dataset, const gravity::CogS
   return check;
 }
 
-/// Whether the ripple repeats a whole number of times a motor turn, as the stated gear ratio has
-/// it.
+/// Whether the ripple repeats a whole number of times per motor turn, given the stated gear ratio.
 DataCheck check_ripple_period(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep) {
   // A motor's own ripple repeats a whole number of times a turn.
   constexpr double tolerated = 0.05;
@@ -107,7 +106,7 @@ DataCheck check_ripple_period(const joint::Dataset& dataset, const gravity::CogS
 
 }  // namespace
 
-// Checks that need the place and size of gravity, which the sweeps give.
+// Checks that need angle and size of gravity, which the sweeps give.
 
 namespace {
 

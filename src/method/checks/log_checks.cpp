@@ -11,7 +11,7 @@ namespace tribolog::method::checks {
 
 namespace {
 
-constexpr double gap_intervals = 5;  ///< From so many sampling intervals on it is a gap.
+constexpr double gap_intervals = 5;  ///< This many sampling intervals or more count as a gap.
 
 struct Clock {
   double jitter_percent{};
@@ -73,8 +73,9 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
 
 namespace {
 
-/// Samples from one bend of the angle's course to the next, where it bends at a regular distance
-/// and is straight between: it was sampled so much more slowly than it is logged. 1: it was not.
+/// Number of samples between bends of the angle's course, where these are equidistant and the
+/// course is straight in between: by this factor the angle was sampled more slowly than logged. 1:
+/// it was not.
 std::size_t samples_between_bends(const joint::Recording& r) {
   constexpr std::size_t fewest_bends = 50;
   constexpr double straight = 1e-3;  // of a large change of the slope
@@ -160,7 +161,7 @@ DataCheck check_clock_gaps(const CheckedDataset& data) {
   return check;
 }
 
-// Where the effort comes from: whether it is a measurement, and whether anybody said so.
+// Where the effort comes from: whether it is a measurement, and whether that is stated.
 
 namespace {
 
@@ -168,7 +169,7 @@ bool is_torque(joint::EffortKind kind) {
   return kind == joint::EffortKind::motor_torque || kind == joint::EffortKind::joint_torque;
 }
 
-/// What of the manifest contradicts what the logger writes; empty: nothing.
+/// What in the manifest contradicts what the logger writes; empty: nothing.
 Statement contradiction(const joint::Drive& drive, const joint::LoggedEffort& logged) {
   const joint::EffortKind stated = drive.kind();
   const StatedValue logger{"logger", logged.logger};
@@ -267,7 +268,7 @@ DataCheck check_effort_column(const CheckedDataset& data) {
   return check;
 }
 
-// The logged temperature: how far it moved over all recordings.
+// The logged temperature: how far it varied over all recordings.
 
 DataCheck check_temperature(const CheckedDataset& data) {
   // Viscosity of a gear's grease changes by some 3 to 5 % a kelvin.

@@ -38,9 +38,9 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
 
 namespace {
 
-/// Does the sweep's torque follow the cosine of the angle as it was read? In a wrong unit it does
-/// not: a sweep taken for many turns has a torque that bends once. Least squares of a level for
-/// each direction and one wave per turn; what the wave has to explain is what the levels leave.
+/// Does the sweep's torque follow the cosine of the angle as read? In a wrong unit it does not:
+/// over what is taken for many turns the torque bends once. Least squares of a level for each
+/// direction and one wave per turn; the wave has to explain the residual of the levels.
 bool torque_follows_the_cosine(const CheckedDataset& data) {
   constexpr double least_range_rad = 90 * std::numbers::pi / 180;
   constexpr double least_share = 0.95;
@@ -109,13 +109,13 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   return check;
 }
 
-// The oscillation: how many cycles, and whether friction turns over within it.
+// The oscillation: how many cycles, and whether friction reverses within it.
 
 namespace {
 
 constexpr std::size_t bins = 20;  // of a stroke
 
-/// Stiffness of the loop towards the end of its strokes, in % of that behind the turns: 0 where
+/// Stiffness of the loop towards the end of its strokes, in % of that after the reversals: 0 where
 /// friction has reached its level, 100 for a spring.
 std::optional<double> stiffness_left_percent(const CheckedRecording& r) {
   constexpr double whole_stroke = 0.8;  // of the range: the start-up stroke is shorter
@@ -218,7 +218,7 @@ constexpr double burst_share = 1.5;     // faster is a burst
 constexpr double steps_in_window = 20;  // of the encoder, at the mean speed
 constexpr std::size_t fewest_samples_in_window = 5;
 
-/// Times that a stroke stops and springs on.
+/// How often a stroke stops and springs on.
 std::size_t stops_within(const CheckedRecording& r, const motion::Stroke& stroke) {
   const joint::Recording& log = *r.recording;
   const double duration = log.t_s[stroke.last] - log.t_s[stroke.first];

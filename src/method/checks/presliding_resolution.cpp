@@ -1,5 +1,5 @@
-// Does the encoder resolve pre-sliding: the width of the recorded loop, or, where there is none,
-// the travel after a reversal of the sweep within which friction turns over?
+// Does the encoder resolve pre-sliding: the width of the recorded loop, or, without one, the travel
+// after a reversal of the sweep within which friction reverses?
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double turned_over = 0.75;  // of the full difference of the ways in a
 constexpr double level_from = 0.005;  // of the stroke: from here on friction has turned over,
 constexpr double level_to = 0.02;     // and up to here the speed has hardly changed it
 
-/// Torque over the distance from a turn: the mean of the samples on each step of the encoder.
+/// Torque over the distance from a reversal: the mean of the samples on each step of the encoder.
 class TorqueOverDistance {
  public:
   TorqueOverDistance(const CheckedRecording& r, const motion::Stroke& stroke, double turn_rad,
@@ -40,7 +40,7 @@ class TorqueOverDistance {
   }
 
   [[nodiscard]] std::size_t size() const { return distance_rad_.size(); }
-  /// Straight between the samples; the last one beyond.
+  /// Linear interpolation; constant beyond the last sample.
   [[nodiscard]] double at(double distance_rad) const {
     const auto next = std::upper_bound(distance_rad_.begin(), distance_rad_.end(), distance_rad);
     const auto k = static_cast<std::size_t>(next - distance_rad_.begin());
@@ -56,8 +56,8 @@ class TorqueOverDistance {
   std::vector<double> torque_Nm_;
 };
 
-/// Travel behind one turn within which the torque of the way out parts from that of the way in, at
-/// equal angle: gravity and inertia are the same on both, and drop out.
+/// Travel after one reversal within which the torque separates from that before it, at equal angle:
+/// gravity and inertia are the same in both, and drop out.
 std::optional<double> travel_of_turn(const CheckedRecording& r, const motion::Stroke& in,
                                      const motion::Stroke& out) {
   constexpr std::size_t fewest_distances = 10;

@@ -116,10 +116,10 @@ Statement likely_cause_of_torque_scale(double factor, double half_width,
 
 namespace {
 
-// Gravity by design, with cables, covers and a mass that is known to some per cent.
+// Tolerance of gravity by design: cables, covers and a mass that is known to a few per cent.
 constexpr double least = 0.8;
 constexpr double most = 1 / least;
-// No design is wrong by that.
+// No design value is wrong by that much.
 constexpr double certainly_less = 0.5;
 constexpr double certainly_more = 1 / certainly_less;
 constexpr double noticeable_turn_deg = 20;

@@ -1,7 +1,8 @@
 // Does the logged speed agree with the derivative of the angle?
 //
-// Both are compared as increments over windows: the logged speed integrated, the angle's
-// difference. Steps of the encoder and the noise of a two-point difference cancel within a window.
+// Both are compared as increments over windows: the integral of the logged speed and the difference
+// of the angle. Steps of the encoder and the noise of a two-point difference cancel within a
+// window.
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,8 @@ DataCheck check_speed_scale(const CheckedDataset& data) {
   return check;
 }
 
-// How much of the logged speed is noise: a two-point difference of a stepped angle is nothing else
-// at low speed.
+// How much of the logged speed is noise: at low speed a two-point difference of a quantised angle
+// is nothing else.
 
 namespace {
 

@@ -60,7 +60,7 @@ struct AtSpeed {
   double error_Nm{};
 };
 
-/// @param sign of the torque that may be limited; `others` too are largest in it.
+/// @param sign of the torque that may be limited; the largest torque is taken in this sense.
 std::vector<AtSpeed> pairs_of(const std::vector<Extent>& extents, double sign) {
   const auto largest = [&](const Extent& e) { return sign > 0 ? e.largest_Nm : -e.smallest_Nm; };
   std::vector<AtSpeed> pairs;

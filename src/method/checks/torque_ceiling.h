@@ -1,9 +1,10 @@
 #pragma once
-// Internal to the room: does the drive's limit, not the joint, set the largest torque of runs?
+// Internal to the checks: does the drive's limit, not the joint, determine the largest torque of
+// runs?
 //
-// Runs of different speeds whose largest torques are the same, while those of the other direction
-// at these speeds differ: what friction does there, a limit hides. Noise on top of the limit hides
-// it from anyone who looks for samples that repeat.
+// Runs of different speeds whose largest torques are equal, while those of the other direction at
+// these speeds differ: a limit hides the effect of friction. Noise on top of the limit hides it
+// from a search for repeated samples.
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace tribolog::method::checks {
 
 struct TorqueCeiling {
-  std::size_t speeds{};  ///< Of which the largest torque lies on it; 0: there is none.
+  std::size_t speeds{};  ///< Number of speeds whose largest torque lies on it; 0: there is none.
   double torque_Nm{};    ///< Motor side, signed.
 };
 

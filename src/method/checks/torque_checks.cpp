@@ -27,7 +27,7 @@ struct TorqueScatter {
     const std::vector<double> more = statistics::third_differences(t);
     third.insert(third.end(), more.begin(), more.end());
   }
-  /// White noise shows in third differences; a signal of a robot does not.
+  /// White noise shows in third differences; a robot's own signal does not.
   [[nodiscard]] double white_percent() const {
     const double variance = squares / count - std::pow(sum / count, 2);
     if (!(variance > 0)) return 0;
@@ -141,7 +141,7 @@ DataCheck check_torque_step(const CheckedDataset& data) {
   return check;
 }
 
-// Clipping: the torque stays flat on its extreme value.
+// Clipping: the torque stays flat at its extreme value.
 
 namespace {
 
@@ -152,8 +152,8 @@ constexpr double beside_share = 0.02;      // of the range: what counts as besid
 
 struct Extreme {
   double value{};
-  std::size_t flat_samples{};  ///< In runs of at least three on the very value.
-  std::size_t beside{};        ///< Samples close to the value, not on it.
+  std::size_t flat_samples{};  ///< In sequences of at least three at exactly that value.
+  std::size_t beside{};        ///< Samples close to the value, but not at it.
 };
 
 Extreme extreme_of(const std::vector<double>& t, double value, double range) {
@@ -204,7 +204,7 @@ struct Saturation {
   double value_Nm{};
 };
 
-/// The torque of what is used of a recording: a run may well start at the drive's limit.
+/// The torque of the useful part of a recording: a run may well start at the drive's limit.
 std::vector<double> torque_of(const CheckedRecording& r) {
   const std::vector<double>& torque = r.recording->torque_Nm;
   if (r.recording->role != joint::Role::constant_speed || r.motion.plateaus.empty()) return torque;

@@ -162,8 +162,8 @@ struct FittedLuGre {
 /// @param q_peak_rad angle at which gravity is largest.
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
+/// @param lag looks like bristle damping; its uncertainty widens what depends on that.
 /// @throw std::invalid_argument if there is no loop.
-/// @param lag looks like bristle damping; what is not known of it widens what rests on that.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
                       const gravity::Ripple& ripple = {}, const LagOfLoops& lag = {});
 

@@ -1,14 +1,14 @@
 #pragma once
 // Intervals of the whole chain by resampling.
 //
-// Every stage is reduced once to what each of its blocks does to its result; a resample draws
-// blocks with replacement and redoes the small algebra: no sample is touched again. Blocks are
+// Every stage is reduced once to the shift of its result by each of its blocks; a resample draws
+// blocks with replacement and repeats only the small algebra: no sample is read again. Blocks are
 // fixed: neighbours within the strokes of a sweep, whole cycles of the oscillation, tenths of a
-// run's plateau, and runs for the fitted curve (random_stream.h, parameter_resample.h). Of several
-// oscillations half cycles for LuGre's parameters, and the positions' scatter for gravity. Angle
-// and gravity drawn in a resample go into its masses, curves and parameters, so that what has a
-// common cause moves together. Ripple at the position of a single oscillation is drawn at any
-// phase.
+// run's plateau, and runs for the fitted curve (random_stream.h, parameter_resample.h). With
+// several oscillations: half cycles for LuGre's parameters, and the positions' scatter for gravity.
+// Angle and gravity drawn in a resample enter its masses, curves and parameters, so that errors
+// with a common cause are correlated. Ripple at the position of a single oscillation is drawn at
+// any phase.
 //
 // Each resample has its own random stream: the same seed gives the same numbers on any number of
 // threads.
@@ -33,7 +33,7 @@
 
 namespace tribolog::method::intervals {
 
-/// What the chain has found; all must outlive the call.
+/// The chain's results; all must outlive the call.
 struct ChainResults {
   const gravity::CogSweep& rough_sweep;
   const gravity::CogSweep& precise_sweep;
@@ -61,7 +61,7 @@ struct TwoIntervals {
       name;  ///< Stable, with its unit: "q_peak_rad", "mass_kg.midline", "waiboer.stribeck_power".
   std::optional<statistics::Estimate> closed_form;  ///< Absent where there is none.
   std::optional<statistics::Estimate> bootstrap;    ///< Absent without resamples.
-  bool bootstrap_is_stated{};                       ///< Which of the two the report goes by.
+  bool bootstrap_is_stated{};                       ///< Which of the two the report states.
 
   [[nodiscard]] const statistics::Estimate* stated() const;
   /// Width by resampling over width by the closed form; 0 where one is missing or empty.
@@ -88,7 +88,7 @@ using GravityMethod = std::variant<hysteresis::Estimator, selection::Independent
 /// Stable: "midline", "classical".
 std::string to_string(const GravityMethod& method);
 
-/// Difference of a gravity torque to the recommended one, judged by its own scatter: both were
+/// Difference of a gravity torque from the recommended one, with an interval of its own: both were
 /// resampled together.
 struct GravityDifference {
   GravityMethod method;
@@ -114,13 +114,13 @@ struct ResamplingOptions {
   std::size_t threads{0};  ///< 0: all cores.
 };
 
-/// @param progress is told how many resamples are done; may be empty.
+/// @param progress receives the number of resamples done; may be empty.
 /// @throw Refusal if the resamples are not allowed (joint/dataset.h).
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
 
-/// The parameters with the resampled interval where that is the stated one. Values stay; without
-/// resamples everything does.
+/// The parameters with the resampled interval where that is the stated one. Values do not change;
+/// without resamples nothing does.
 selection::FrictionParametersResult with_stated_intervals(
     selection::FrictionParametersResult friction, const IntervalsResult& intervals);
 

@@ -1,5 +1,5 @@
 #pragma once
-// One resample of the whole chain: the stages' draws put together in the method's order.
+// One resample of the whole chain: the stages' draws combined in the method's order.
 
 #include <cstddef>
 #include <limits>
@@ -13,7 +13,7 @@
 
 namespace tribolog::method::intervals {
 
-/// What one resample gives. Vectors are in the order of the results that they belong to.
+/// The result of one resample. Vectors are in the order of the results that they belong to.
 struct ChainDraw {
   double q_rough_rad{}, q_precise_rad{}, q_peak_rad{};
   double coulomb_Nm{};                ///< Of the rough sweep.

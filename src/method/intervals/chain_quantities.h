@@ -1,13 +1,13 @@
 #pragma once
-// The quantities of a calibration that have intervals: their closed form, and where each resample
-// holds them.
+// The quantities of a calibration that have intervals: their closed form, and their value in a
+// resample.
 //
 // Which of the two is stated was decided by coverage over 200 seeds of the paper's joint with the
 // noise of a real drive, without and with ripple (tests/identify/interval_coverage_test.cpp): the
-// closed form wherever it covers, for it is cheaper and has no random error; resampling where it
-// does not or where there is none. With ripple at a single position the closed forms of the curve's
-// parameters take the common error of gravity for scatter of the runs, and are up to fifty times
-// too wide.
+// closed form wherever its coverage is sufficient, for it is cheaper and has no random error;
+// resampling where it is not or where there is no closed form. With ripple at a single position the
+// closed forms of the curve's parameters mistake the common error of gravity for scatter of the
+// runs, and are up to fifty times too wide.
 
 #include <functional>
 #include <optional>

@@ -91,14 +91,14 @@ Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
                                      : cause_of(check.method)}}};
 }
 
-/// Chance of a difference as large between estimates of the same.
+/// Probability of as large a difference between estimates of the same quantity.
 double chance_of(const CrossCheck& check) {
   return std::erfc(statistics::normal_975 * check.difference_in_intervals / std::sqrt(2.0));
 }
 
 /// S. Holm, Scand. J. Statist. 6 (1979) 65-70: with many comparisons, some differ by chance. The
-/// least likely is held against the level over their number, the next over one less, until one
-/// passes.
+/// least likely is tested at the level divided by their number, the next at the level divided by
+/// one less, until one passes.
 void find_disagreements(std::vector<CrossCheck*> checks, double gravity_Nm) {
   constexpr double level = 0.05;
   std::sort(checks.begin(), checks.end(), [](const CrossCheck* a, const CrossCheck* b) {

@@ -13,8 +13,7 @@
 namespace tribolog::method::intervals {
 namespace {
 
-/// The cycle of each row, that of its first sample; what is left over at the end belongs to the
-/// last.
+/// The cycle of each row, that of its first sample; a remainder at the end belongs to the last.
 std::vector<std::size_t> cycle_of_row(const std::vector<double>& t_s, std::size_t samples_in_row,
                                       double frequency_Hz, std::size_t cycles) {
   std::vector<std::size_t> cycle;
@@ -32,7 +31,7 @@ std::vector<double> from(const std::vector<double>& counts, std::size_t first, s
   return out;
 }
 
-/// How alike what two means leave at the same positions is; 0 where they are not the same.
+/// Correlation of the residuals of two means at the same positions; 0 where the positions differ.
 double residual_correlation(const hysteresis::PositionMean& a, const hysteresis::PositionMean& b) {
   if (a.residuals_Nm.size() != b.residuals_Nm.size()) return 0;
   const auto n = static_cast<Eigen::Index>(a.residuals_Nm.size());
@@ -42,7 +41,7 @@ double residual_correlation(const hysteresis::PositionMean& a, const hysteresis:
   return size > 0 ? x.dot(y) / size : 0.0;
 }
 
-/// Where the fit has a gravity torque that can be resampled.
+/// The fit's positions, where it has a gravity torque that can be resampled; else null.
 const hysteresis::PositionMean* positions_of_fit(const hysteresis::Hysteresis& loop) {
   return loop.lugre && loop.lugre->positions ? &*loop.lugre->positions : nullptr;
 }

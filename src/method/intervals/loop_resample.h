@@ -1,8 +1,8 @@
 #pragma once
-// Resampling the oscillations: of one loop whole cycles, the same ones for everything that is read
-// from it, so that estimates of the same cycles stay as alike as they are. Of several loops the
-// positions' scatter, common to mid-line and fit as far as their positions' residuals agree, and
-// for the fit's parameters its own blocks.
+// Resampling the oscillations. With one loop: whole cycles, the same ones for everything that is
+// read from it, so that estimates from the same cycles stay correlated. With several loops: the
+// positions' scatter, common to mid-line and fit as far as their positions' residuals are
+// correlated, and for the fit's parameters its own blocks.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace tribolog::method::intervals {
 
-/// What one draw of cycles, and of the ripple at the loop's position, does to the results.
+/// Shifts of the results by one draw of cycles, and of the ripple at the loop's position.
 struct LoopShift {
   double midline_Nm{};
   std::array<double, 6> points_Nm{};  ///< A to F as the paper reads them, from the first strokes.

@@ -1,10 +1,11 @@
 #pragma once
 // Resampling the parameters of the friction curve.
 //
-// Runs keep their speeds. What the fit leaves at each run is laid on the fitted curve again with a
-// random sign, corrected for the run's leverage, and the parameters are fitted anew. An error of
-// gravity is not scatter: it moves all runs together, rising ones against falling ones. What of the
-// residuals looks like one is taken out first, and the gravity drawn in this resample is put in.
+// Runs keep their speeds. The residual of each run, corrected for the run's leverage, is added to
+// the fitted curve with a random sign (wild bootstrap), and the parameters are fitted anew. An
+// error of gravity is not scatter: it moves all runs together, rising ones against falling ones.
+// The part of the residuals that looks like one is removed first, and the gravity drawn in this
+// resample is used instead.
 
 #include <vector>
 
@@ -28,12 +29,12 @@ class ParameterResampler {
   ParameterResampler(const viscous::ViscousCurvesResult& curves,
                      const selection::FrictionParametersResult& fits);
   /// @param gravity_shift_Nm, q_peak_shift_rad drawn in this resample.
-  /// @param gravity_Nm of the curve.
+  /// @param gravity_Nm gravity amplitude of the curve.
   [[nodiscard]] ParameterDraw draw(statistics::RandomStream& random, double gravity_shift_Nm,
                                    double q_peak_shift_rad, double gravity_Nm) const;
 
  private:
-  /// A fit next to its solution: what it leaves at each point, ready to be laid on again.
+  /// A fit near its solution: its residual at each point, ready to be added again.
   struct Residuals {
     Eigen::VectorXd fitted, scatter;
     double freedom{};

@@ -9,12 +9,12 @@
 
 namespace tribolog::method::intervals {
 
-/// What one draw of a sweep's blocks does to its results. Zero where the sweep has found nothing.
+/// Shift of a sweep's results by one draw of its blocks. Zero where the sweep has found nothing.
 gravity::SweepShift resample_sweep(statistics::RandomStream& random,
                                    const gravity::CogSweep& sweep);
 
-/// The precise sweep leans on the rough one: with the gravity and the twist drawn there, and its
-/// ripple at any phase.
+/// The same for the precise sweep, which depends on the rough one: with the gravity and the twist
+/// drawn there, and its ripple at any phase.
 gravity::SweepShift resample_precise_sweep(statistics::RandomStream& random,
                                            const gravity::CogSweep& precise,
                                            const gravity::Ripple& ripple,
@@ -22,8 +22,8 @@ gravity::SweepShift resample_precise_sweep(statistics::RandomStream& random,
 
 // Resampling the runs of constant speed: blocks within each plateau.
 
-/// What one draw of blocks does to the mean torque of each run [N·m]; zero where a run has no
-/// blocks and no interval.
+/// Shift of each run's mean torque [N·m] by one draw of blocks; zero where a run has no blocks and
+/// no interval.
 std::vector<double> resample_runs(statistics::RandomStream& random,
                                   const viscous::ViscousCurves& curves);
 

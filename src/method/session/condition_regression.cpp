@@ -10,11 +10,12 @@
 namespace tribolog::method::session {
 namespace {
 
-// More samples in a cell do not make it more trustworthy: what is left of its mean is no noise.
+// More samples in a cell do not make it more trustworthy: the remaining error of its mean is not
+// noise.
 constexpr double most_samples = 100;
 
-/// Takes the part out of each column that is a level of the pair of its own: sum of direction times
-/// the column. @return that part, one row for each pair.
+/// Removes from each column the part that is a level of the pair: sum of direction times the
+/// column. @return that part, one row for each pair.
 Eigen::MatrixXd take_levels_out(const StrokePairs& strokes, const Eigen::VectorXd& weight,
                                 Eigen::MatrixXd& columns) {
   const auto pairs = static_cast<Eigen::Index>(strokes.pairs.size());

@@ -5,9 +5,9 @@
 //     + direction * (level of the pair + per load |G/n cos(q - q_peak)| + level * angle(q)
 //                    + lag * speed * slope of gravity)
 //
-// gravity(q) = b cos + c sin [+ cos 2q, sin 2q where the data ask for them]; angle(q) has a sine
-// of q and both of 2q. The level of each pair of strokes is its own, so that speed enters none of
-// the rest. Motor side.
+// gravity(q) = b cos + c sin [+ cos 2q, sin 2q where the data require them]; angle(q) has a sine of
+// q and both of 2q. Each pair of strokes has a level of its own, so that speed does not enter the
+// other terms. Motor side.
 
 #include <optional>
 #include <vector>
@@ -19,9 +19,10 @@
 
 namespace tribolog::method::session {
 
-/// What of the model is fitted.
+/// Which terms of the model are fitted.
 struct ConditionTerms {
-  bool second_of_angle{};  ///< cos 2q and sin 2q of what does not change its sign.
+  bool second_of_angle{};  ///< cos 2q and sin 2q of the part that does not change sign with the
+                           ///< direction.
   bool load{};
   bool angle{};
   bool asymmetry{};
@@ -40,10 +41,10 @@ struct ConditionFit {
   Eigen::Index load{-1};
   Eigen::Index angle{-1};  ///< Three: sin x, cos 2x, sin 2x with x = q - q_peak.
   Eigen::Index lag{-1};
-  std::vector<double> level_Nm;        ///< Of each pair, at the reference load.
-  std::vector<double> level_error_Nm;  ///< Standard errors, beside what all levels share.
+  std::vector<double> level_Nm;        ///< Level of each pair, at the reference load.
+  std::vector<double> level_error_Nm;  ///< Standard errors, excluding what all levels share.
 
-  /// Chance of coefficients [first, first + count) as large as these without any effect.
+  /// Probability of coefficients [first, first + count) as large as these without any effect.
   [[nodiscard]] double chance_of(Eigen::Index first, Eigen::Index count) const;
 };
 
@@ -52,7 +53,7 @@ struct GravityGuess {
   double gravity_Nm{};  ///< Amplitude, motor side.
 };
 
-/// What load and angle count from: means over angles at which friction was recorded.
+/// Origin of load and angle terms: means over the angles at which friction was recorded.
 struct ReferenceCondition {
   double load{};                      ///< |cos x|, x = q - q_peak.
   Eigen::RowVector3d angle{0, 0, 0};  ///< sin x, cos 2x, sin 2x.

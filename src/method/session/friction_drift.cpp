@@ -14,14 +14,14 @@
 namespace tribolog::method::session {
 namespace {
 
-// No level of friction repeats better: what no block of a recording shows.
+// Relative repeatability of a level of friction, beyond what the blocks of a recording show.
 constexpr double repeatability = 0.0015;
 constexpr double one_speed = 0.03;
 constexpr std::size_t fewest_levels_of_law = 9;
 constexpr Eigen::Index law_columns = 5;
 constexpr double largest_chance_of_drift = 0.01;
 constexpr double least_change = 0.01;
-// A larger one is no warming up, but a law that does not describe the levels.
+// A larger change is not warm-up, but a law that does not describe the levels.
 constexpr double largest_change = 1;
 constexpr std::array time_constants{0.0, 1.0, 0.6, 0.4, 0.3, 0.22, 0.15, 0.1};
 
@@ -104,7 +104,8 @@ class Fitter {
     }
   }
 
-  /// Degrees of freedom left with the change; the law's own search and the time constant count.
+  /// Residual degrees of freedom with the change; the searched parameters of the law and the time
+  /// constant count.
   [[nodiscard]] double freedom() const {
     return static_cast<double>(y_.size() - columns_.count() - 1) - (columns_.has_law() ? 2 : 0);
   }
@@ -143,7 +144,7 @@ class Fitter {
   }
 
  private:
-  /// One trial for each law of a grid, which is finer about the best speed of the dip.
+  /// One trial for each law of a grid, which is refined about the best speed of the dip.
   template <class Try>
   std::vector<Trial> over_laws(Try attempt) const {
     if (!columns_.has_law()) return {attempt(Law{1, 1, 1})};
@@ -176,8 +177,8 @@ class Fitter {
     return all;
   }
 
-  /// The change is one of the friction at the begin, of which the level is an estimate: once more
-  /// with that of the first round.
+  /// The change is relative to the friction at the start, of which the level is only an estimate:
+  /// fits a second time with that of the first.
   Trial with_change(const Eigen::VectorXd& passed, double tau, Eigen::MatrixXd& x) const {
     Trial trial{};
     for (int round = 0; round < 2; ++round) {
@@ -200,7 +201,7 @@ class Fitter {
     return {(y - weighted * c).squaredNorm(), c};
   }
 
-  /// Standard error of the last coefficient with errors as stated.
+  /// Standard error of the last coefficient, taking the errors as given.
   [[nodiscard]] double error_of_last(const Eigen::MatrixXd& x) const {
     const Eigen::MatrixXd weighted = weight_.asDiagonal() * x;
     const Eigen::Index last = x.cols() - 1;

@@ -60,7 +60,7 @@ FrictionLevel mean_of(const std::vector<CycleWork>& works, std::size_t first, st
   return level;
 }
 
-/// From cycle to cycle, without what changes slowly.
+/// Scatter from cycle to cycle, without slow changes.
 double scatter_of(const std::vector<CycleWork>& works) {
   double squares = 0;
   for (std::size_t k = 1; k < works.size(); ++k) {

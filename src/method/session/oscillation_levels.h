@@ -1,5 +1,5 @@
 #pragma once
-// Internal to the stage: friction of oscillations by the work that each cycle takes.
+// Internal to the session stage: friction of oscillations from the work of each cycle.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace tribolog::method::session {
 
-/// Two levels for each oscillation that repeats itself: of its first and of its second half.
+/// Two levels for each oscillation that repeats itself: from its first and its second half.
 /// Oscillations at about the same angle, of the same amplitude and frequency, are one family.
 std::vector<FrictionLevel> oscillation_levels(const std::vector<joint::Recording>& recordings,
                                               const SessionTimes& times);

@@ -24,7 +24,7 @@ constexpr double matters = 0.01;
 constexpr double matters_of_gravity = 0.0005;
 constexpr double least_change_of_load = 0.1;
 constexpr double least_travel_rad = 0.5;
-// Speeds that differ by this factor tell a lag from a torque that depends on the angle.
+// Speeds that differ by this factor separate a lag from a torque that depends on the angle.
 constexpr double lag_speed_ratio = 3;
 constexpr std::size_t fewest_pairs_of_offsets = 3;
 
@@ -85,7 +85,7 @@ class AnglePattern {
       other.row(i) << 1, std::abs(std::cos(x_(i)));
       rows_.row(i) = angle_terms(x_(i));
     }
-    // Where the load hardly changes it is as good as the constant.
+    // Where the load hardly changes it is equivalent to the constant.
     if (range.largest_load - range.least_load < least_change_of_load) other.col(1).setZero();
     rows_ -= other * other.completeOrthogonalDecomposition().solve(rows_);
   }
@@ -136,7 +136,7 @@ class Examination {
     terms_.second_of_angle = can_angle_;
     terms_.second_of_angle = can_angle_ && fit({}).chance_second < 0.01;
     ConditionFit first = full_fit({});
-    // What is a share of friction is one of the level, not of the mean over what each pair covers.
+    // A share of friction refers to the level, not to the mean over what each pair covers.
     constexpr int rounds = 2;
     for (int k = 0; k == 0 || (k < rounds && shows_angle(first)); ++k) {
       for (std::size_t p = 0; p < strokes_.pairs.size(); ++p) {
@@ -246,7 +246,8 @@ class Examination {
     const bool certain = plain.chance_of(plain.load, 1) < largest_chance;
     load.found =
         per_load > 0 && used.chance_of(used.load, 1) < largest_chance && is_large(per_load);
-    // What the angle imitates as well: friction that is least at the gravity peak is no load's.
+    // The angle can imitate it as well: friction that is least at the gravity peak is not due to
+    // load.
     if (certain && alone < 0 && is_large(alone) && !out.angle.found) {
       out.angle.found = true;
       out.angle.amplitude = statistics::scaled(
@@ -255,7 +256,7 @@ class Examination {
     load.viscous_Nms_rad = viscous_of_load(per_load);
   }
 
-  /// Slope over the speed that the load gives the runs.
+  /// Slope over speed that the load causes in the runs.
   [[nodiscard]] double viscous_of_load(double per_load) const {
     std::vector<double> load(strokes_.pairs.size(), 0.0);
     std::vector<double> count(strokes_.pairs.size(), 0.0);
@@ -304,7 +305,8 @@ class Examination {
     OffsetDrift& drift = out.offset_drift;
     drift.examined = true;
     drift.change_Nm = estimate(used, used.offset_drift, 1);
-    // What a slightly wrong course of friction's change leaves looks like one of the offset.
+    // The residual of a slightly wrong course of friction's change looks like a change of the
+    // offset.
     constexpr double imitated = 0.15;
     const double by_friction =
         out.drift.found ? imitated * std::abs(out.drift.change) * out.mean_friction_Nm : 0;
@@ -330,7 +332,7 @@ class Examination {
     return sum / n;
   }
 
-  /// What friction's change does to a sweep that does not know of it.
+  /// Shift of a sweep's results where it ignores friction's change.
   [[nodiscard]] std::optional<SweepShift> shift_of(const motion::Sweep& sweep,
                                                    const gravity::CogSweepResult& found,
                                                    bool amplitude_known,

@@ -1,14 +1,14 @@
 #pragma once
-// What friction depends on beside the speed: the load, the joint's angle, the direction, and the
-// time within the session. From all pairs of constant-speed strokes (condition_regression.h) and,
-// for the time, from the oscillations too (friction_drift.h).
+// What friction depends on besides speed: the load, the joint's angle, the direction, and the time
+// within the session. From all pairs of constant-speed strokes (condition_regression.h) and, for
+// the time, from the oscillations too (friction_drift.h).
 //
-// Each effect is found where it is both certain (chance below 0.3 %, over blocks of what may hang
-// together) and large enough to matter: half of what makes the friction parameters wrong. What is
-// not found may be there below that.
+// An effect counts as found where it is both significant (probability below 0.3 %, over blocks of
+// what may be correlated) and large enough to matter: half of what makes the friction parameters
+// wrong. A smaller effect may exist without being found.
 //
-// Friction of oscillations: work over a cycle by twice its travel, in which gravity, offset, ripple
-// and inertia cancel.
+// Friction of oscillations: work over a cycle divided by its total travel, in which gravity,
+// offset, ripple and inertia cancel.
 
 #include <optional>
 #include <string>
@@ -28,20 +28,20 @@ namespace tribolog::method::session {
 struct LoadEffect {
   bool examined{};
   bool found{};
-  statistics::Estimate per_load;  ///< N·m of friction for each N·m of gravity torque.
+  statistics::Estimate per_load;  ///< N·m of friction per N·m of gravity torque.
   double friction_Nm{};           ///< Mean friction, at reference_load.
   double reference_load{};        ///< As a share of the gravity torque.
   double unloaded_Nm{};           ///< Without load.
-  double at_peak_Nm{};            ///< Under all of the gravity torque.
-  /// What load adds to the viscous coefficient of runs that cross less of it at higher speed.
+  double at_peak_Nm{};            ///< Under the full gravity torque.
+  /// What the load adds to the viscous coefficient of runs that cross less load at higher speed.
   double viscous_Nms_rad{};
 };
 
-/// What else of friction changes with the joint's angle, as a share of friction.
+/// Further variation of friction with the joint's angle, as a share of friction.
 struct AngleEffect {
   bool examined{};
   bool found{};
-  statistics::Estimate amplitude;  ///< Half of largest less smallest, over the angles covered.
+  statistics::Estimate amplitude;  ///< Half of largest minus smallest, over the angles covered.
   double largest_at_rad{};
   double smallest_at_rad{};
 };
@@ -50,8 +50,8 @@ struct DirectionEffect {
   bool examined{};
   bool asymmetry_found{};
   bool offset_found{};
-  bool told_apart{};  ///< By several levels of friction; else either may be the other.
-  /// Friction is larger by this share while the angle rises, smaller while it falls.
+  bool told_apart{};  ///< Separated by several levels of friction; else either may be the other.
+  /// Friction is larger by this share while the angle rises, and smaller while it falls.
   statistics::Estimate asymmetry;
   statistics::Estimate offset_Nm;  ///< Of the torque at the mean level, motor side.
 };
@@ -59,25 +59,25 @@ struct DirectionEffect {
 struct OffsetDrift {
   bool examined{};
   bool found{};
-  statistics::Estimate change_Nm;  ///< From the session's begin to its end, motor side.
-  /// From the rough sweep to the oscillations: what the mid-line's offset differs by from the
+  statistics::Estimate change_Nm;  ///< From the session's start to its end, motor side.
+  /// From the rough sweep to the oscillations: difference of the mid-line's offset from the
   /// sweep's. 0 without either.
   double to_oscillations_Nm{};
 };
 
-/// What a change of friction within a sweep does to what was read from it.
+/// Shift of a sweep's results by a change of friction during it.
 struct SweepShift {
   double q_peak_rad{};        ///< With the change that describes the levels best.
-  double q_peak_slack_rad{};  ///< How far those that do it about equally well are from it, and the
-                              ///< interval of the change.
+  double q_peak_slack_rad{};  ///< Allows for changes that describe them about equally well, and for
+                              ///< the interval of the change.
   double gravity_Nm{};
   double gravity_slack_Nm{};
 };
 
 struct SessionFriction {
-  bool examined{};     ///< There are pairs of strokes to look at.
-  Statement sentence;  ///< What came of it; never empty.
-  bool by_clock{};     ///< Times by the recordings' clock; else in their order.
+  bool examined{};     ///< There are pairs of strokes to examine.
+  Statement sentence;  ///< The outcome in words; never empty.
+  bool by_clock{};     ///< Times by the recordings' clock; else by their order.
   double whole_s{};
   std::size_t pairs{};
   double mean_friction_Nm{};
@@ -91,7 +91,7 @@ struct SessionFriction {
   std::optional<SweepShift> precise_shift;
 };
 
-/// What is known of gravity and sweeps before.
+/// What is known of gravity and sweeps beforehand.
 struct SessionInput {
   const std::vector<joint::Recording>& recordings;
   const motion::Sweep& rough_sweep;

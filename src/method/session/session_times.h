@@ -1,10 +1,10 @@
 #pragma once
-// When each recording was made within the session: friction that changes, as in a gear that warms
-// up, and a torque offset that wanders do so over the session, not within one recording.
+// When each recording was made within the session: a change of friction, as in a gear that warms
+// up, and a wandering torque offset occur over the session, not within one recording.
 //
-// The clocks of the recordings tell where they follow each other without overlap. Where each
-// recording counts from its own zero, they are taken to have been made one after the other, in the
-// dataset's order; time between them is then not known and left out.
+// The recordings' clocks are used where they follow each other without overlap. Where each
+// recording counts from its own zero, recordings are assumed to have been made one after another in
+// the dataset's order; the time between them is then unknown and left out.
 
 #include <vector>
 
@@ -13,7 +13,7 @@
 namespace tribolog::method::session {
 
 struct SessionTimes {
-  std::vector<double> begin_s;  ///< Of each recording's first sample, from the session's begin.
+  std::vector<double> begin_s;  ///< Of each recording's first sample, from the session's start.
   double whole_s{};             ///< From the first sample of all to the last.
   bool by_clock{};              ///< By the recordings' own clock; else one after the other.
 

@@ -11,7 +11,7 @@
 namespace tribolog::method::session {
 namespace {
 
-// Speeds that differ by less count as one: share of the speed.
+// Speeds whose relative difference is smaller count as one.
 constexpr double same_speed = 0.03;
 constexpr double least_overlap = 0.5;  // of the shorter way
 constexpr double plateau_share_of_constant_speed = 0.5;
@@ -61,7 +61,7 @@ bool may_pair(const Stroke& a, const Stroke& b) {
   return common > least_overlap * std::min(a.high - a.low, b.high - b.low);
 }
 
-/// The next stroke back: of the same recording where there is one.
+/// The next stroke in the opposite direction: of the same recording where there is one.
 Stroke* partner_of(std::size_t i, std::vector<Stroke>& strokes) {
   Stroke* other = nullptr;
   for (std::size_t k = i + 1; k < strokes.size(); ++k) {
