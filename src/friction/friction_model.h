@@ -147,8 +147,8 @@ class DynamicFriction : public FrictionModel {
 
   /// How many values event_values() gives.
   [[nodiscard]] virtual std::size_t events() const { return 0; }
-  /// Values whose zeros are the moments at which settle() would change the state; a solver stops
-  /// there. A reversal of the speed is always such a moment and is not among them.
+  /// Values whose zeros are the instants at which settle() would change the state; a solver stops
+  /// there. A reversal of the speed is always such an instant and is not among them.
   virtual void event_values(std::span<const double> /*state*/, double /*speed_rad_s*/,
                             std::span<double> /*values*/) const {}
 

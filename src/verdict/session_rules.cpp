@@ -16,7 +16,7 @@ using method::session::SessionFriction;
 constexpr Code no_load{"record.friction_without_load"};
 constexpr Code warm_up{"record.warmed_up"};
 
-/// Percent of a share that was found; 0 of one that was looked for and not found.
+/// Percent of a share that was found; 0 of one that was sought and not found.
 double percent_if(bool found, double share) { return found ? 100 * std::abs(share) : 0.0; }
 
 // The load.

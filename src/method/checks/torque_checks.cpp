@@ -216,7 +216,7 @@ std::vector<double> torque_of(const CheckedRecording& r) {
   return used;
 }
 
-/// Both ends of the range, each only if values beside it are rare.
+/// Both ends of the range, each only if values close to it are rare.
 Saturation saturation_of(const std::vector<double>& t) {
   Saturation out;
   if (t.size() < fewest_levels) return out;

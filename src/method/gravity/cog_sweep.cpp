@@ -176,7 +176,7 @@ class SlowLines {
     for (std::size_t i = 0; i < sweep.samples.size(); ++i) {
       motor_rad_.push_back(gear_ratio * sweep.q_rad(i));
     }
-    // Over a short way gravity is nearly a parabola, and looks like any slow line.
+    // Over a short range gravity is nearly a parabola, and looks like any slow line.
     const bool tells_them = out.highest_rad - out.lowest_rad >= least_range_for_second_rad;
     for (RippleLine& line : out.ripple.lines) {
       if (!tells_them) break;

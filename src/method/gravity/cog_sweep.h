@@ -44,7 +44,7 @@ struct CogSweepResult {
   bool found{false};  ///< The values below are valid.
   Statement method;   ///< The equation that was fitted.
 
-  double argmax_rad{};      ///< Paper's way.
+  double argmax_rad{};      ///< By the paper's method.
   double argmax_low_rad{};  ///< Angles that noise makes indistinguishable from the arg-max.
   double argmax_high_rad{};
   double argmax_torque_Nm{};  ///< Motor side, at the arg-max.
@@ -128,8 +128,8 @@ struct SweepShift {
 struct SweepBlocks {
   std::vector<SweepShift> shifts;  ///< Of each block of neighbours; see BlockRegression.
   double freedom{};                ///< Degrees of freedom of their scatter.
-  double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
-  double twist_lever{};      ///< The same for a twist.
+  double amplitude_lever{};        ///< Change of q_peak per change of a known gravity [rad/(N·m)].
+  double twist_lever{};            ///< The same for a twist.
   std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
 };
 

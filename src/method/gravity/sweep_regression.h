@@ -50,13 +50,13 @@ struct SweepDesign {
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
   Eigen::Index drift{-1};     // of the offset with the time, where both directions were recorded
-  Eigen::Index twist{-1};     // of the gear; where the range tells it
+  Eigen::Index twist{-1};     // of the gear; where the range shows it
   Eigen::Index second{-1};    // of twice the angle: cosine, and sine behind it
   Eigen::Index spring{-1};    // of the angle
   Eigen::Index by_speed{-1};  // first of those of friction's shape by speed
   Eigen::Index load{-1};      // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
-  std::optional<double> inertia_at_joint;  // taken off
+  std::optional<double> inertia_at_joint;  // subtracted
 };
 
 /// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle

@@ -77,7 +77,7 @@ struct BreakAwayResult {
   /// scatter of the ramps, absent with fewer than two that broke away.
   std::optional<statistics::Estimate> rising_Nm;
   std::optional<statistics::Estimate> falling_Nm;
-  /// Mean of the two directions, in which gravity cancels where it was not taken off.
+  /// Mean of the two directions, in which gravity cancels where it was not subtracted.
   std::optional<statistics::Estimate> mean_Nm;
 };
 

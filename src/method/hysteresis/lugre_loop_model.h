@@ -112,7 +112,7 @@ class LuGreLoopModel {
 
   std::vector<Piece> pieces_;
   std::vector<double> distance_rad_;  // of each piece
-  // Where the model is looked at: at each sample, or once in a row through which it is smooth.
+  // Where the model is evaluated: at each sample, or once in a row through which it is smooth.
   std::vector<double> angle_;
   std::vector<double> speed_;
   std::vector<double> acceleration_;

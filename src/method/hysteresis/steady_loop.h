@@ -19,7 +19,8 @@ struct SteadyLoop {
 
 /// The mean of the steady cycles over their phase; for a loop without a period, or with one cycle,
 /// its last cycle, thinned out.
-/// @param most_points at least 3. @return nothing where the trace has fewer points or no length.
+/// @param most_points at least 3. @return nothing where trace or loop has fewer than three points,
+/// or there is no duration or frequency.
 std::optional<SteadyLoop> steady_loop(const LoopTrace& trace, const Oscillation& oscillation,
                                       std::size_t most_points);
 

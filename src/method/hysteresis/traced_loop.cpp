@@ -133,7 +133,7 @@ constexpr double misfit_factor = 1.5;
 /// a friction model more closely.
 constexpr double smallest_misfit_share = 1e-4;
 
-/// The strokes that begin at a turn.
+/// The strokes that begin at a reversal.
 std::vector<StrokeSamples> strokes_behind_turns(const joint::Recording& r,
                                                 const motion::TracedMotion& motion) {
   std::vector<StrokeSamples> strokes;

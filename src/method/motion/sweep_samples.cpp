@@ -10,8 +10,8 @@ namespace {
 // Below this share of the fastest speed a varying sweep is close to a reversal, where friction is
 // in transition.
 constexpr double slowest_share = 0.1;
-// From this share of moving samples on plateaus a sweep counts as one of constant speed. A sine
-// lies 20 % of its way within 2 % of its fastest speed.
+// From this share of moving samples on plateaus a sweep counts as one of constant speed. A sine is
+// within 2 % of its fastest speed over 20 % of its travel.
 constexpr double plateau_share_of_constant_speed = 0.5;
 // Beyond this multiple of the acceleration that nine tenths of the moving samples stay below, a
 // varying sweep is stopped or started abruptly, which no term of the fit describes.

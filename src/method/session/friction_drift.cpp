@@ -185,7 +185,7 @@ class Fitter {
       x.col(columns_.count()) =
           passed.cwiseProduct(y_.cwiseQuotient((1 + trial.change * passed.array()).matrix()));
       const auto [chi2, c] = solve(x);
-      // The first round took the level for the friction at the begin.
+      // The first fit took the level for the friction at the start.
       const double w = round == 0 ? c(columns_.count()) / (1 - std::min(c(columns_.count()), 0.9))
                                   : c(columns_.count());
       trial = {chi2, std::clamp(w, -0.9, 9.0), 0, tau};

@@ -73,7 +73,7 @@ statistics::Estimate estimate(const ConditionFit& fit, Eigen::Index k, double fa
                                         interval_method);
 }
 
-/// Angle part of friction at x, with what a constant and the load imitate taken out.
+/// Angle-dependent part of friction at x, less what a constant and the load can imitate.
 class AnglePattern {
  public:
   explicit AnglePattern(const Range& range) {

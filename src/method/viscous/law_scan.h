@@ -10,7 +10,7 @@ namespace tribolog::method::viscous {
 struct SpeedMean {
   double speed_rad_s{};
   double friction_Nm{};
-  double variance{};  ///< From the scatter within the runs.
+  double variance{};  ///< From the scatter within the runs [N²·m²].
   double load{};
 };
 
