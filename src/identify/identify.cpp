@@ -87,17 +87,13 @@ statistics::Estimate without_drift(const statistics::Estimate& q_peak,
       {"interval.without_drift_of_friction", {{"interval", q_peak.method}}});
 }
 
-/// From their starts and stops. The difference between these is in the interval: something other
-/// than inertia acts in them.
+/// From their starts and stops.
 std::optional<statistics::Estimate> inertia_of_runs(const Progress& p) {
   constexpr double widest = 0.5;
-  const method::motion::TorqueLag found =
-      method::motion::find_torque_lag(p.recordings(Role::constant_speed), p.n);
-  if (!found.inertia_kgm2) return std::nullopt;
-  const statistics::Estimate& inertia = *found.inertia_kgm2;
-  const double half_width = std::hypot(inertia.half_width(), found.inertia_apart * inertia.value);
-  if (half_width > widest * inertia.value) return std::nullopt;
-  return statistics::symmetric_estimate(inertia.value, half_width, inertia.method);
+  const std::optional<statistics::Estimate> inertia =
+      method::motion::find_torque_lag(p.recordings(Role::constant_speed), p.n).inertia_kgm2;
+  if (!inertia || inertia->half_width() > widest * inertia->value) return std::nullopt;
+  return inertia;
 }
 
 /// The gravity peak: from the sweep with the narrower interval; without sweeps, from the runs.

@@ -32,9 +32,10 @@ void disturb_torque(joint::Recording& recording, const Noise& noise, double gear
   }
 }
 
-void quantise_angle(joint::Recording& recording, double counts_per_turn, double gear_ratio) {
-  const double step = 2 * pi / counts_per_turn / gear_ratio;
-  for (double& q : recording.q_rad) q = step * std::floor(q / step);
+void quantise_angle(joint::Recording& recording, const Noise& noise, double gear_ratio) {
+  const double step = 2 * pi / noise.encoder_counts_per_turn / gear_ratio;
+  const double phase = noise.encoder_phase;
+  for (double& q : recording.q_rad) q = step * (std::floor(q / step + phase) - phase);
 }
 
 /// The controller's speed: difference of the logged angle through a first-order low pass. It
@@ -91,7 +92,7 @@ void add_drive_noise(joint::Recording& recording, const Noise& noise, double gea
   add_log_effects(recording, noise.effects, sample_rate_Hz, noise.seed, stream);
   disturb_torque(recording, noise, gear_ratio, stream);
   if (noise.encoder_counts_per_turn > 0) {
-    quantise_angle(recording, noise.encoder_counts_per_turn, gear_ratio);
+    quantise_angle(recording, noise, gear_ratio);
   }
   if (noise.speed_filter_Hz > 0) filter_speed(recording, noise.speed_filter_Hz, sample_rate_Hz);
   statistics::RandomStream clock = clock_stream(noise, stream);

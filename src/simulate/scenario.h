@@ -75,6 +75,7 @@ struct Noise {
   double torque_white_Nm{};          ///< Standard deviation, motor side.
   double torque_step_Nm{};           ///< Quantisation of the torque; 0: none.
   double encoder_counts_per_turn{};  ///< Of the motor encoder; 0: continuous.
+  double encoder_phase{};  ///< Share of a step by which its steps are off the angle's zero, 0 to 1.
   double speed_filter_Hz{};  ///< First-order low pass on the difference of the angle; 0: the
                              ///< true speed is logged.
   struct Ripple {

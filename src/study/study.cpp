@@ -127,6 +127,7 @@ simulate::Noise noise_of_run(const simulate::Noise& stated, std::uint64_t seed, 
   for (simulate::Noise::Ripple& ripple : noise.ripple) {
     ripple.phase_rad = 2 * std::numbers::pi * random.uniform();
   }
+  noise.encoder_phase = random.uniform();
   return noise;
 }
 

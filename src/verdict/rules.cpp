@@ -66,14 +66,24 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
-/// By how much the dip of the curve certainly differs from the exp(-(w/ws)^2) of the loops' model.
+/// Where the dip of the curve is certainly not the exp(-(w/ws)^2) of the loops' model: by how much
+/// of friction the two differ at most, up to the loops' fastest speed, with the same fall at it.
 std::optional<Measured> stribeck_exponent(const Calibration& c) {
   const method::viscous::SlidingLaw& law = c.curve_model.sliding;
   if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
-  const double flatter = 2 / law.highest_exponent;
-  const double sharper = law.lowest_exponent / 2;
-  return Measured{std::max(flatter, sharper),
-                  {"cause.stribeck_exponent", {{"exponent", law.stribeck_exponent}}}};
+  if (law.lowest_exponent <= 2 && 2 <= law.highest_exponent) return Measured{0, {}};
+  const double exponent = law.stribeck_exponent;
+  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, exponent);
+  constexpr int parts = 50;
+  double apart = 0;
+  for (int k = 1; k < parts; ++k) {
+    const double share = static_cast<double>(k) / parts;  // of the fastest speed
+    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, exponent)) -
+                                     std::exp(-fall * share * share)));
+  }
+  const double percent = 100 * apart * law.excess_Nm / (law.level_Nm + law.excess_Nm);
+  return Measured{percent,
+                  {"cause.stribeck_exponent", {{"exponent", exponent}, {"percent", percent}}}};
 }
 
 std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
@@ -189,16 +199,17 @@ const std::vector<Rule>& rules() {
        {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass},
        "record.sweep",
        inertia_of_sweep},
+      // A shape that is off by this bends stiffness and damping by less than matters.
       {"stribeck_exponent",
-       "",
-       1.3,
+       "%",
+       4,
        Verdict::doubtful,
        {Quantity::bristle_stiffness, Quantity::bristle_damping},
        "record.compare_reversals",
        stribeck_exponent},
       {"stribeck_exponent_at_break_away",
-       "",
-       1.3,
+       "%",
+       1.5,
        Verdict::doubtful,
        {Quantity::break_away_torque},
        "record.ramps",

@@ -56,13 +56,14 @@ const Messages& verdict_messages() {
        text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
             "the speed: another law, or a torque that is not right at some speed")},
       {"rule.inertia_of_sweep", text("Inertia of the sweep that is none, of gravity")},
-      {"rule.stribeck_exponent", text("Dip of the curve unlike that of the loops' model, factor")},
+      {"rule.stribeck_exponent",
+       text("Dip of the curve unlike that of the loops' model, of friction")},
       {"rule.stribeck_exponent_at_break_away",
-       text("Dip of the curve unlike that of the loops' model, for want of ramps, factor")},
+       text("Dip of the curve unlike that of the loops' model, for want of ramps, of friction")},
       {"cause.stribeck_exponent",
        text(
            "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the loops' model has "
-           "the exponent 2: what was read from the loops is bent by that")},
+           "the exponent 2: over the loops' speeds the two differ by {percent:.2g} % of friction")},
       {"cause.inertia_of_sweep",
        text("the sweep's inertia of {sweep_kgm2:.3g} kg·m² is not the {inertia_kgm2:.3g} kg·m² of "
             "starts and stops: a spring, or a gear that twists, is in it, and in the angle")},

@@ -224,6 +224,26 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
 
 // ---- loops that show little or nothing
 
+TEST(LuGreFit, StiffnessIsHeldWhereTheEncoderIsCoarserThanTheTorquesNoise) {
+  // The encoder reads each cycle alike: its error at the reversals is no scatter of the cycles.
+  constexpr int phases = 40;
+  int held = 0;
+  for (int k = 0; k < phases; ++k) {
+    simulate::Scenario s = test::noisy_paper_joint(1 + static_cast<std::uint64_t>(k));
+    s.noise.torque_white_Nm = 0.002;
+    s.noise.torque_step_Nm = 0;
+    s.noise.encoder_counts_per_turn = 32768;
+    s.noise.encoder_phase = static_cast<double>(k) / phases;
+    s.oscillation->sample_rate_Hz = 250;
+    const auto stiffness = test::fit_loops(s).shown(LuGreParameterName::bristle_stiffness);
+    ASSERT_TRUE(stiffness);
+    const double truth = test::true_parameters(s).at(LuGreParameterName::bristle_stiffness);
+    held += stiffness->low <= truth && truth <= stiffness->high;
+    EXPECT_LT(stiffness->half_width(), 0.05 * truth);
+  }
+  EXPECT_GE(held, 34);
+}
+
 TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
   simulate::Scenario s = with_loop(1e-6, 1.0);  // a twentieth of the way to sliding
   s.noise.torque_white_Nm = 0.02;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "method/motion/encoder_resolution.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test {
@@ -27,7 +28,8 @@ method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>
     motions.push_back(*method::motion::fit_oscillation_motion(r));
   std::vector<method::hysteresis::LuGreInput> inputs;
   for (std::size_t k = 0; k < oscillations.size(); ++k) {
-    inputs.push_back({&oscillations[k], &motions[k]});
+    inputs.push_back({&oscillations[k], &motions[k], nullptr,
+                      method::motion::angle_step(oscillations[k].q_rad, gear_ratio).step_rad});
   }
   return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
 }

@@ -186,7 +186,8 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
       continue;
     }
     inputs.push_back({&loop.recording, loop.motion ? &*loop.motion : nullptr,
-                      loop.traced ? &*loop.traced : nullptr});
+                      loop.traced ? &*loop.traced : nullptr,
+                      loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad});
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;

@@ -23,6 +23,7 @@ struct LuGreInput {
   const motion::OscillationMotion* motion{};  ///< Fitted to the recording; used unless `traced` is
                                               ///< given.
   const motion::TracedMotion* traced{};       ///< Used instead where given.
+  double encoder_step_rad{};                  ///< Of the angle, joint side; 0: it looks continuous.
 
   /// Motion as a function of the time since the recording's first sample.
   [[nodiscard]] std::shared_ptr<const simulate::Motion> motor_motion(double gear_ratio) const;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Dense>
 
 #include "base/parallel_for.h"
 #include "method/hysteresis/loop_shape.h"
+#include "method/motion/oscillation_motion.h"
+#include "simulate/motion.h"
 #include "statistics/random_stream.h"
 #include "statistics/sampled_signal.h"
 
@@ -17,6 +20,28 @@ namespace {
 
 constexpr std::size_t repeats = 12;
 
+/// An angle as read by an encoder whose steps begin anywhere.
+double stepped(double q, double step, double phase) {
+  return step * (std::floor(q / step + phase) - phase + 0.5);
+}
+
+/// The angles that the harmonic motion would have given: at another phase of the encoder's steps,
+/// and with white noise where the residual is larger than they explain.
+std::vector<double> angles_again(const LuGreInput& loop, statistics::RandomStream& random) {
+  const simulate::HarmonicMotion motion = loop.motion->motor_motion(1);
+  const double step = loop.encoder_step_rad;
+  const double noise = std::sqrt(
+      std::max(0.0, loop.motion->residual_rad * loop.motion->residual_rad - step * step / 12));
+  const double phase = random.uniform();
+  std::vector<double> out;
+  out.reserve(loop.recording->size());
+  for (const double t : loop.recording->t_s) {
+    const double q = motion.angle(t - loop.motion->start_s) + noise * random.normal();
+    out.push_back(step > 0 ? stepped(q, step, phase) : q);
+  }
+  return out;
+}
+
 /// The recording that the traced motion would have given.
 joint::Recording recorded_again(const joint::Recording& r, const motion::TracedMotion& motion,
                                 statistics::RandomStream& random) {
@@ -25,8 +50,7 @@ joint::Recording recorded_again(const joint::Recording& r, const motion::TracedM
   const double phase = random.uniform();
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double q = motion.origin_rad + motion.spline->at(r.t_s[i] - r.t_s.front()).value;
-    out.q_rad[i] = step > 0 ? step * (std::floor(q / step + phase) - phase + 0.5)
-                            : q + motion.noise_rad * random.normal();
+    out.q_rad[i] = step > 0 ? stepped(q, step, phase) : q + motion.noise_rad * random.normal();
   }
   return out;
 }
@@ -72,12 +96,23 @@ class Beginnings {
   std::vector<LuGreInput> inputs_;
 };
 
+/// Along a harmonic motion, which noise changes smoothly, a few samples of a cycle show as much.
+LuGreGrain grain_of(const LuGreInput& loop) {
+  constexpr double enough_per_cycle = 60;
+  const std::vector<double>& t = loop.recording->t_s;
+  if (loop.traced != nullptr) return {};
+  const double per_cycle =
+      static_cast<double>(t.size() - 1) / ((t.back() - t.front()) * loop.frequency_Hz());
+  return {static_cast<std::size_t>(std::max(1.0, per_cycle / enough_per_cycle))};
+}
+
 /// One step of the fit to the same torques along these motions.
 Eigen::VectorXd step_along(const std::vector<LuGreInput>& loops, const LuGreClimb& climb,
                            double gear_ratio, double q_peak_rad) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad);
+    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
+                        grain_of(loop));
   }
   const statistics::LinearisedFit fit =
       LuGreProblem(std::move(models)).linearise(climb.free, climb.point, {}).fit;
@@ -90,19 +125,25 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
                                        const LuGreClimb& climb, double gear_ratio,
                                        double q_peak_rad) {
   const Eigen::Index parameters = climb.linear.r_factor.cols();
-  const bool any = std::any_of(loops.begin(), loops.end(),
-                               [](const LuGreInput& loop) { return loop.traced != nullptr; });
-  if (!any) return Eigen::MatrixXd(parameters, 0);
   constexpr double most_samples = 50'000;
   const Beginnings parts(loops, most_samples);
   const std::vector<LuGreInput>& inputs = parts.inputs();
+  std::vector<std::optional<motion::HarmonicRefit>> refits(inputs.size());
+  for (std::size_t r = 0; r < inputs.size(); ++r) {
+    if (inputs[r].traced == nullptr) refits[r].emplace(inputs[r].recording->t_s, *inputs[r].motion);
+  }
   Eigen::MatrixXd shifts(parameters, static_cast<Eigen::Index>(repeats));
   parallel_for(repeats, [&](std::size_t k) {
     statistics::RandomStream random(1, k);
     std::vector<motion::MotionTrace> traces(inputs.size());
+    std::vector<motion::OscillationMotion> harmonic(inputs.size());
     std::vector<LuGreInput> again = inputs;
     for (std::size_t r = 0; r < inputs.size(); ++r) {
-      if (inputs[r].traced == nullptr) continue;
+      if (refits[r]) {
+        harmonic[r] = (*refits[r])(angles_again(inputs[r], random));
+        again[r].motion = &harmonic[r];
+        continue;
+      }
       motion::MotionTrace& trace = traces[r];
       const motion::TracedMotion& traced = *inputs[r].traced;
       trace = motion::trace_motion(recorded_again(*inputs[r].recording, traced, random), &traced);
@@ -111,9 +152,10 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
     }
     shifts.col(static_cast<Eigen::Index>(k)) = step_along(again, climb, gear_ratio, q_peak_rad);
   });
+  // Some of the samples alone would be fitted somewhere else: that is their torques' noise, not the
+  // motion's.
+  shifts.colwise() -= step_along(inputs, climb, gear_ratio, q_peak_rad);
   if (parts.share() < 1) {
-    // The part alone would be fitted somewhere else: that is its torques' noise, not the motion's.
-    shifts.colwise() -= step_along(inputs, climb, gear_ratio, q_peak_rad);
     Eigen::VectorXd scale = Eigen::VectorXd::Constant(parameters, std::sqrt(parts.share()));
     for (std::size_t r = 0; climb.free.starts && r < loops.size(); ++r) {
       scale(LuGreProblem::gravity_column(climb.free, r) + 1) = 1;

@@ -1,11 +1,11 @@
 #pragma once
-// Effect of a recorded angle's noise on a fit along the motion traced through it.
+// Effect of a recorded angle's noise on a fit along the motion through it.
 //
-// The traced motion is taken as the truth, recorded again with the noise that was found (its steps
-// at another phase, or other white noise), traced anew, and the fit takes one step from its
+// The motion is taken as the truth, recorded again with the noise that was found (its steps at
+// another phase, or other white noise), fitted or traced anew, and the fit takes one step from its
 // solution. The steps over several such recordings show the error that no scatter of the torque
-// shows: motion that is smoothed too much at every reversal is wrong in the same way in all half
-// loops.
+// shows: a motion that is wrong at the reversals is so in the same way in all half loops, for an
+// encoder reads each cycle of a steady oscillation alike.
 //
 // For long recordings a part suffices: the shift by the noise of the part, divided by the square
 // root of the number of parts. The initial deflection, which the first strokes alone determine,
@@ -28,7 +28,7 @@
 namespace tribolog::method::hysteresis {
 
 /// Columns whose outer products add up to the parameters' covariance due to that noise, rows in the
-/// order of the climb's columns; no columns where no motion was traced.
+/// order of the climb's columns.
 Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
                                        const LuGreClimb& climb, double gear_ratio,
                                        double q_peak_rad);

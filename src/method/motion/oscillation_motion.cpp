@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -173,6 +174,35 @@ simulate::HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) cons
     h.sine *= gear_ratio;
   }
   return {gear_ratio * centre_rad, frequency_Hz, std::move(motor)};
+}
+
+HarmonicRefit::HarmonicRefit(const std::vector<double>& t_s, OscillationMotion motion)
+    : motion_(std::move(motion)) {
+  const auto rows = static_cast<Eigen::Index>(t_s.size());
+  const auto harmonics = static_cast<Eigen::Index>(motion_.harmonics.size());
+  Eigen::MatrixXd x(rows, 1 + 2 * harmonics);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double t = t_s[static_cast<std::size_t>(i)] - motion_.start_s;
+    x(i, 0) = 1;
+    for (Eigen::Index k = 1; k <= harmonics; ++k) {
+      const double phase = 2 * pi * motion_.frequency_Hz * static_cast<double>(k) * t;
+      x(i, 2 * k - 1) = std::cos(phase);
+      x(i, 2 * k) = std::sin(phase);
+    }
+  }
+  solved_ = (x.transpose() * x).ldlt().solve(x.transpose());
+}
+
+OscillationMotion HarmonicRefit::operator()(const std::vector<double>& q_rad) const {
+  const Eigen::Map<const Eigen::VectorXd> q(q_rad.data(), solved_.cols());
+  const Eigen::VectorXd c = solved_ * (q.array() - motion_.centre_rad).matrix();
+  OscillationMotion out = motion_;
+  out.centre_rad += c(0);
+  for (std::size_t k = 0; k < out.harmonics.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(2 * k + 1);
+    out.harmonics[k] = {c(column), c(column + 1)};
+  }
+  return out;
 }
 
 std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,

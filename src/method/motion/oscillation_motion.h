@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "joint/recording.h"
 #include "simulate/motion.h"
 
@@ -30,6 +32,19 @@ struct OscillationMotion {
   [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
   /// Motor-side motion as a function of the time since start_s.
   [[nodiscard]] simulate::HarmonicMotion motor_motion(double gear_ratio) const;
+};
+
+/// Harmonics of the frequency of a motion, fitted again to other angles at the same times: what
+/// noise of the angle does to a motion.
+class HarmonicRefit {
+ public:
+  HarmonicRefit(const std::vector<double>& t_s, OscillationMotion motion);
+  /// @param q_rad as many as the times.
+  [[nodiscard]] OscillationMotion operator()(const std::vector<double>& q_rad) const;
+
+ private:
+  OscillationMotion motion_;
+  Eigen::MatrixXd solved_;  ///< Coefficients by angles.
 };
 
 /// Fits `harmonics` harmonics and their frequency to the angle. Absent if the angle does not

@@ -2,67 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
+#include "method/motion/encoder_resolution.h"
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
+#include "statistics/smoothed_derivatives.h"
 
 namespace tribolog::method::motion {
 namespace {
 
-/// The angle about a sample, by a polynomial of fourth order over its neighbours.
-struct LocalMotion {
-  double speed{}, acceleration{}, jerk{}, snap{};
-};
-
-constexpr int order = 4;
-
-/// Weights of equally spaced neighbours for the first four derivatives.
-class DerivativeWeights {
- public:
-  DerivativeWeights(std::size_t half, double dt) : half_(static_cast<Eigen::Index>(half)) {
-    const Eigen::Index size = 2 * half_ + 1;
-    Eigen::MatrixXd x(size, order + 1);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const double s = static_cast<double>(i - half_) / static_cast<double>(half_);
-      x(i, 0) = 1;
-      for (int k = 1; k <= order; ++k) x(i, k) = x(i, k - 1) * s;
-    }
-    weights_ = (x.transpose() * x).ldlt().solve(x.transpose()).bottomRows(order);
-    double scale = 1;
-    for (int k = 0; k < order; ++k) {
-      scale *= (k + 1) / (static_cast<double>(half_) * dt);
-      weights_.row(k) *= scale;
-    }
-  }
-  [[nodiscard]] LocalMotion at(const std::vector<double>& q, std::size_t i) const {
-    const Eigen::Map<const Eigen::VectorXd> near(&q[i - static_cast<std::size_t>(half_)],
-                                                 2 * half_ + 1);
-    const Eigen::Vector4d d = weights_ * (near.array() - q[i]).matrix();
-    return {d(0), d(1), d(2), d(3)};
-  }
-  /// Of the jerk, per standard deviation of the angle.
-  [[nodiscard]] double jerk_noise() const { return weights_.row(2).norm(); }
-
- private:
-  Eigen::Index half_;
-  Eigen::MatrixXd weights_;
-};
-
-struct Row {
+/// A recording whose starts and stops are looked at.
+struct Travel {
   const joint::Recording* recording{};
+  std::size_t half{};  ///< Samples to either side that a row is made of.
+  double dt_s{};
+  statistics::SmoothedDerivatives smoothed;
+  std::vector<double> speed;  ///< Of each sample.
+};
+
+/// The smoothed torque about one sample against the motion smoothed likewise.
+struct Row {
+  const Travel* travel{};
   std::size_t index{};
-  double q{};
-  LocalMotion motion;
+  double speed{}, acceleration{};
   std::size_t transient{};
 };
 
 constexpr double least_speed_share = 0.05;  // slower: the contact may still build up
 constexpr double least_acceleration_share = 0.05;
 constexpr double most_lag_s = 0.2;
+constexpr std::size_t fewest_rows = 50;
+
+double square(double x) { return x * x; }
 
 /// The 99.9 % quantile, so that an outlier does not set the scale.
 double largest_usual(std::vector<double> sizes) {
@@ -72,93 +48,151 @@ double largest_usual(std::vector<double> sizes) {
   return sizes[rank];
 }
 
-std::vector<LocalMotion> motion_of(const joint::Recording& r, std::size_t half, double dt) {
-  const DerivativeWeights weights(half, dt);
-  std::vector<LocalMotion> all(r.size());
-  for (std::size_t i = half; i + half < r.size(); ++i) all[i] = weights.at(r.q_rad, i);
-  return all;
+/// Of each sample; 0 where there are too few beside it.
+std::vector<double> speeds_of(const joint::Recording& r,
+                              const statistics::SmoothedDerivatives& smoothed) {
+  const Eigen::RowVectorXd weights = smoothed.weights().row(1);
+  const auto half = static_cast<std::size_t>(weights.size() / 2);
+  std::vector<double> speeds(r.size());
+  for (std::size_t i = half; i + half < r.size(); ++i) {
+    const Eigen::Map<const Eigen::VectorXd> near(&r.q_rad[i - half], weights.size());
+    speeds[i] = weights.dot((near.array() - r.q_rad[i]).matrix());
+  }
+  return speeds;
 }
 
 struct Scale {
   double speed{}, acceleration{}, jerk{};
 };
 
-Scale scale_of(const std::vector<LocalMotion>& all) {
+Scale scale_of(const Travel& travel) {
+  const Eigen::MatrixXd& weights = travel.smoothed.weights();
+  const std::vector<double>& angle = travel.recording->q_rad;
   std::vector<double> v, a, j;
-  for (const LocalMotion& m : all) {
-    v.push_back(std::abs(m.speed));
-    a.push_back(std::abs(m.acceleration));
-    j.push_back(std::abs(m.jerk));
+  for (std::size_t i = travel.half; i + travel.half < angle.size(); ++i) {
+    const Eigen::Map<const Eigen::VectorXd> near(&angle[i - travel.half], weights.cols());
+    const Eigen::VectorXd d = weights * (near.array() - angle[i]).matrix();
+    v.push_back(std::abs(d(1)));
+    a.push_back(std::abs(d(2)));
+    j.push_back(std::abs(d(3)));
   }
   return {largest_usual(std::move(v)), largest_usual(std::move(a)), largest_usual(std::move(j))};
 }
 
-/// Adds the rows of a recording's transients; numbers its starts and stops from `transients` on.
-void add_rows(const joint::Recording& r, std::vector<Row>& rows, std::size_t& transients) {
-  constexpr std::size_t narrowest = 4;
-  constexpr std::size_t widest = 40;
-  constexpr double most_jerk_noise = 0.1;  // of its largest: what noise takes off its coefficient
-  const double dt = statistics::median_interval(r.t_s);
-  if (r.size() < 10 * narrowest || !(dt > 0)) return;
-  const double noise =
-      std::sqrt(std::max(0.0, statistics::white_variance(statistics::third_differences(r.q_rad))));
-  for (std::size_t half = narrowest; half <= widest; half = half * 3 / 2) {
-    if (r.size() < 8 * half) return;
-    const std::vector<LocalMotion> all = motion_of(r, half, dt);
-    const Scale scale = scale_of(all);
-    if (!(scale.acceleration > 0)) return;
-    // A change of speed has to last longer than what the polynomial looks at.
-    if (scale.speed / scale.acceleration < static_cast<double>(half) * dt) return;
-    if (noise * DerivativeWeights(half, dt).jerk_noise() > most_jerk_noise * scale.jerk) continue;
-    bool inside = false;
-    for (std::size_t i = half; i + half < r.size(); ++i) {
-      const LocalMotion& m = all[i];
-      const bool is_even =
-          r.t_s[i + half] - r.t_s[i - half] < 1.2 * dt * 2 * static_cast<double>(half);
-      const bool is_used =
-          std::abs(m.speed) > least_speed_share * scale.speed &&
-          std::abs(m.acceleration) > least_acceleration_share * scale.acceleration && is_even &&
-          std::isfinite(r.torque_Nm[i]);
-      if (is_used) rows.push_back({&r, i, r.q_rad[i], m, transients});
-      if (inside && !is_used) ++transients;
-      inside = is_used;
+/// Samples about which the joint keeps moving one way, all of them recorded.
+bool is_within_stroke(const Travel& travel, std::size_t i, double least_speed) {
+  const joint::Recording& r = *travel.recording;
+  const std::size_t half = travel.half;
+  if (i < 2 * half || i + 2 * half >= r.size()) return false;
+  if (r.t_s[i + half] - r.t_s[i - half] > 2.4 * travel.dt_s * static_cast<double>(half)) {
+    return false;
+  }
+  const double sign = travel.speed[i] < 0 ? -1 : 1;
+  for (std::size_t k = i - half; k <= i + half; ++k) {
+    if (!(sign * travel.speed[k] > least_speed) || !std::isfinite(r.torque_Nm[k])) {
+      return false;
     }
-    if (inside) ++transients;
-    return;
+  }
+  return true;
+}
+
+/// How widely a recording has to be smoothed, and its motion; nothing where its starts and stops
+/// are too short for that.
+std::optional<Travel> travel_of(const joint::Recording& r, double gear_ratio) {
+  constexpr std::size_t narrowest = 4;
+  constexpr std::size_t widest = 60;
+  constexpr double most_jerk_noise = 0.1;  // of its largest: what noise takes off its coefficient
+  const double dt_s = statistics::median_interval(r.t_s);
+  if (r.size() < 10 * narrowest || !(dt_s > 0)) return std::nullopt;
+  // An angle that stands between the encoder's steps shows none of its noise.
+  const double noise = std::max(
+      std::sqrt(std::max(0.0, statistics::white_variance(statistics::third_differences(r.q_rad)))),
+      angle_step(r.q_rad, gear_ratio).step_rad / std::sqrt(12.0));
+  for (std::size_t half = narrowest; half <= widest; half = half * 3 / 2) {
+    if (r.size() < 8 * half) return std::nullopt;
+    Travel out{&r, half, dt_s, statistics::SmoothedDerivatives(half, dt_s), {}};
+    const Scale scale = scale_of(out);
+    if (!(scale.acceleration > 0)) return std::nullopt;
+    // A change of speed has to last longer than what a row looks at.
+    if (scale.speed / scale.acceleration < static_cast<double>(half) * dt_s) {
+      return std::nullopt;
+    }
+    if (noise * out.smoothed.weights().row(3).norm() > most_jerk_noise * scale.jerk) continue;
+    out.speed = speeds_of(r, out.smoothed);
+    return out;
+  }
+  return std::nullopt;
+}
+
+/// Adds the rows of a recording's transients; numbers its starts and stops from `transients` on.
+void add_rows(const Travel& travel, std::vector<Row>& rows, std::size_t& transients) {
+  const Scale scale = scale_of(travel);
+  const Eigen::MatrixXd& weights = travel.smoothed.weights();
+  const std::vector<double>& angle = travel.recording->q_rad;
+  const std::size_t step = std::max<std::size_t>(1, travel.half / 4);
+  bool inside = false;
+  for (std::size_t i = travel.half; i + travel.half < angle.size(); i += step) {
+    const Eigen::Map<const Eigen::VectorXd> near(&angle[i - travel.half], weights.cols());
+    const double acceleration = weights.row(2).dot((near.array() - angle[i]).matrix());
+    const bool is_used = std::abs(acceleration) > least_acceleration_share * scale.acceleration &&
+                         is_within_stroke(travel, i, least_speed_share * scale.speed);
+    if (is_used) rows.push_back({&travel, i, travel.speed[i], acceleration, transients});
+    if (inside && !is_used) ++transients;
+    inside = is_used;
+  }
+  if (inside) ++transients;
+}
+
+/// Numbers the transients of some rows from 0 on without gaps.
+void renumber_transients(std::vector<Row>& rows) {
+  std::size_t last = 0;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && rows[i].transient != last) ++number;
+    last = rows[i].transient;
+    rows[i].transient = number;
   }
 }
 
-/// Knots of the friction polygon over the speed, with equally many rows between them.
+/// Where the friction polygon over the speed bends: as many rows between any two.
 std::vector<double> speed_knots(const std::vector<Row>& rows) {
   constexpr std::size_t pieces = 6;
   std::vector<double> speeds;
-  for (const Row& row : rows) speeds.push_back(std::abs(row.motion.speed));
+  for (const Row& row : rows) speeds.push_back(std::abs(row.speed));
   std::sort(speeds.begin(), speeds.end());
   std::vector<double> knots;
-  for (std::size_t k = 0; k <= pieces; ++k) {
-    knots.push_back(speeds[std::min(speeds.size() - 1, k * speeds.size() / pieces)]);
+  for (std::size_t k = 1; k < pieces && !speeds.empty(); ++k) {
+    knots.push_back(speeds[k * speeds.size() / pieces]);
   }
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   return knots;
 }
 
-void add_polygon(const std::vector<double>& knots, double speed, Eigen::Ref<Eigen::RowVectorXd> x) {
-  const double size = std::clamp(std::abs(speed), knots.front(), knots.back());
+/// What a polygon over the speed has besides its last piece, which is a straight line: how far
+/// below each knot the speed is.
+void add_bends(const std::vector<double>& knots, double speed, Eigen::Ref<Eigen::RowVectorXd> x) {
   const double sign = speed < 0 ? -1 : 1;
-  std::size_t k = 1;
-  while (k + 1 < knots.size() && size > knots[k]) ++k;
-  const double share = (size - knots[k - 1]) / (knots[k] - knots[k - 1]);
-  x(static_cast<Eigen::Index>(k - 1)) = sign * (1 - share);
-  x(static_cast<Eigen::Index>(k)) = sign * share;
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    x(static_cast<Eigen::Index>(k)) = sign * std::max(0.0, knots[k] - std::abs(speed));
+  }
 }
 
-enum Column : Eigen::Index { inertia, lag, curvature, cosine, sine, offset, friction };
+enum Column : Eigen::Index {
+  inertia,
+  lag,
+  curvature,
+  viscous,
+  cosine,
+  sine,
+  offset,
+  coulomb,
+  bends
+};
 
 /// The torque `lag_s` after a sample, by linear interpolation.
-double torque_behind(const Row& row, double lag_s) {
-  const joint::Recording& r = *row.recording;
-  const double t = r.t_s[row.index] + lag_s;
-  std::size_t above = row.index;
+double torque_behind(const joint::Recording& r, std::size_t index, double lag_s) {
+  const double t = r.t_s[index] + lag_s;
+  std::size_t above = index;
   while (above + 1 < r.size() && r.t_s[above] < t) ++above;
   while (above > 1 && r.t_s[above - 1] > t) --above;
   above = std::max<std::size_t>(above, 1);
@@ -166,27 +200,56 @@ double torque_behind(const Row& row, double lag_s) {
   return std::lerp(r.torque_Nm[above - 1], r.torque_Nm[above], std::clamp(share, 0.0, 1.0));
 }
 
-/// Regression of the torque on the rows' motion. A lag removed from the torque beforehand changes
-/// only the right-hand side: the coefficient of `lag` is then the remaining lag.
+std::vector<double> torques_behind(const joint::Recording& r, double lag_s) {
+  std::vector<double> out(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i) out[i] = torque_behind(r, i, lag_s);
+  return out;
+}
+
+/// What acts at each sample of a travel besides inertia: the columns from `cosine` on.
+Eigen::MatrixXd forces_at_samples(const Travel& travel, const std::vector<double>& knots) {
+  const std::vector<double>& angle = travel.recording->q_rad;
+  const auto speeds = static_cast<Eigen::Index>(knots.size());
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(angle.size()), bends - cosine + speeds);
+  Eigen::RowVectorXd bent(speeds);
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    auto row = out.row(static_cast<Eigen::Index>(i));
+    const double speed = travel.speed[i];
+    row(0) = std::cos(angle[i]);
+    row(1) = std::sin(angle[i]);
+    row(2) = 1;
+    row(3) = speed < 0 ? -1 : 1;
+    add_bends(knots, speed, bent);
+    row.tail(speeds) = bent;
+  }
+  return out;
+}
+
+/// Regression of the torque on the motion, both smoothed alike. A lag removed from the torque
+/// beforehand changes only the right-hand side: the coefficient of `lag` is then the remaining lag.
 class TransientRegression {
  public:
   TransientRegression(const std::vector<Row>& rows, const std::vector<double>& knots)
       : rows_(rows) {
-    const auto size = static_cast<Eigen::Index>(rows.size());
     const auto speeds = static_cast<Eigen::Index>(knots.size());
-    x_ = Eigen::MatrixXd::Zero(size, friction + speeds);
-    Eigen::RowVectorXd polygon(speeds);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Row& row = rows[static_cast<std::size_t>(i)];
-      x_(i, inertia) = row.motion.acceleration;
-      x_(i, lag) = -row.motion.jerk;
-      x_(i, curvature) = row.motion.snap;
-      x_(i, cosine) = std::cos(row.q);
-      x_(i, sine) = std::sin(row.q);
-      x_(i, offset) = 1;
-      polygon.setZero();
-      add_polygon(knots, row.motion.speed, polygon);
-      x_.row(i).tail(speeds) = polygon;
+    x_.resize(static_cast<Eigen::Index>(rows.size()), bends + speeds);
+    Eigen::MatrixXd forces;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Travel& travel = *rows[i].travel;
+      if (i == 0 || &travel != rows[i - 1].travel) forces = forces_at_samples(travel, knots);
+      const Eigen::MatrixXd& weights = travel.smoothed.weights();
+      const std::size_t first = rows[i].index - travel.half;
+      const Eigen::Map<const Eigen::VectorXd> angle(&travel.recording->q_rad[first],
+                                                    weights.cols());
+      const Eigen::VectorXd motion =
+          weights.bottomRows(4) * (angle.array() - travel.recording->q_rad[rows[i].index]).matrix();
+      auto x = x_.row(static_cast<Eigen::Index>(i));
+      x(viscous) = motion(0);
+      x(inertia) = motion(1);
+      x(lag) = -motion(2);
+      x(curvature) = motion(3);
+      x.tail(forces.cols()) =
+          weights.row(0) * forces.middleRows(static_cast<Eigen::Index>(first), weights.cols());
     }
     norms_ = x_.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
     solved_.compute(x_ * norms_.cwiseInverse().asDiagonal());
@@ -203,8 +266,15 @@ class TransientRegression {
  private:
   [[nodiscard]] Eigen::VectorXd torque(double lag_s) const {
     Eigen::VectorXd y(x_.rows());
+    std::vector<double> behind;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      y(static_cast<Eigen::Index>(i)) = torque_behind(rows_[i], lag_s);
+      const Travel& travel = *rows_[i].travel;
+      if (i == 0 || &travel != rows_[i - 1].travel)
+        behind = torques_behind(*travel.recording, lag_s);
+      const auto weights = travel.smoothed.weights().row(0);
+      const Eigen::Map<const Eigen::VectorXd> about(&behind[rows_[i].index - travel.half],
+                                                    weights.cols());
+      y(static_cast<Eigen::Index>(i)) = weights * about;
     }
     return y;
   }
@@ -215,25 +285,6 @@ class TransientRegression {
   Eigen::HouseholderQR<Eigen::MatrixXd> solved_;
 };
 
-/// How far the inertia from starts alone and from stops alone is from that from both: what is
-/// neither inertia nor a friction that depends on speed acts in opposite senses in them. 0 where
-/// either are too few.
-double inertia_apart(const std::vector<Row>& rows, const std::vector<double>& knots, double lag_s,
-                     double by_both) {
-  constexpr std::size_t fewest_rows = 50;
-  double farthest = 0;
-  for (const bool is_start : {false, true}) {
-    std::vector<Row> some;
-    for (const Row& row : rows) {
-      if ((row.motion.speed * row.motion.acceleration > 0) == is_start) some.push_back(row);
-    }
-    if (some.size() < fewest_rows) return 0;
-    const double alone = TransientRegression(some, knots).coefficients(lag_s)(inertia);
-    if (std::isfinite(alone)) farthest = std::max(farthest, std::abs(alone - by_both));
-  }
-  return farthest;
-}
-
 /// 95 % half width of a ratio of two coefficients.
 double half_width_of_ratio(const statistics::BlockRegression& fit, Eigen::Index top,
                            Eigen::Index bottom) {
@@ -243,14 +294,52 @@ double half_width_of_ratio(const statistics::BlockRegression& fit, Eigen::Index 
   return fit.half_width_along(gradient);
 }
 
+/// What is not noise in the difference of two 95 % estimates of which one rests on part of the data
+/// of the other.
+double beyond_noise(double difference, double half_width_of_part, double half_width_of_all) {
+  const double noise = square(half_width_of_part) - square(half_width_of_all);
+  return std::sqrt(std::max(0.0, square(difference) - std::max(0.0, noise)));
+}
+
+/// How far starts alone and stops alone are from both together, whichever is farther, beyond their
+/// noise: what is neither inertia nor a friction that depends on speed acts in opposite senses in
+/// them.
+struct Apart {
+  double inertia{};  ///< As its coefficient.
+  double lag_s{};
+};
+
+/// 0 where either are too few.
+Apart starts_and_stops_apart(const std::vector<Row>& rows, const std::vector<double>& knots,
+                             double lag_s, const statistics::BlockRegression& both) {
+  Apart farthest;
+  for (const bool is_start : {false, true}) {
+    std::vector<Row> some;
+    for (const Row& row : rows) {
+      if ((row.speed * row.acceleration > 0) == is_start) some.push_back(row);
+    }
+    if (some.size() < fewest_rows) return {};
+    renumber_transients(some);
+    const statistics::BlockRegression alone =
+        TransientRegression(some, knots).with_intervals(lag_s);
+    const auto& c = alone.coefficients;
+    if (!std::isfinite(c(inertia)) || !(c(inertia) > 0)) return {};
+    farthest.inertia = std::max(farthest.inertia,
+                                beyond_noise(c(inertia) - both.coefficients(inertia),
+                                             alone.half_width(inertia), both.half_width(inertia)));
+    farthest.lag_s = std::max(
+        farthest.lag_s, beyond_noise(c(lag) / c(inertia), half_width_of_ratio(alone, lag, inertia),
+                                     half_width_of_ratio(both, lag, inertia)));
+  }
+  return farthest;
+}
+
 }  // namespace
 
 joint::Recording aligned(const joint::Recording& recording, double lag_s) {
   joint::Recording out = recording;
   if (recording.torque_Nm.empty() || recording.size() < 2) return out;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out.torque_Nm[i] = torque_behind({&recording, i, {}, {}, {}}, lag_s);
-  }
+  out.torque_Nm = torques_behind(recording, lag_s);
   const auto first = std::find_if(out.t_s.begin(), out.t_s.end(),
                                   [&](double t) { return t + lag_s >= recording.t_s.front(); });
   const auto last = std::find_if(first, out.t_s.end(),
@@ -269,24 +358,22 @@ joint::Recording aligned(const joint::Recording& recording, double lag_s) {
 TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings,
                           double gear_ratio) {
   constexpr std::size_t fewest_transients = 6;
-  constexpr std::size_t fewest_rows = 100;
   TorqueLag out;
-  std::vector<Row> rows;
+  std::vector<Travel> travels;
   for (const joint::Recording* r : recordings) {
-    if (r->torque_Nm.size() == r->size()) add_rows(*r, rows, out.transients);
+    if (r->torque_Nm.size() != r->size()) continue;
+    if (std::optional<Travel> travel = travel_of(*r, gear_ratio))
+      travels.push_back(std::move(*travel));
   }
+  std::vector<Row> rows;
+  for (const Travel& travel : travels) add_rows(travel, rows, out.transients);
   if (out.transients < fewest_transients || rows.size() < fewest_rows) {
     out.why_not = {"lag.too_few_transients",
                    {{"transients", out.transients}, {"needed", fewest_transients}}};
     return out;
   }
   const std::vector<double> knots = speed_knots(rows);
-  if (knots.size() < 2) {
-    out.why_not = {"lag.too_few_transients",
-                   {{"transients", out.transients}, {"needed", fewest_transients}}};
-    return out;
-  }
-  // Smoothing takes something off the coefficient of the jerk: it is right where it is zero.
+  // Noise of the angle takes something off the coefficient of the jerk: it is right at zero.
   constexpr int most_steps = 12;
   constexpr double last_step_s = 1e-6;
   double lag_s = 0;
@@ -298,7 +385,8 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     lag_s += step;
   }
   const statistics::BlockRegression fit = regression.with_intervals(lag_s);
-  const double inertia_half_width = fit.half_width(inertia);
+  const Apart apart = starts_and_stops_apart(rows, knots, lag_s, fit);
+  const double inertia_half_width = std::hypot(fit.half_width(inertia), apart.inertia);
   if (!(fit.coefficients(inertia) > 2 * inertia_half_width)) {
     out.why_not = {"lag.inertia_not_shown"};
     return out;
@@ -307,11 +395,10 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
   // loops do, by how short they are.
   constexpr double unlike_a_delay = 0.3;
   const double half_width =
-      std::hypot(half_width_of_ratio(fit, lag, inertia), unlike_a_delay * lag_s);
+      std::hypot(half_width_of_ratio(fit, lag, inertia), unlike_a_delay * lag_s, apart.lag_s);
   constexpr Code method{"interval.transients"};
   out.lag_s = statistics::symmetric_estimate(lag_s, half_width, method);
-  out.inertia_apart =
-      inertia_apart(rows, knots, lag_s, fit.coefficients(inertia)) / fit.coefficients(inertia);
+  out.inertia_apart = apart.inertia / fit.coefficients(inertia);
   out.inertia_kgm2 = statistics::symmetric_estimate(fit.coefficients(inertia) / gear_ratio,
                                                     inertia_half_width / gear_ratio, method);
   return out;

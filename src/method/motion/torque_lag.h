@@ -8,8 +8,9 @@
 //
 // a(t - lag) = a - lag a' + lag^2/2 a'' - ...: the lag is the ratio of two coefficients of a linear
 // regression, repeated with the torque shifted by the lag found until none is left. Tf is a polygon
-// over the speed: no friction law is assumed. A first-order filter of the torque looks the same
-// except for the last term, which is free.
+// over the speed: no friction law is assumed. Torque, gravity and friction are smoothed over the
+// same samples as the angle's derivatives are, so that smoothing bends no coefficient. A
+// first-order filter of the torque looks the same except for the last term, which is free.
 //
 // It fails where accelerations are too short for the sampling, or too small relative to the noise;
 // the interval then shows it, or nothing is found.
@@ -27,8 +28,8 @@ struct TorqueLag {
   std::optional<statistics::Estimate> lag_s;
   /// Reflected inertia at the motor of all that turns with the joint [kg·m²].
   std::optional<statistics::Estimate> inertia_kgm2;
-  /// Relative difference of the inertia from starts alone or stops alone, whichever is larger, to
-  /// that from both.
+  /// Relative difference, beyond its noise, of the inertia from starts alone or stops alone,
+  /// whichever is larger, to that from both. Part of the interval.
   double inertia_apart{};
   std::size_t transients{};  ///< Number of starts and stops used.
   Statement why_not;         ///< Empty where lag_s is there.
