@@ -117,7 +117,10 @@ std::optional<Travel> travel_of(const joint::Recording& r, double gear_ratio) {
     if (scale.speed / scale.acceleration < static_cast<double>(half) * dt_s) {
       return std::nullopt;
     }
-    if (noise * out.smoothed.weights().row(3).norm() > most_jerk_noise * scale.jerk) continue;
+    const Eigen::VectorXd noises = noise * out.smoothed.weights().rowwise().norm();
+    if (noises(3) > most_jerk_noise * scale.jerk) continue;
+    // Plateaus would be taken for transients.
+    if (noises(2) > least_acceleration_share / 4 * scale.acceleration) continue;
     out.speed = speeds_of(r, out.smoothed);
     return out;
   }
