@@ -11,6 +11,7 @@
 #include "method/hysteresis/loop_shape.h"
 #include "method/motion/oscillation_motion.h"
 #include "simulate/motion.h"
+#include "statistics/distributions.h"
 #include "statistics/random_stream.h"
 #include "statistics/sampled_signal.h"
 
@@ -162,7 +163,10 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
     }
     shifts = scale.asDiagonal() * shifts;
   }
-  return shifts / std::sqrt(static_cast<double>(repeats));
+  // Their covariance is known with as many degrees of freedom as there are repeats.
+  const auto freedom = static_cast<double>(repeats);
+  const double widened = statistics::student_t_975(freedom) / statistics::normal_975;
+  return widened * shifts / std::sqrt(freedom);
 }
 
 namespace {
