@@ -233,7 +233,6 @@ void expect_level_by_ramps_alone(const calibration::Calibration& c) {
   ASSERT_TRUE(c.lugre && c.lugre->converged);
   EXPECT_FALSE(c.lugre->shown(LuGreParameterName::static_torque));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
-  ASSERT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
   for (const method::intervals::TwoIntervals& q : c.intervals.quantities) {
     for (const auto* e : {&q.closed_form, &q.bootstrap}) {
       if (!*e) continue;
@@ -251,6 +250,7 @@ TEST(RealLog, CiceseRampsContradictTheSinesOfJoint1) {
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   expect_level_by_ramps_alone(c);
+  EXPECT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
   // Published: Coulomb +12.44 and -10.94 N·m.
   EXPECT_NEAR(c.break_away.mean_Nm->value, (12.44 + 10.94) / 2, 1);
 }
