@@ -32,6 +32,18 @@ TEST(MisfitStudy, LaysThirtyDisturbancesInThreeSizesOnFourJoints) {
   }
 }
 
+TEST(MisfitStudy, LaysWhatJointsHaveThatNoLawOfTheSpeedAloneDescribes) {
+  const std::vector<study::Disturbance>& all = study::disturbances();
+  for (const char* key : {"friction_by_motor_angle", "convex_viscous"}) {
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const auto& d) { return d.key == key; });
+    ASSERT_NE(at, all.end()) << key;
+    simulate::Scenario laid = study::misfit_joints().front().scenario;
+    at->lay(laid, at->sizes.back());
+    EXPECT_TRUE(laid.effects.any()) << key;
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);
