@@ -53,6 +53,15 @@ void scale_amplitude(Scenario& s, double factor) {
   for (simulate::OscillationExperiment& e : s.further_oscillations) e.amplitude_rad *= factor;
 }
 
+/// Loops and ramps at one motor angle, that of the largest friction: from there nothing averages.
+void record_at_largest_friction(Scenario& s) {
+  s.effects.phase_of_motor_angle_rad =
+      -s.effects.periods_per_motor_turn * s.gear_ratio * s.break_away->centre_rad;
+  const double here = s.oscillation->centre_rad;
+  std::erase_if(s.further_oscillations,
+                [&](const simulate::OscillationExperiment& e) { return e.centre_rad != here; });
+}
+
 /// A joint from the numbers that tell it from others; its experiments fit them.
 struct JointSketch {
   double gear_ratio;
@@ -184,7 +193,7 @@ std::vector<Disturbance> all_disturbances() {
        {0.02, 0.05, 0.1},
        [](Scenario& s, double x) {
          s.effects.friction_by_motor_angle = x;
-         s.effects.phase_of_motor_angle_rad = 0.7;
+         record_at_largest_friction(s);
        },
        {"cause.friction_by_motor_angle", "cause.angle"}},
       {"gear_windup",

@@ -44,6 +44,30 @@ TEST(MisfitStudy, LaysWhatJointsHaveThatNoLawOfTheSpeedAloneDescribes) {
   }
 }
 
+TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
+  for (const study::MisfitCase& c :
+       study::run_misfit_study(on_the_arm("friction_by_motor_angle"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+    if (c.size > 0) {
+      EXPECT_EQ(c.named, c.runs) << c.size;
+    }
+    EXPECT_GT(quantity(c, joint::Quantity::break_away_torque).usable, 0U) << c.size;
+  }
+}
+
+TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRight) {
+  for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("convex_viscous"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+    if (c.size > 0) {
+      EXPECT_EQ(c.named, c.runs) << c.size;
+    }
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

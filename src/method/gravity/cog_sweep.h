@@ -88,7 +88,10 @@ struct CogSweepResult {
   double coloured_Nm{};  ///< Standard deviation of what hangs together in time without a period.
   double white_Nm{};     ///< That of white noise.
   double largest_acceleration_rad_s2{};  ///< Of the motor, in a sweep of varying speed.
-  double friction_by_angle_Nm{};  ///< Of what repeats with the angle, but turns with the direction.
+  /// Standard deviation of what repeats with the angle, but turns with the direction: friction that
+  /// changes with the angle.
+  double friction_by_angle_Nm{};
+  Ripple friction_of_angle;  ///< Its periods, of a rising joint angle.
   /// Root mean square over the strokes of what the fit leaves of their friction; what strokes of
   /// several speeds do not share with one straight line. 0 with fewer than four.
   double strokes_apart_Nm{};

@@ -31,6 +31,8 @@ struct Ripple {
   /// Half width that 95 % of all motor angles stay within: each line at a phase of its own, and the
   /// rest as normal noise [N·m].
   [[nodiscard]] double half_width_Nm() const;
+  /// Standard deviation over the angle, of lines and rest [N·m].
+  [[nodiscard]] double sd_Nm() const;
 };
 
 /// How finely the motor's angle is searched. A sine is told from its neighbours where bins are a

@@ -1,5 +1,8 @@
 #pragma once
-// What torque ripple and a lag do to the parameters that are read from loops.
+// What torque ripple, a lag, and friction that changes with the motor's angle do to the parameters
+// that are read from loops.
+
+#include <vector>
 
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
@@ -19,6 +22,12 @@ LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple);
 /// where that is a noticeable part of the loop's height.
 void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
                           joint::Recording& loop);
+
+/// A loop stands at one angle, and its friction is that of there: as far from the mean over all
+/// angles as the sweep's friction is, at any phase, and as the mean over the loops leaves of it.
+/// @param motor_angle_rad where the loops stand.
+LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& sweep,
+                                const std::vector<double>& motor_angle_rad);
 
 /// A lag that was taken off as a delay may be a filter's, which rounds the reversal too: by about
 /// the square of the lag over the time in which the contact builds up.

@@ -14,7 +14,9 @@
 //
 // Interval: profile likelihood. Each value that a parameter has in any law that the data do not
 // exclude belongs to it, the exponent d included: what the data cannot tell is not settled by
-// assuming d = 2. The scatter is estimated, hence Student's t with the degrees of freedom that
+// assuming d = 2; so is p where another than 1 describes the speeds better, if not surely. A dip in
+// place of which a law without one, of any p, describes the speeds about as well is doubtful. The
+// scatter is estimated, hence Student's t with the degrees of freedom that
 // the law leaves. The value is that of the simplest law that is not excluded: line, d = 2, any d.
 //
 // A speed whose friction lies outside what the others let expect (F of its deletion, Holm's
