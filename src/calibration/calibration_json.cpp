@@ -185,6 +185,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["intervals"] = intervals(c.intervals);
   all["cross_checks"] = cross_checks(c.cross_checks);
   all["ripple"] = ripple(c.rough.ripple);
+  all["friction_of_angle"] = ripple(c.rough.friction_of_angle);
   all["position_plan"] = position_plan(c.position_plan);
   all["truth_check"] = truth_check(c.truth_check);
   all["provenance"] = provenance_json(provenance);

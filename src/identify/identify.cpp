@@ -137,6 +137,11 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (!p.loop.lugre) return std::nullopt;
   method::hysteresis::LuGreFit fit =
       method::hysteresis::with_ripple_of_loops(p.loop.lugre->fit, p.c.rough.ripple);
+  std::vector<double> motor_angles;
+  for (const method::hysteresis::Oscillation& o : p.c.hysteresis.oscillations) {
+    motor_angles.push_back(p.n * o.centre_rad);
+  }
+  fit = method::hysteresis::with_friction_of_angle(std::move(fit), p.c.rough, motor_angles);
   if (p.c.torque_lag.is_clear()) {
     fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.c.torque_lag.lag_s->value);
   }
@@ -300,7 +305,8 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        const std::optional<statistics::Estimate>& inertia = p.c.torque_lag.inertia_kgm2;
        p.c.break_away = method::hysteresis::identify_break_away(
-           p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0);
+           p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
+           p.n, p.c.rough);
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
     {"",

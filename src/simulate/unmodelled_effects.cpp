@@ -39,7 +39,16 @@ double scaled_friction(const Scenario& s, double q_rad, double friction_Nm,
   const double direction = friction_Nm < 0 ? -1 : 1;
   return friction_Nm * (1 + e.direction_asymmetry * direction) *
          (1 - lost_by_warming_up(e, share_of_session)) *
-         (1 + e.friction_by_angle * std::cos(2 * q_rad));
+         (1 + e.friction_by_angle * std::cos(2 * q_rad)) *
+         (1 + e.friction_by_motor_angle * std::cos(e.periods_per_motor_turn * s.gear_ratio * q_rad +
+                                                   e.phase_of_motor_angle_rad));
+}
+
+/// What a viscous torque that is no straight line of the speed has beside the straight one.
+double bend_of_viscous_Nm(const JointEffects& e, double motor_rad_s) {
+  if (e.viscous_exponent == 1) return 0;
+  const double share = std::abs(motor_rad_s) / e.bent_viscous_rad_s;
+  return e.bent_viscous_Nms_rad * motor_rad_s * (std::pow(share, e.viscous_exponent - 1) - 1);
 }
 
 }  // namespace
@@ -47,7 +56,8 @@ double scaled_friction(const Scenario& s, double q_rad, double friction_Nm,
 bool JointEffects::any() const {
   return gear_loss != 0 || load_friction != 0 || direction_asymmetry != 0 ||
          torque_offset_Nm != 0 || offset_drift_Nm != 0 || warm_up != 0 || friction_by_angle != 0 ||
-         gear_windup_rad != 0 || second_harmonic != 0 || third_harmonic != 0;
+         friction_by_motor_angle != 0 || viscous_exponent != 1 || gear_windup_rad != 0 ||
+         second_harmonic != 0 || third_harmonic != 0;
 }
 
 bool LogEffects::any() const {
@@ -69,7 +79,8 @@ void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& move
     const double contact = r.torque_Nm[i];
     const double way = built_up(contact, moved.static_Nm);
     const double turned = r.dq_rad_s[i] != 0 ? (r.dq_rad_s[i] < 0 ? -1 : 1) : way;
-    const double friction = scaled_friction(s, r.q_rad[i], contact, share) +
+    const double sliding = contact + bend_of_viscous_Nm(e, n * r.dq_rad_s[i]);
+    const double friction = scaled_friction(s, r.q_rad[i], sliding, share) +
                             e.load_friction * std::abs(load) * way +
                             e.gear_loss * std::abs(load) * turned;
     const double ddq = moved.ddq_rad_s2[i];

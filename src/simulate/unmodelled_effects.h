@@ -27,6 +27,15 @@ struct JointEffects {
   double warm_up{};  ///< Share of the friction that is lost over the session, in an exponential.
   double
       friction_by_angle{};  ///< Friction is larger and smaller by this share, twice a joint turn.
+  /// The same over the motor's angle: friction times 1 + this cos(periods theta + phase).
+  double friction_by_motor_angle{};
+  double periods_per_motor_turn{2};   ///< Of that; need not be whole.
+  double phase_of_motor_angle_rad{};  ///< Of that.
+  /// In place of c w the viscous torque is c w |w / w0|^(exponent - 1), with c and w0 below: the
+  /// same at w0.
+  double viscous_exponent{1};
+  double bent_viscous_Nms_rad{};  ///< c, motor side: what the contact has of viscous friction.
+  double bent_viscous_rad_s{1};   ///< w0 > 0, motor side.
   /// Twist of the gear under the largest gravity torque [rad, joint side]; the angle is the
   /// motor's.
   double gear_windup_rad{};

@@ -53,6 +53,15 @@ void scale_amplitude(Scenario& s, double factor) {
   for (simulate::OscillationExperiment& e : s.further_oscillations) e.amplitude_rad *= factor;
 }
 
+/// Loops and ramps at one motor angle, that of the largest friction: from there nothing averages.
+void record_at_largest_friction(Scenario& s) {
+  s.effects.phase_of_motor_angle_rad =
+      -s.effects.periods_per_motor_turn * s.gear_ratio * s.break_away->centre_rad;
+  const double here = s.oscillation->centre_rad;
+  std::erase_if(s.further_oscillations,
+                [&](const simulate::OscillationExperiment& e) { return e.centre_rad != here; });
+}
+
 /// A joint from the numbers that tell it from others; its experiments fit them.
 struct JointSketch {
   double gear_ratio;
@@ -180,6 +189,13 @@ std::vector<Disturbance> all_disturbances() {
        {0.02, 0.05, 0.2},
        [](Scenario& s, double x) { s.effects.friction_by_angle = x; },
        {"cause.angle", "cause.load"}},
+      {"friction_by_motor_angle",
+       {0.02, 0.05, 0.1},
+       [](Scenario& s, double x) {
+         s.effects.friction_by_motor_angle = x;
+         record_at_largest_friction(s);
+       },
+       {"cause.friction_by_motor_angle", "cause.angle"}},
       {"gear_windup",
        {0.1, 0.5, 1},
        [](Scenario& s, double x) { s.effects.gear_windup_rad = x * joint::rad_per_degree; },
@@ -194,6 +210,14 @@ std::vector<Disturbance> all_disturbances() {
          s.constant_speed->motor_speeds_rad_s.front() = slowest;
        },
        {"cause.stribeck", "curve_model"}},
+      {"convex_viscous",
+       {1.2, 1.5, 1.8},
+       [](Scenario& s, double x) {
+         s.effects.viscous_exponent = x;
+         s.effects.bent_viscous_Nms_rad = lugre_of(s).viscous_Nms_rad;
+         s.effects.bent_viscous_rad_s = s.constant_speed->motor_speeds_rad_s.back();
+       },
+       {"curve_model.viscous_not_linear", "cause.viscous"}},
       {"second_harmonic",
        {0.01, 0.03, 0.1},
        [](Scenario& s, double x) { s.effects.second_harmonic = x; },
@@ -340,6 +364,8 @@ std::map<Quantity, double> truths_of(const Scenario& undisturbed, const Scenario
   if (const auto* now = dynamic_cast<const friction::LuGreFriction*>(laid.presliding.get())) {
     t[Quantity::stribeck_speed] = now->parameters().stribeck_speed_rad_s;
   }
+  // A slope that goes on growing is none of the definition's.
+  if (laid.effects.viscous_exponent != 1) t[Quantity::viscous_coefficient] = no_truth;
   const std::string model = laid.presliding->name();
   if (model != "lugre") t[Quantity::bristle_damping] = no_truth;
   return t;

@@ -78,6 +78,30 @@ std::optional<Measured> by_angle(const Calibration& c) {
                     {"high_percent", 100 * a.amplitude.high}}}};
 }
 
+// The motor's angle, along the sweep.
+
+/// Amplitude of a sine with the standard deviation that the sweep shows.
+std::optional<Measured> by_motor_angle(const Calibration& c) {
+  if (!c.rough.found || !c.rough.both_directions || !c.rough.coulomb_Nm) return std::nullopt;
+  const double percent =
+      100 * std::sqrt(2.0) * c.rough.friction_by_angle_Nm / std::abs(c.rough.coulomb_Nm->value);
+  const std::vector<method::gravity::RippleLine>& lines = c.rough.friction_of_angle.lines;
+  if (lines.empty())
+    return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
+  return Measured{percent,
+                  {"cause.friction_by_motor_angle",
+                   {{"percent", percent}, {"periods", lines.front().periods_per_turn}}}};
+}
+
+std::optional<Measured> between_ramps(const Calibration& c) {
+  const method::hysteresis::BreakAwayResult& ramps = c.break_away;
+  if (ramps.positions < 2) return std::nullopt;
+  const double percent = 100 * ramps.between_positions;
+  return Measured{percent,
+                  {"cause.friction_by_motor_angle_of_ramps",
+                   {{"percent", percent}, {"positions", ramps.positions}}}};
+}
+
 // The direction.
 
 std::optional<Measured> by_direction(const Calibration& c) {
@@ -218,6 +242,23 @@ std::vector<Rule> session_rules() {
       {"friction_by_load_slope", "%", of_slope, doubtful, slopes, no_load, by_load_on_slope, {}},
       {"friction_by_angle", "%", of_friction, doubtful, friction, no_load, by_angle, {}},
       {"friction_by_angle_slope", "%", 2 * of_slope, doubtful, slopes, no_load, by_angle, {}},
+      // Both are in the intervals of what loops and ramps show.
+      {"friction_by_motor_angle",
+       "%",
+       of_friction,
+       Verdict::usable,
+       {},
+       no_load,
+       by_motor_angle,
+       {}},
+      {"break_away_by_motor_angle",
+       "%",
+       of_friction,
+       Verdict::usable,
+       {},
+       no_load,
+       between_ramps,
+       {}},
       {"friction_by_direction",
        "%",
        of_friction / 2,

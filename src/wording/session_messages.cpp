@@ -21,6 +21,9 @@ const Messages& session_messages() {
       {"rule.friction_by_angle", text("Change of friction with the joint's angle")},
       {"rule.friction_by_angle_slope",
        text("Change of friction with the joint's angle, for the slope over the speed")},
+      {"rule.friction_by_motor_angle", text("Change of friction along the sweep, as of a sine")},
+      {"rule.break_away_by_motor_angle",
+       text("What ramps at several motor angles differ by beyond the scatter at one")},
       {"rule.friction_by_direction", text("Asymmetry of friction")},
       {"rule.friction_by_direction_large",
        text("Asymmetry of friction at which the mean of both directions is no joint's")},
@@ -45,6 +48,18 @@ const Messages& session_messages() {
        text("friction changes with the joint's angle by ±{percent:.2g} % (95 %: {low_percent:.2g} "
             "to {high_percent:.2g} %), other than the load would: friction and bristle hold at the "
             "angles at which they were recorded")},
+      {"cause.friction_by_motor_angle",
+       text("friction changes with the motor's angle by ±{percent:.2g} %, strongest with "
+            "{periods:.3g} periods to the motor's turn: ramps and loops have that of the angles at "
+            "which they were recorded, and their intervals hold the mean over all angles")},
+      {"cause.friction_along_angle",
+       text("friction changes along the sweep by ±{percent:.2g} %, without a period of its own: "
+            "ramps and loops have that of the angles at which they were recorded, and their "
+            "intervals hold the mean over all angles")},
+      {"cause.friction_by_motor_angle_of_ramps",
+       text("break-away ramps at {positions} motor angles differ by {percent:.2g} % (standard "
+            "deviation) beyond the scatter at one angle: the interval is that of the mean over all "
+            "angles")},
       {"cause.asymmetry",
        text("friction is not the same in both directions: {percent:+.2g} % (95 %: "
             "{low_percent:+.2g} to {high_percent:+.2g} %) while the angle rises, and as much the "
@@ -74,6 +89,8 @@ const Messages& session_messages() {
       {"record.warmed_up",
        text("the same again with the joint warmed up and the drive's offset settled, the sweep "
             "once more at the end")},
+      {"interval.widened_by_friction_of_angle",
+       text("{interval}; widened by what friction changes with the motor's angle")},
       {"interval.without_drift_of_friction",
        text("{interval}; less what friction's change within the sweep did to it, and widened by "
             "what of that is not certain")},

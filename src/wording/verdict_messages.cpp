@@ -67,6 +67,9 @@ const Messages& verdict_messages() {
       {"cause.inertia_of_sweep",
        text("the sweep's inertia of {sweep_kgm2:.3g} kg·m² is not the {inertia_kgm2:.3g} kg·m² of "
             "starts and stops: a spring, or a gear that twists, is in it, and in the angle")},
+      {"cause.viscous_bend_or_dip",
+       text("a viscous friction that grows with the power {exponent:.2g} of the speed describes "
+            "the speeds about as well as a Stribeck dip: whether there is one is not known")},
       {"cause.dip_without_end",
        text(
            "friction falls with the speed as slowly as any law that was tried, as "

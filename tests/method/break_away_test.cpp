@@ -30,6 +30,7 @@ struct Ramp {
   double stiffness_Nm_rad{465};
   double q_start_rad{test::true_q_peak_rad()};
   double arm_inertia_kgm2{0};  // lets a fast ramp rise past break-away before it shows
+  double friction_by_motor_angle{0};
 };
 
 joint::Recording ramp_of(const Ramp& ramp) {
@@ -38,6 +39,7 @@ joint::Recording ramp_of(const Ramp& ramp) {
       ramp.stiffness_Nm_rad, 0.77, 0.001, 0.60, static_Nm, 5.0});
   s.motor_inertia_kgm2 = 2e-3;
   s.arm_inertia_kgm2 = ramp.arm_inertia_kgm2;
+  s.effects.friction_by_motor_angle = ramp.friction_by_motor_angle;
   simulate::BreakAwayExperiment e;
   e.centre_rad = ramp.q_start_rad;
   e.rate_Nm_s = std::abs(ramp.rate_Nm_s);
@@ -200,6 +202,62 @@ TEST(BreakAway, HoldsInTheNoiseOfARealDrive) {
     // One reading of the torque: three standard deviations of its noise.
     EXPECT_NEAR(result.ramps.front().friction_Nm, static_Nm, share_below * static_Nm + 0.06);
   }
+}
+
+/// Three ramps with a drive's noise at each of these motor angles from the gravity peak, where
+/// friction changes by 8 %, twice a motor turn.
+std::deque<joint::Recording> ramps_at(const std::vector<double>& motor_angles) {
+  simulate::Noise noise;
+  noise.torque_white_Nm = 0.005;
+  std::deque<joint::Recording> ramps;
+  for (const double motor_rad : motor_angles) {
+    Ramp ramp;
+    ramp.q_start_rad += motor_rad / gear_ratio;
+    ramp.friction_by_motor_angle = 0.08;
+    const joint::Recording clean = ramp_of(ramp);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ramps.push_back(clean);
+      simulate::add_drive_noise(ramps.back(), noise, gear_ratio, 1000, ramps.size());
+    }
+  }
+  return ramps;
+}
+
+std::optional<statistics::Estimate> rising_of(const std::deque<joint::Recording>& ramps,
+                                              const method::gravity::CogSweepResult& sweep = {}) {
+  std::vector<const joint::Recording*> given;
+  for (const joint::Recording& r : ramps) given.push_back(&r);
+  return method::hysteresis::identify_break_away(given, true_gravity, 0, gear_ratio, sweep)
+      .rising_Nm;
+}
+
+TEST(BreakAway, RampsAroundTheMotorsTurnHoldTheMeanOverAllAngles) {
+  std::vector<double> angles;
+  for (int k = 0; k < 5; ++k) angles.push_back(1.1 * k);
+  const auto mean = rising_of(ramps_at(angles));
+  ASSERT_TRUE(mean);
+  EXPECT_LE(mean->low, static_Nm);
+  EXPECT_GE(mean->high, static_Nm);
+  // 5.7 % of effects, at five angles.
+  EXPECT_GT(mean->half_width(), 0.03 * static_Nm);
+  EXPECT_LT(mean->half_width(), 0.15 * static_Nm);
+}
+
+TEST(BreakAway, RampsAtOneAngleHoldWhatTheSweepShowsOfTheOthers) {
+  const std::deque<joint::Recording> ramps = ramps_at({0.0});
+  const auto alone = rising_of(ramps);
+  method::gravity::CogSweepResult sweep;
+  sweep.found = true;
+  sweep.coulomb_Nm = statistics::symmetric_estimate(0.6, 0.001);
+  sweep.friction_of_angle.lines = {{2, 0.08 * 0.6, 0.3}};
+  sweep.friction_by_angle_Nm = sweep.friction_of_angle.sd_Nm();
+  const auto with_sweep = rising_of(ramps, sweep);
+  ASSERT_TRUE(alone && with_sweep);
+  EXPECT_EQ(alone->value, with_sweep->value);
+  EXPECT_LT(alone->half_width(), 0.02 * static_Nm);
+  EXPECT_LE(with_sweep->low, static_Nm);
+  EXPECT_GE(with_sweep->high, static_Nm);
+  EXPECT_LT(with_sweep->half_width(), 0.15 * static_Nm);
 }
 
 TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {

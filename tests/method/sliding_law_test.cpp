@@ -73,6 +73,49 @@ bool covers(const SlidingQuantity& found, double truth) {
 
 const std::vector<double> twelve = speeds(0.75, 300, 12);
 
+TEST(SlidingLaw, FindsAViscousTermThatGrowsNearlyWithTheSquare) {
+  Truth truth;
+  truth.power = 1.8;
+  truth.viscous_Nms_rad = 1e-5;
+  int covered = 0;
+  constexpr int seeds = 40;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const SlidingLaw law = law_of(curve(truth, twelve, static_cast<std::uint64_t>(seed)));
+    EXPECT_NEAR(law.viscous_exponent, 1.8, 0.2) << seed;
+    covered += covers(law.coulomb_Nm, 0.6) && covers(law.stribeck_speed_rad_s, 5) ? 1 : 0;
+  }
+  EXPECT_GE(covered, 0.88 * seeds);
+}
+
+TEST(SlidingLaw, ACurveThatOnlyBendsHasNoStribeckVelocityToUse) {
+  Truth truth;
+  truth.excess_Nm = 0;
+  truth.power = 1.8;
+  truth.viscous_Nms_rad = 1e-5;
+  int usable = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const SlidingLaw law = law_of(curve(truth, twelve, seed));
+    usable += law.stribeck_speed_rad_s.why_not.empty() ? 1 : 0;
+  }
+  EXPECT_LE(usable, 1);
+}
+
+/// Of a power that a straight line is not excluded by, the interval holds what it does to Coulomb
+/// torque.
+TEST(SlidingLaw, APowerThatIsNotSureIsInTheInterval) {
+  Truth truth;
+  truth.power = 1.5;
+  truth.viscous_Nms_rad = 2e-4;
+  const std::vector<double> slow = speeds(0.75, 30, 12);
+  int covered = 0;
+  constexpr int seeds = 100;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const SlidingLaw law = law_of(curve(truth, slow, static_cast<std::uint64_t>(seed)));
+    covered += covers(law.coulomb_Nm, 0.6) ? 1 : 0;
+  }
+  EXPECT_GE(covered, 88);
+}
+
 TEST(SlidingLaw, CoversTheTruthAndIsNarrow) {
   constexpr int seeds = 100;
   const Truth truth;

@@ -66,6 +66,46 @@ TEST(UnmodelledEffects, AsymmetryMovesTheMeanOfTheDirectionsByItsShareOfFriction
               0.1 * std::abs(s.sliding->torque_Nm(3)), 1e-6);
 }
 
+TEST(UnmodelledEffects, FrictionByTheMotorsAngleHasItsPeriodsToTheTurnAndNoMean) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.friction_by_motor_angle = 0.1;
+  s.effects.periods_per_motor_turn = 2;
+  const auto with = simulate::simulate_joint(s);
+  const joint::Recording& before = of_role(plain, joint::Role::rough_sweep);
+  const joint::Recording& after = of_role(with, joint::Role::rough_sweep);
+  const double friction = std::abs(s.sliding->torque_Nm(s.gear_ratio * s.rough_sweep->speed_rad_s));
+  double mean = 0;
+  std::size_t samples = 0;
+  for (std::size_t i = before.size() / 10; i < before.size() * 2 / 5; ++i) {
+    const double change = after.torque_Nm[i] - before.torque_Nm[i];
+    EXPECT_NEAR(change, 0.1 * friction * std::cos(2 * s.gear_ratio * before.q_rad[i]), 1e-6);
+    mean += change;
+    ++samples;
+  }
+  EXPECT_NEAR(mean / static_cast<double>(samples), 0, 0.001 * friction);
+}
+
+TEST(UnmodelledEffects, ABentViscousTorqueIsTheSameAtItsOwnSpeed) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.viscous_exponent = 1.5;
+  s.effects.bent_viscous_Nms_rad = 0.002;
+  s.effects.bent_viscous_rad_s = 30;
+  const auto with = simulate::simulate_joint(s);
+  const auto change = [&](std::size_t k, std::size_t i) {
+    return with[k].torque_Nm[i] - plain[k].torque_Nm[i];
+  };
+  const std::size_t fast = plain.size() - 1;
+  const std::size_t upwards = plain[fast].size() / 4;
+  EXPECT_NEAR(change(fast, upwards), 0, 1e-9);
+  // At a tenth of that speed: 0.002 w (0.1^0.5 - 1), and the other way round on the way back.
+  const std::size_t slow = fast - 1;
+  const double expected = 0.002 * 3 * (std::sqrt(0.1) - 1);
+  EXPECT_NEAR(change(slow, plain[slow].size() / 4), expected, 1e-9);
+  EXPECT_NEAR(change(slow, plain[slow].size() * 3 / 4), -expected, 1e-9);
+}
+
 TEST(UnmodelledEffects, WarmingUpTakesItsShareAtTheEndOfTheSession) {
   Scenario s = short_joint();
   const auto plain = simulate::simulate_joint(s);

@@ -32,6 +32,42 @@ TEST(MisfitStudy, LaysThirtyDisturbancesInThreeSizesOnFourJoints) {
   }
 }
 
+TEST(MisfitStudy, LaysWhatJointsHaveThatNoLawOfTheSpeedAloneDescribes) {
+  const std::vector<study::Disturbance>& all = study::disturbances();
+  for (const char* key : {"friction_by_motor_angle", "convex_viscous"}) {
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const auto& d) { return d.key == key; });
+    ASSERT_NE(at, all.end()) << key;
+    simulate::Scenario laid = study::misfit_joints().front().scenario;
+    at->lay(laid, at->sizes.back());
+    EXPECT_TRUE(laid.effects.any()) << key;
+  }
+}
+
+TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
+  for (const study::MisfitCase& c :
+       study::run_misfit_study(on_the_arm("friction_by_motor_angle"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+    if (c.size > 0) {
+      EXPECT_EQ(c.named, c.runs) << c.size;
+    }
+    EXPECT_GT(quantity(c, joint::Quantity::break_away_torque).usable, 0U) << c.size;
+  }
+}
+
+TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRight) {
+  for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("convex_viscous"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+    if (c.size > 0) {
+      EXPECT_EQ(c.named, c.runs) << c.size;
+    }
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

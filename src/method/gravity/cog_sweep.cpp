@@ -294,11 +294,12 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   const Eigen::VectorXd& left = first.regression.residuals;
   ResidualCauses causes = find_residual_causes(sweep, std::vector<double>(left.begin(), left.end()),
                                                gear_ratio, beyond_white, white);
-  out.ripple_Nm = causes.ripple_Nm();
+  out.ripple_Nm = causes.ripple.sd_Nm();
   out.ripple = std::move(causes.ripple);
   out.vibration = std::move(causes.vibration);
   out.coloured_Nm = causes.coloured_Nm;
-  out.friction_by_angle_Nm = causes.friction_Nm;
+  out.friction_by_angle_Nm = causes.friction.sd_Nm();
+  out.friction_of_angle = std::move(causes.friction);
   const Eigen::Map<const Eigen::VectorXd> torque(causes.lines_Nm.data(),
                                                  static_cast<Eigen::Index>(causes.lines_Nm.size()));
   if (torque.isZero(0)) return first;

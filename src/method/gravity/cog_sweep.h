@@ -88,8 +88,10 @@ struct CogSweepResult {
   double coloured_Nm{};  ///< Standard deviation of what is correlated in time without a period.
   double white_Nm{};     ///< That of white noise.
   double largest_acceleration_rad_s2{};  ///< Of the motor, in a sweep of varying speed.
-  double friction_by_angle_Nm{};         ///< Of what repeats with the angle, but reverses with the
-                                         ///< direction.
+  /// Standard deviation of what repeats with the angle, but reverses with the direction: friction
+  /// that changes with the angle.
+  double friction_by_angle_Nm{};
+  Ripple friction_of_angle;  ///< Its periods, of a rising joint angle.
   /// Root mean square over the strokes of the mean residual of their friction: how far strokes of
   /// several speeds are from one straight line. 0 with fewer than four.
   double strokes_apart_Nm{};

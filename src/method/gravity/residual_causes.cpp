@@ -15,6 +15,10 @@ constexpr double least_line_share = 0.02;  // of the variance, for a line
 /// A motor that makes fewer turns in the sweep shows no ripple of one period a turn.
 constexpr double fewest_turns = 3;
 
+/// There and back at one speed, what changes with the angle is of a period in time too where the
+/// phase happens to be so: one over the time has to carry more.
+constexpr double stronger_over_time = 1.02;
+
 enum class Over { angle, angle_by_direction, time };
 
 /// One spectrum: where its samples lie, and how it is searched. Over time a "turn" is a second.
@@ -22,6 +26,11 @@ struct Spectrum {
   Over over;
   std::vector<double> place_rad;
   RippleSearch search;
+
+  [[nodiscard]] double turns() const {
+    const auto [low, high] = std::minmax_element(place_rad.begin(), place_rad.end());
+    return (*high - *low) / (2 * pi);
+  }
 };
 
 Spectrum over_angle(const motion::Sweep& sweep, double gear_ratio, Over over) {
@@ -33,7 +42,9 @@ Spectrum over_angle(const motion::Sweep& sweep, double gear_ratio, Over over) {
     low = std::min(low, s.place_rad.back());
     high = std::max(high, s.place_rad.back());
   }
-  if ((high - low) / (2 * pi) < fewest_turns) s.search.fewest_periods = 2;
+  // Gravity and a twist turn no sign with the direction.
+  const bool is_unlike_gravity = over == Over::angle_by_direction;
+  if (is_unlike_gravity || (high - low) / (2 * pi) < fewest_turns) s.search.fewest_periods = 2;
   return s;
 }
 
@@ -113,14 +124,6 @@ AngleRest angle_rest(const motion::Sweep& sweep, const std::vector<double>& resi
 
 }  // namespace
 
-double ResidualCauses::ripple_Nm() const {
-  double squares = ripple.rest_Nm * ripple.rest_Nm;
-  for (const RippleLine& line : ripple.lines) {
-    squares += line.amplitude_Nm * line.amplitude_Nm / 2;
-  }
-  return std::sqrt(squares);
-}
-
 ResidualCauses find_residual_causes(const motion::Sweep& sweep,
                                     const std::vector<double>& residual_Nm, double gear_ratio,
                                     double beyond_white_Nm, double white_variance) {
@@ -146,37 +149,41 @@ ResidualCauses find_residual_causes(const motion::Sweep& sweep,
       std::vector<double> seen = left;
       for (std::size_t i = 0; i < seen.size(); ++i) seen[i] *= sign(s, i);
       const auto found = find_strongest_line(s.place_rad, seen, white_variance, s.search);
-      if (!found || (line && found->amplitude_Nm <= line->amplitude_Nm)) continue;
+      const double clearly = s.over == Over::time ? stronger_over_time : 1;
+      if (!found || (line && found->amplitude_Nm <= clearly * line->amplitude_Nm)) continue;
       line = found;
       best = &s;
     }
     if (!line) break;
     const double power = line->amplitude_Nm * line->amplitude_Nm / 2;
     if (power < least_line_share * whole) break;
+    // Noise that hangs together for long looks like a slow one: it stays in the noise as well.
+    const bool is_slow = line->periods_per_turn * best->turns() < RippleSearch{}.fewest_periods;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const double torque = sign(*best, i) * line->amplitude_Nm *
                             std::cos(line->periods_per_turn * best->place_rad[i] + line->phase_rad);
       left[i] -= torque;
-      out.lines_Nm[i] += torque;
+      if (!is_slow) out.lines_Nm[i] += torque;
     }
-    variance -= power;
+    if (!is_slow) variance -= power;
     if (best->over == Over::angle) out.ripple.lines.push_back(*line);
-    if (best->over == Over::angle_by_direction)
-      out.friction_Nm = std::hypot(out.friction_Nm, std::sqrt(power));
+    if (best->over == Over::angle_by_direction) out.friction.lines.push_back(*line);
     if (best->over == Over::time) {
       out.vibration.push_back({line->periods_per_turn, line->amplitude_Nm});
     }
   }
-  std::sort(
-      out.ripple.lines.begin(), out.ripple.lines.end(),
-      [](const RippleLine& a, const RippleLine& b) { return a.amplitude_Nm > b.amplitude_Nm; });
+  for (Ripple* found : {&out.ripple, &out.friction}) {
+    std::sort(
+        found->lines.begin(), found->lines.end(),
+        [](const RippleLine& a, const RippleLine& b) { return a.amplitude_Nm > b.amplitude_Nm; });
+  }
   // What the lines leave within the error of the two variances is nothing.
   constexpr double nothing = 0.02;
   variance = variance > nothing * whole ? variance : 0.0;
   if (both) {
     const AngleRest rest = angle_rest(sweep, left);
     out.ripple.rest_Nm = std::min(rest.even_Nm, std::sqrt(variance));
-    out.friction_Nm = std::hypot(out.friction_Nm, rest.odd_Nm);
+    out.friction.rest_Nm = rest.odd_Nm;
     variance -= std::pow(rest.even_Nm, 2) + std::pow(rest.odd_Nm, 2);
     out.coloured_Nm = std::sqrt(std::max(0.0, variance));
   } else {

@@ -29,13 +29,10 @@ struct VibrationLine {
 struct ResidualCauses {
   Ripple ripple;
   std::vector<VibrationLine> vibration;  ///< In the order in which they were found.
-  double friction_Nm{};                  ///< Standard deviations.
-  double coloured_Nm{};
+  Ripple friction;                       ///< Lines over the motor's angle, of a rising joint angle.
+  double coloured_Nm{};                  ///< Standard deviation.
   /// Torque of all lines at each sample, to be subtracted.
   std::vector<double> lines_Nm;
-
-  /// Standard deviation of the ripple.
-  [[nodiscard]] double ripple_Nm() const;
 };
 
 /// @param residual_Nm one per sample of the sweep.

@@ -154,6 +154,12 @@ double Ripple::half_width_Nm() const {
   return random_phase_half_width(amplitudes, rest_Nm);
 }
 
+double Ripple::sd_Nm() const {
+  double squares = rest_Nm * rest_Nm;
+  for (const RippleLine& line : lines) squares += line.amplitude_Nm * line.amplitude_Nm / 2;
+  return std::sqrt(squares);
+}
+
 std::optional<RippleLine> find_strongest_line(const std::vector<double>& motor_angle_rad,
                                               const std::vector<double>& residual_Nm,
                                               double white_variance, const RippleSearch& search) {

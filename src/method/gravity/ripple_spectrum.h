@@ -31,6 +31,8 @@ struct Ripple {
   /// Half width of the range that holds the torque at 95 % of all motor angles: each line at an
   /// independent phase, and the rest as normal noise [N·m].
   [[nodiscard]] double half_width_Nm() const;
+  /// Standard deviation over the angle, of lines and rest [N·m].
+  [[nodiscard]] double sd_Nm() const;
 };
 
 /// How finely the motor's angle is searched. A sine is resolved where bins are a few times narrower

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include <Eigen/Dense>
 
 #include "base/requirements.h"
+#include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
+#include "statistics/group_mean.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 
@@ -312,19 +315,101 @@ std::optional<RampMean> mean_over(const std::vector<double>& values) {
   return RampMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
 }
 
+/// Ramps that start within this much of each other start at one motor angle: friction of six
+/// periods a turn changes by an eighth of one.
+constexpr double one_position_rad = 0.13;
+
+/// Motor angles in groups of one position, ascending.
+std::vector<std::vector<std::size_t>> by_position(const std::vector<double>& motor_angle_rad) {
+  std::vector<std::size_t> order(motor_angle_rad.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return motor_angle_rad[a] < motor_angle_rad[b];
+  });
+  std::vector<std::vector<std::size_t>> groups;
+  double first = 0;
+  for (const std::size_t i : order) {
+    if (groups.empty() || motor_angle_rad[i] - first > one_position_rad) {
+      groups.emplace_back();
+      first = motor_angle_rad[i];
+    }
+    groups.back().push_back(i);
+  }
+  return groups;
+}
+
+/// The ramps of one direction as means over their angles.
+class OverAngles {
+ public:
+  /// @param has_gravity ramps at different angles differ by it: none can then be compared.
+  OverAngles(const std::vector<double>& motor_angle_rad, bool has_gravity,
+             const gravity::CogSweepResult& sweep)
+      : share_of_sweep_(share_of_friction_left(sweep, motor_angle_rad)) {
+    if (!has_gravity) groups_ = by_position(motor_angle_rad);
+  }
+
+  /// Takes the mean over angles where ramps differ by them.
+  /// @return 95 % half width of what the angles leave, beside the scatter of the ramps.
+  [[nodiscard]] double take(const std::vector<double>& values, RampMean& mean) {
+    std::vector<std::vector<double>> by_angle;
+    for (const std::vector<std::size_t>& group : groups_) {
+      by_angle.emplace_back();
+      for (const std::size_t i : group) by_angle.back().push_back(values[i]);
+    }
+    const auto over_angles = statistics::mean_of_groups_that_differ(by_angle);
+    const double by_sweep = share_of_sweep_ * std::abs(mean.value);
+    constexpr double matters = 0.002;
+    const double between =
+        over_angles ? over_angles->between_sd / std::abs(over_angles->mean) : 0.0;
+    if (!(between > matters)) return by_sweep;
+    between_ = between;
+    mean = {over_angles->mean, 0};
+    // Two say that there is a difference, not how large it is elsewhere: the sweep does.
+    const bool is_told_by_sweep = groups_.size() == 2 && by_sweep > 0;
+    const double by_ramps = is_told_by_sweep ? over_angles->largest_off : over_angles->half_width;
+    return std::max(by_ramps, by_sweep);
+  }
+  [[nodiscard]] std::size_t positions() const { return groups_.size(); }
+  [[nodiscard]] double between() const { return between_; }
+
+ private:
+  std::vector<std::vector<std::size_t>> groups_;
+  double share_of_sweep_{};
+  double between_{0};
+};
+
+/// Of one direction. What the angles leave is common to both.
+struct DirectionMean {
+  statistics::Estimate torque_Nm;  ///< All in.
+  double own_Nm{};                 ///< Half width of what is this direction's own.
+  double by_angle_Nm{};
+};
+
+DirectionMean direction_mean(double value, double own_Nm, double by_angle_Nm, Code method) {
+  const Statement plain{method};
+  const Statement why =
+      by_angle_Nm > 0 ? Statement{"interval.widened_by_friction_of_angle", {{"interval", plain}}}
+                      : plain;
+  const double half_width = by_angle_Nm > 0 ? std::hypot(own_Nm, by_angle_Nm) : own_Nm;
+  return {statistics::symmetric_estimate(value, half_width, why), own_Nm, by_angle_Nm};
+}
+
 /// @param is_level the levels at rest are the values, and are compared with the readings.
-/// @param apart is raised to the difference of these two beyond their noise.
-std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
-                                            bool is_level,
-                                            const std::optional<KnownGravity>& gravity,
-                                            double& apart) {
+/// @param result `apart` is raised to the difference of these two beyond their noise; it receives
+/// what the positions show.
+std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
+                                     bool is_level, const std::optional<KnownGravity>& gravity,
+                                     double gear_ratio, const gravity::CogSweepResult& sweep,
+                                     BreakAwayResult& result) {
   std::vector<double> readings;
   std::vector<double> levels;
+  std::vector<double> motor_angles;
   double by_gravity = 0;
   double by_inertia = 0;
   for (const BreakAwayRamp& ramp : ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
+    motor_angles.push_back(gear_ratio * ramp.q_start_rad);
     if (is_level) levels.push_back(present(ramp.level_Nm));
     by_inertia += std::abs(ramp.inertia_Nm);
     if (gravity) {
@@ -332,26 +417,42 @@ std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ra
                     std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
     }
   }
-  const std::optional<RampMean> reading = mean_over(readings);
+  std::optional<RampMean> reading = mean_over(readings);
   if (!reading) return std::nullopt;
+  OverAngles angles(motor_angles, !gravity, sweep);
   by_gravity /= static_cast<double>(readings.size());
   by_inertia /= static_cast<double>(readings.size());
+  const auto told = [&] {
+    result.positions = std::max(result.positions, angles.positions());
+    result.between_positions = std::max(result.between_positions, angles.between());
+  };
   if (!is_level) {
+    const double by_angle = angles.take(readings, *reading);
+    told();
     // What accelerates at the moment of breaking away is known no better than to its own size.
-    return statistics::symmetric_estimate(reading->value,
-                                          std::hypot(reading->scatter, by_gravity, by_inertia),
-                                          {"interval.scatter_of_ramps"});
+    return direction_mean(reading->value, std::hypot(reading->scatter, by_gravity, by_inertia),
+                          by_angle, "interval.scatter_of_ramps");
   }
-  const RampMean level = present(mean_over(levels));
+  RampMean level = present(mean_over(levels));
   const double difference = std::abs(reading->value - share_at_reading * level.value);
   const double noise = std::hypot(reading->scatter, level.scatter);
   // Which of the two is the joint's, another contact decides: beyond their noise the interval holds
   // both.
   const double by_contact = difference > noise ? difference : 0;
-  apart = std::max(apart, by_contact / level.value);
-  return statistics::symmetric_estimate(level.value,
-                                        std::hypot(level.scatter, by_gravity) + by_contact,
-                                        {"interval.scatter_of_ramps_at_rest"});
+  result.apart = std::max(result.apart, by_contact / level.value);
+  const double by_angle = angles.take(levels, level);
+  told();
+  return direction_mean(level.value, std::hypot(level.scatter, by_gravity) + by_contact, by_angle,
+                        "interval.scatter_of_ramps_at_rest");
+}
+
+/// Of both directions: their own errors average, that of the angles does not.
+statistics::Estimate mean_of_both(const DirectionMean& rising, const DirectionMean& falling) {
+  return direction_mean((rising.torque_Nm.value + falling.torque_Nm.value) / 2,
+                        std::hypot(rising.own_Nm, falling.own_Nm) / 2,
+                        (rising.by_angle_Nm + falling.by_angle_Nm) / 2,
+                        "interval.scatter_of_ramps_both_directions")
+      .torque_Nm;
 }
 
 void add_reason(statistics::StageReport& stage, const Statement& reason) {
@@ -381,7 +482,8 @@ Code too_few_ramps(const BreakAwayResult& result) {
 
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity,
-                                    double inertia_at_joint) {
+                                    double inertia_at_joint, double gear_ratio,
+                                    const gravity::CogSweepResult& sweep) {
   BreakAwayResult out;
   out.stage.name = "break_away";
   out.gravity_taken_off = gravity.has_value();
@@ -399,14 +501,11 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
                  std::all_of(
                      out.ramps.begin(), out.ramps.end(),
                      [](const auto& ramp) { return !ramp.broke_away || ramp.level_Nm; });
-  out.rising_Nm = mean_of(out.ramps, true, out.is_level, gravity, out.apart);
-  out.falling_Nm = mean_of(out.ramps, false, out.is_level, gravity, out.apart);
-  if (out.rising_Nm && out.falling_Nm) {
-    out.mean_Nm = statistics::symmetric_estimate(
-        (out.rising_Nm->value + out.falling_Nm->value) / 2,
-        std::hypot(out.rising_Nm->half_width(), out.falling_Nm->half_width()) / 2,
-        {"interval.scatter_of_ramps_both_directions"});
-  }
+  const auto rising = mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep, out);
+  const auto falling = mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep, out);
+  if (rising) out.rising_Nm = rising->torque_Nm;
+  if (falling) out.falling_Nm = falling->torque_Nm;
+  if (rising && falling) out.mean_Nm = mean_of_both(*rising, *falling);
   out.stage.state = statistics::StageState::done;
   add_censored(out);
   if (!out.rising_Nm || !out.falling_Nm) add_reason(out.stage, too_few_ramps(out));

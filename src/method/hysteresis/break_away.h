@@ -21,6 +21,12 @@
 // it; it is compared with the reading, and their difference goes into the interval, for another
 // contact has a different bend.
 //
+// Friction may change with the motor's angle, and a ramp has that of the angle at which it starts.
+// The break-away torque meant is the mean over all angles: the variance between ramps at several
+// angles, beyond the scatter of those at one, is estimated by itself (DerSimonian and Laird 1986),
+// with the interval of Knapp and Hartung (2003). Ramps at one or two angles cannot show it; what
+// the sweep shows of such a change is then in the interval.
+//
 // A ramp that ends before that shows only that friction is larger than what was reached: a censored
 // value. It bounds the break-away torque from below and is not part of the mean.
 
@@ -73,6 +79,10 @@ struct BreakAwayResult {
   /// Relative difference of levels and readings beyond their scatter, of the direction where it is
   /// larger.
   double apart{};
+  std::size_t positions{};  ///< Motor angles at which ramps broke away.
+  /// What ramps at several angles differ by beyond the scatter at one, as a share (standard
+  /// deviation); 0 if nothing.
+  double between_positions{};
   /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
   /// scatter of the ramps, absent with fewer than two that broke away.
   std::optional<statistics::Estimate> rising_Nm;
@@ -84,9 +94,11 @@ struct BreakAwayResult {
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
 /// @param inertia_at_joint of all that turns: torque at the motor per joint acceleration [N·m
 /// s²/rad]; its torque at the reading is subtracted. 0: unknown, nothing is subtracted.
+/// @param sweep whose change of friction with the angle widens what ramps at few angles show.
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity,
-                                    double inertia_at_joint = 0);
+                                    double inertia_at_joint = 0, double gear_ratio = 1,
+                                    const gravity::CogSweepResult& sweep = {});
 
 // The level at which hysteresis loops flatten, compared with torque ramps that made the joint slide
 // or not.

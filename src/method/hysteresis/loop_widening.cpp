@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
+
+#include "method/hysteresis/position_mean.h"
 
 namespace tribolog::method::hysteresis {
 
@@ -83,6 +84,28 @@ LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple) {
   };
   for (LuGreParameter& parameter : fit.parameters) {
     widen(parameter, by(parameter.name), "interval.widened_by_ripple_of_loops");
+  }
+  return fit;
+}
+
+LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& sweep,
+                                const std::vector<double>& motor_angle_rad) {
+  const double share = share_of_friction_left(sweep, motor_angle_rad);
+  if (!(share > 0)) return fit;
+  for (LuGreParameter& parameter : fit.parameters) {
+    switch (parameter.name) {
+      case LuGreParameterName::static_torque:
+      case LuGreParameterName::coulomb_torque:
+      case LuGreParameterName::bristle_stiffness:
+      case LuGreParameterName::bristle_damping:
+        if (parameter.estimate) {
+          widen(parameter, share * std::abs(parameter.estimate->value),
+                "interval.widened_by_friction_of_angle");
+        }
+        break;
+      default:
+        break;
+    }
   }
   return fit;
 }

@@ -1,5 +1,8 @@
 #pragma once
-// Effect of torque ripple and of a lag on the parameters that are read from loops.
+// Effect of torque ripple, of a lag, and of friction that changes with the motor's angle on the
+// parameters that are read from loops.
+
+#include <vector>
 
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
@@ -19,6 +22,12 @@ LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple);
 /// angles, and where that is an appreciable part of the loop's height.
 void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
                           joint::Recording& loop);
+
+/// A loop stands at one angle, with the friction there: its difference to the mean over all angles
+/// is as large as in the sweep, at any phase, less what the mean over the loops averages out.
+/// @param motor_angle_rad where the loops stand.
+LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& sweep,
+                                const std::vector<double>& motor_angle_rad);
 
 /// Widens intervals: a lag that was removed as a delay may be a filter's, which also rounds the
 /// reversal, by about the square of the lag over the rise time of friction after it.

@@ -18,6 +18,8 @@ constexpr double line_parameters = 2;
 constexpr double dip_parameters = 4;
 constexpr double line_excluded = 0.01;   // chance at which the straight line is
 constexpr double shape_excluded = 0.01;  // and d = 2, or a viscous term linear in speed
+constexpr double shape_in_doubt = 0.05;  // at which one that is no straight line stays a rival
+constexpr double bend_excluded = 0.001;  // and that there is a bend in place of a dip
 constexpr double stray = 0.01;           // after Holm's correction
 constexpr double least_stray = 0.005;    // of the friction: what matters
 constexpr double strays_per_speed = 0.2;
@@ -324,6 +326,22 @@ std::vector<SpeedMean> means_of(const std::vector<Speed>& speeds, std::size_t wi
 
 constexpr std::size_t no_speed = std::numeric_limits<std::size_t>::max();
 
+/// Whether a viscous term of another power leaves of all speeds no more than a straight one leaves
+/// of the others: where the curve bends, no speed is a stray.
+bool bends_there(const std::vector<Speed>& speeds, std::size_t stray_speed, bool load) {
+  Laws others(means_of(speeds, stray_speed), load);
+  others.find_scatter();
+  double variance = 0;
+  for (const Speed& s : speeds) variance += s.mean.variance / static_cast<double>(speeds.size());
+  for (const double power : {0.4, 0.7, 1.3, 1.6, 1.9, 2.2}) {
+    Laws bent(means_of(speeds, no_speed), load);
+    bent.set_shape(2, power);
+    bent.find_scatter();
+    if (bent.scatter2() <= others.scatter2() + variance) return true;
+  }
+  return false;
+}
+
 /// Removes speeds that are inconsistent with the others, the farthest first.
 std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load) {
   std::vector<StrayFriction> out;
@@ -354,7 +372,8 @@ std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load)
       if (chance < farthest.chance) farthest = {i, chance, off};
     }
     if (farthest.index == no_speed ||
-        farthest.chance * static_cast<double>(speeds.size()) > stray) {
+        farthest.chance * static_cast<double>(speeds.size()) > stray ||
+        bends_there(speeds, farthest.index, load)) {
       break;
     }
     const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(farthest.index);
@@ -368,6 +387,10 @@ std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load)
 struct Hull {
   double low{std::numeric_limits<double>::infinity()};
   double high{-std::numeric_limits<double>::infinity()};
+  void add(const Hull& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
   void add(double value, double reach = 0) {
     low = std::min(low, value - reach);
     high = std::max(high, value + reach);
@@ -388,7 +411,7 @@ std::vector<double> exponents(int per_octave = 8) {
 
 std::vector<double> powers(int step = 1) {
   std::vector<double> out;
-  for (int k = 4; k <= 32; k += step) out.push_back(k / 20.0);
+  for (int k = 4; k <= 48; k += step) out.push_back(k / 20.0);
   return out;
 }
 
@@ -485,6 +508,9 @@ struct Choice {
   bool has_dip{};
   double freedom{};
   double limit{};  ///< chi2 up to which a law is not excluded.
+  /// A viscous term of another power than the law's describes the speeds better, if not surely.
+  bool may_curve{};
+  bool leaves_power{};  ///< The line's power was taken as it is, not because others are excluded.
 };
 
 void take_limit(Choice& choice) {
@@ -548,6 +574,8 @@ Choice choose(Laws& laws, double direction_scatter) {
     find_scatter();
     out.law = out.has_dip ? laws.best() : laws.line(out.law.power);
   }
+  out.leaves_power = out.law.power == 1;
+  out.may_curve = out.leaves_power && curved.chance < shape_in_doubt;
   take_limit(out);
   return out;
 }
@@ -622,6 +650,21 @@ void add_quadratic_rival(const Laws& laws, const Choice& choice, Hulls& hulls) {
   hulls.coulomb.add(law.coulomb_Nm, std::sqrt(limit - law.chi2) * law.coulomb_error);
 }
 
+/// Laws with a viscous term of another power, which the speeds do not exclude. Their slopes only
+/// where the speeds speak for one: else the slope meant is that of the straight line.
+void add_other_powers(const Laws& laws, const Choice& choice, LawGrid grid, Hulls& hulls) {
+  grid.exponents = exponents(2);
+  grid.powers = powers(2);
+  Hulls others;
+  if (laws.can_dip() && grid.slowest_speed < grid.fastest_speed) {
+    others = hulls_of(laws, grid, choice.law, choice.limit);
+  }
+  for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, others);
+  hulls.coulomb.add(others.coulomb);
+  hulls.speed.add(others.speed);
+  if (choice.may_curve) hulls.slope.add(others.slope);
+}
+
 Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
   LawGrid grid = laws.whole_grid();
   grid.exponents = exponents();
@@ -638,6 +681,8 @@ Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
   Hulls hulls;
   if (laws.can_dip() && grid.slowest_speed < grid.fastest_speed)
     hulls = hulls_of(laws, grid, choice.law, choice.limit);
+  const bool is_of_any_power = choice.leaves_power && (choice.has_dip || choice.may_curve);
+  if (is_of_any_power) add_other_powers(laws, choice, grid, hulls);
   for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, hulls);
   add_points({choice.law}, choice.limit, hulls);
   if (is_curved) {
@@ -645,6 +690,22 @@ Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
     if (with_rival) add_quadratic_rival(laws, choice, hulls);
   }
   return hulls;
+}
+
+/// The power of a viscous term that describes the speeds about as well without a dip: what bends
+/// the curve is then not known to be one.
+std::optional<double> bend_instead_of_dip(const Laws& laws, const Choice& choice) {
+  if (!choice.has_dip) return std::nullopt;
+  std::optional<LawPoint> best;
+  for (const double power : powers()) {
+    const LawPoint bent = laws.line(power);
+    const bool is_excluded =
+        chance_of_gain(bent.chi2, choice.law.chi2, 2, choice.freedom) < bend_excluded;
+    if (bent.coulomb_Nm < 0 || is_excluded) continue;
+    if (!best || bent.chi2 < best->chi2) best = bent;
+  }
+  if (!best) return std::nullopt;
+  return best->power;
 }
 
 void add_findings(const Laws& laws, SlidingLaw& law) {
@@ -726,6 +787,10 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
     out.stribeck_speed_rad_s.estimate = hulls.speed.about(choice.law.speed_rad_s);
   } else {
     out.stribeck_speed_rad_s.why_not = out.findings.back();
+  }
+  if (const std::optional<double> power = bend_instead_of_dip(laws, choice)) {
+    out.stribeck_speed_rad_s.why_not = {"cause.viscous_bend_or_dip", {{"exponent", *power}}};
+    out.findings.push_back(out.stribeck_speed_rad_s.why_not);
   }
   if (out.viscous_exponent != 1) {
     out.viscous_Nms_rad.why_not = {"curve_model.viscous_not_linear",

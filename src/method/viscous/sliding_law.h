@@ -14,8 +14,10 @@
 //
 // Interval: profile likelihood. It includes each value that a parameter has in any law that the
 // data do not exclude, with any exponent d: what the data cannot determine is not settled by
-// assuming d = 2. The scatter is estimated, hence Student's t with the law's residual degrees of
-// freedom. The value is that of the simplest law that is not excluded: line, d = 2, any d.
+// assuming d = 2; nor is p by assuming 1 where another describes the speeds better, if not
+// significantly. A dip is doubtful where a law without one, of any p, describes the speeds about as
+// well. The scatter is estimated, hence Student's t with the law's residual degrees of freedom. The
+// value is that of the simplest law that is not excluded: line, d = 2, any d.
 //
 // A speed whose friction is inconsistent with that of the others (F test of its deletion, Holm's
 // correction for their number) is left out and named.

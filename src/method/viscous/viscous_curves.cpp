@@ -65,17 +65,82 @@ BlockMean block_mean(const PlateauSamples& samples, std::size_t first, std::size
           std::move(means)};
 }
 
+/// Friction that changes with the motor's angle, as the sweep shows it: its lines, and the friction
+/// of which they are a part.
+struct FrictionOfAngle {
+  gravity::Ripple lines;  ///< None: it changes with no angle.
+  double friction_Nm{};
+  double gear_ratio{};
+  double q_peak_rad{};
+  double gravity_Nm{};
+
+  /// Of each sample of a plateau, signed as the torque is: the same share of friction as in the
+  /// sweep.
+  [[nodiscard]] std::vector<double> torque_Nm(const joint::Recording& r,
+                                              const motion::Plateau& plateau) const {
+    std::vector<double> torque(plateau.size(), 0.0);
+    if (lines.lines.empty()) return torque;
+    double mean = 0;
+    for (std::size_t i = plateau.first; i < plateau.last; ++i) {
+      mean += r.torque_Nm[i] - gravity_Nm * std::cos(r.q_rad[i] - q_peak_rad);
+    }
+    mean /= static_cast<double>(plateau.size());
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+      const double motor_rad = gear_ratio * r.q_rad[plateau.first + k];
+      torque[k] = mean / friction_Nm * lines.torque_Nm(motor_rad);
+    }
+    return torque;
+  }
+};
+
+/// Where the runs follow the sweep's lines too: without them less is left. None where a run lies
+/// outside the sweep's angles.
+FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& recordings,
+                                 const gravity::CogSweepResult& sweep, double gear_ratio) {
+  if (!sweep.found || !sweep.coulomb_Nm || !(sweep.coulomb_Nm->value > 0)) return {};
+  const FrictionOfAngle known{sweep.friction_of_angle, sweep.coulomb_Nm->value, gear_ratio,
+                              sweep.q_peak_rad.value, sweep.gravity_Nm.value};
+  if (known.lines.lines.empty()) return {};
+  double gain = 0;
+  for (const joint::Recording* r : recordings) {
+    for (const motion::Plateau& plateau : motion::find_plateaus(*r).plateaus) {
+      const std::vector<double> line = known.torque_Nm(*r, plateau);
+      double sum = 0, lines = 0, product = 0, square = 0;
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const double q = r->q_rad[plateau.first + k];
+        if (q < sweep.lowest_rad || q > sweep.highest_rad) return {};
+        const double rest =
+            r->torque_Nm[plateau.first + k] - known.gravity_Nm * std::cos(q - known.q_peak_rad);
+        sum += rest;
+        lines += line[k];
+        product += rest * line[k];
+        square += line[k] * line[k];
+      }
+      const auto n = static_cast<double>(line.size());
+      gain += 2 * (product - sum * lines / n) - (square - lines * lines / n);
+    }
+  }
+  return gain > 0 ? known : FrictionOfAngle{};
+}
+
 /// T less the sweep's gravity, so that the scatter is of friction and noise alone. The sweep's
 /// ripple, at the same motor angles, is subtracted from the run where that reduces the scatter.
+/// Friction that changes with the motor's angle is subtracted too: a slow run crosses only part of
+/// its period.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
 /// @param samples receives those of the plateau that count.
 /// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
-                          const gravity::Ripple& ripple, double torque_step_Nm,
-                          PlateauSamples& samples, std::vector<double>& blocks_Nm) {
+                          const gravity::Ripple& ripple, const FrictionOfAngle& friction_of_angle,
+                          double torque_step_Nm, PlateauSamples& samples,
+                          std::vector<double>& blocks_Nm) {
+  const std::vector<double> of_angle = friction_of_angle.torque_Nm(r, plateau);
+  const auto torque_at = [&](std::size_t i) {
+    return r.torque_Nm[i] - of_angle[i - plateau.first];
+  };
   const auto friction_at = [&](std::size_t i) {
-    return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+    return torque_at(i) - gravity * std::cos(r.q_rad[i] - q_peak);
   };
   std::vector<double> friction_Nm;
   friction_Nm.reserve(plateau.size());
@@ -91,6 +156,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   double sine = 0;
   double load = 0;
   double torque = 0;
+  double taken_off = 0;
   run.lowest_rad = run.highest_rad = r.q_rad[plateau.first];
   for (std::size_t i = plateau.first; i < plateau.last; ++i) {
     run.lowest_rad = std::min(run.lowest_rad, r.q_rad[i]);
@@ -100,7 +166,8 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
     cosine += std::cos(r.q_rad[i] - q_peak);
     sine += std::sin(r.q_rad[i] - q_peak);
     load += std::abs(std::cos(r.q_rad[i] - q_peak));
-    torque += r.torque_Nm[i];
+    torque += torque_at(i);
+    taken_off += of_angle[i - plateau.first];
   }
   const auto n = static_cast<double>(samples.size());
   run.q_rad = q / n;
@@ -118,8 +185,12 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
       friction = std::move(without);
     }
   }
-  run.torque_half_width_Nm = friction.half_width;
-  run.torque_standard_error_Nm = std::hypot(friction.standard_error, samples.rounding_error_Nm);
+  // What was taken off is known but for a part.
+  constexpr double left = 0.1;
+  const double of_angle_Nm = left * std::abs(taken_off / n);
+  run.torque_half_width_Nm = std::hypot(friction.half_width, statistics::normal_975 * of_angle_Nm);
+  run.torque_standard_error_Nm =
+      std::hypot(std::hypot(friction.standard_error, samples.rounding_error_Nm), of_angle_Nm);
   blocks_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
@@ -382,14 +453,15 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
   for (const joint::Recording* r : recordings) {
     step_Nm = std::max(step_Nm, motion::common_step(r->torque_Nm));
   }
+  const FrictionOfAngle of_angle = friction_of_runs(recordings, rough, gear_ratio);
   for (const joint::Recording* r : recordings) {
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, {}});
       made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, step_Nm,
-                                  samples, made.block_friction_Nm.back()));
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, of_angle,
+                                  step_Nm, samples, made.block_friction_Nm.back()));
       out.samples_used += samples.size();
       out.samples_left_out += samples.left_out;
     }
