@@ -19,9 +19,9 @@ namespace tribolog {
 
 namespace {
 
-/// @param read, expected bytes.
-[[noreturn]] void refuse_shortened(const std::string& path, std::uint64_t read,
-                                   std::uint64_t expected);
+/// @param now, before bytes.
+[[noreturn]] void refuse_shortened(const std::string& path, std::uint64_t now,
+                                   std::uint64_t before);
 [[noreturn]] void refuse_unreadable(const std::string& path, int error);
 [[noreturn]] void refuse_too_large(const std::string& path, std::uint64_t largest_bytes);
 
@@ -43,10 +43,10 @@ void refuse_too_large(const std::string& path, std::uint64_t largest_bytes) {
          "split it, or leave out columns that are not needed");
 }
 
-void refuse_shortened(const std::string& path, std::uint64_t read, std::uint64_t expected) {
+void refuse_shortened(const std::string& path, std::uint64_t now, std::uint64_t before) {
   throw InputError({path, 0, 0},
-                   {"file has become shorter while it was read", std::to_string(read) + " bytes",
-                    std::to_string(expected), "is it still being written? read a copy of it"});
+                   {"file has become shorter while it was read", std::to_string(now) + " bytes",
+                    std::to_string(before), "is it still being written? read a copy of it"});
 }
 
 /// @return a descriptor, to be owned. @throw InputError: cannot be opened (with the system's
@@ -123,11 +123,17 @@ std::size_t InputFileSource::read(char* to, std::size_t most) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse_unreadable(path_, errno);
     const auto bytes = static_cast<std::size_t>(got);
-    if (has_size && bytes == 0) refuse_shortened(path_, bytes_read_, likely_bytes_);
+    // A read may hand out NUL bytes in place of what is cut off at that moment: the size tells.
+    if (has_size) refuse_if_shortened();
     bytes_read_ += bytes;
     if (bytes_read_ > largest_bytes_) refuse_too_large(path_, largest_bytes_);
     return bytes;
   }
+}
+
+void InputFileSource::refuse_if_shortened() const {
+  const std::uint64_t now = size_of_regular_file(file_.get(), path_, UINT64_MAX);
+  if (now < likely_bytes_) refuse_shortened(path_, now, likely_bytes_);
 }
 
 bool InputFileSource::has_grown() const {

@@ -67,6 +67,8 @@ class InputFileSource final : public ByteSource {
   [[nodiscard]] bool has_grown() const;
 
  private:
+  void refuse_if_shortened() const;
+
   std::string path_;
   FileDescriptor file_;
   std::uint64_t largest_bytes_;
