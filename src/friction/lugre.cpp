@@ -14,7 +14,8 @@ ParameterSlots LuGreFriction::Parameters::by_name() {
           {"viscous_Nms_rad", &viscous_Nms_rad},
           {"coulomb_Nm", &coulomb_Nm},
           {"static_Nm", &static_Nm},
-          {"stribeck_speed_rad_s", &stribeck_speed_rad_s}};
+          {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
+          {"stribeck_power", &stribeck_power, true}};
 }
 
 LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
@@ -24,12 +25,14 @@ LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  require_positive(p_.stribeck_power, "Stribeck power", "");
   require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
 double LuGreFriction::steady_deflection_rad(double speed_rad_s) const {
-  const double x = speed_rad_s / p_.stribeck_speed_rad_s;
-  return (p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) * std::exp(-x * x)) /
+  const double x = std::abs(speed_rad_s) / p_.stribeck_speed_rad_s;
+  const double exponent = p_.stribeck_power == 2.0 ? x * x : std::pow(x, p_.stribeck_power);
+  return (p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) * std::exp(-exponent)) /
          p_.bristle_stiffness_Nm_rad;
 }
 

@@ -3,7 +3,7 @@
 //
 //   Tf    = s0 z + s1 dz/dt + s2 w                              (3)
 //   dz/dt = w - |w| z / g(w)                                    (4)
-//   s0 g(w) = Tc + (Ts - Tc) exp(-(w/ws)^2)                     (5)
+//   s0 g(w) = Tc + (Ts - Tc) exp(-(|w|/ws)^d)                   (5), where d = 2
 //
 // z: mean bristle deflection [rad, motor side], w: motor speed [rad/s].
 
@@ -21,6 +21,7 @@ class LuGreFriction final : public DynamicFriction {
     double coulomb_Nm{};                ///< Tc > 0
     double static_Nm{};                 ///< Ts >= Tc, break-away torque
     double stribeck_speed_rad_s{1.0};   ///< ws > 0
+    double stribeck_power{2.0};         ///< d > 0
     ParameterSlots by_name();
   };
 

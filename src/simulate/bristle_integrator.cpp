@@ -39,11 +39,12 @@ struct Block {
   std::array<double, block_steps> source;
 };
 
-struct SteadyDeflection {
+/// Where the dip is a Gaussian of the speed, d = 2.
+struct GaussianDeflection {
   double coulomb_rad;
   double excess_rad;
   double per_speed;
-  explicit SteadyDeflection(const friction::LuGreFriction::Parameters& p)
+  explicit GaussianDeflection(const friction::LuGreFriction::Parameters& p)
       : coulomb_rad(p.coulomb_Nm / p.bristle_stiffness_Nm_rad),
         excess_rad((p.static_Nm - p.coulomb_Nm) / p.bristle_stiffness_Nm_rad),
         per_speed(1 / p.stribeck_speed_rad_s) {}
@@ -97,8 +98,8 @@ template <class Deflection>
   }
 }
 
-TRIBOLOG_WIDE void shape_block(const SteadyDeflection& g, Block& b, std::size_t steps, double dt,
-                               bool micro_speed) {
+TRIBOLOG_WIDE void shape_gaussian_block(const GaussianDeflection& g, Block& b, std::size_t steps,
+                                        double dt, bool micro_speed) {
   if (micro_speed) {
     shape(b, steps, dt, [g](double w) { return g.at_micro_speed(w); });
   } else {
@@ -161,7 +162,11 @@ void integrate_bristle(const friction::LuGreFriction& friction, const Motion& mo
   const std::size_t count = z_rad.size();
   if (count == 0) return;
 
-  const SteadyDeflection g(friction.parameters());
+  const GaussianDeflection gaussian(friction.parameters());
+  const bool is_gaussian = friction.parameters().stribeck_power == 2.0;
+  const auto g = [&](double w) {
+    return is_gaussian ? gaussian(w) : friction.steady_deflection_rad(w);
+  };
   const double micro_speed =
       std::sqrt(friction::near_zero) * friction.parameters().stribeck_speed_rad_s;
   Block b;
@@ -175,7 +180,11 @@ void integrate_bristle(const friction::LuGreFriction& friction, const Motion& mo
     motion.speeds(t, dt_s, std::span(b.w).first(steps + 1));
     motion.speeds(t + dt_s / 2, dt_s, std::span(b.w_middle).first(steps));
     const SpeedCounts speeds = count_speeds(b, steps, micro_speed);
-    shape_block(g, b, steps, dt_s, speeds.fast == 0);
+    if (is_gaussian) {
+      shape_gaussian_block(gaussian, b, steps, dt_s, speeds.fast == 0);
+    } else {
+      shape(b, steps, dt_s, g);
+    }
     weigh_block(b, steps);
     const bool some_need_care = (speeds.forward > 0 && speeds.backward > 0) || is_rough(b, steps);
     const auto needs_care = [&](std::size_t i) {

@@ -31,18 +31,42 @@ joint::Recording empty_recording(std::string name, joint::Role role, std::size_t
   return recording;
 }
 
+/// LuGre's torque under a motion of the motor from rest, and its bristles on the way.
+struct BristleResponse {
+  std::vector<double> torque_Nm, z_rad, dz_rad_s;
+};
+
+BristleResponse bristle_response(const friction::LuGreFriction& lugre, const Motion& motor,
+                                 double sample_rate_Hz, std::size_t samples) {
+  BristleResponse out{std::vector<double>(samples), std::vector<double>(samples),
+                      std::vector<double>(samples)};
+  integrate_bristle(lugre, motor, 0.0, 1 / sample_rate_Hz, 0.0, out.z_rad, out.dz_rad_s);
+  for (std::size_t i = 0; i < samples; ++i) {
+    out.torque_Nm[i] = lugre.torque_Nm(out.z_rad[i], out.dz_rad_s[i],
+                                       motor.speed(static_cast<double>(i) / sample_rate_Hz));
+  }
+  return out;
+}
+
+/// The dynamic model's under a motion of the motor from rest; the bristles of LuGre alone.
+BristleResponse dynamic_response(const Scenario& s, const Motion& motor, double sample_rate_Hz,
+                                 std::size_t samples) {
+  const auto* lugre = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get());
+  if (lugre != nullptr) return bristle_response(*lugre, motor, sample_rate_Hz, samples);
+  BristleResponse out{std::vector<double>(samples), {}, {}};
+  std::vector<double> state = s.presliding->unloaded();
+  friction_response(*s.presliding, motor, 0.0, 1 / sample_rate_Hz, state, out.torque_Nm);
+  return out;
+}
+
 /// Friction torque of sliding, by the static law or by the dynamic model.
-std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, double dt,
+std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, double sample_rate_Hz,
                                    std::size_t samples) {
   const MotorSide motor(joint, s.gear_ratio);
+  if (!s.sliding) return dynamic_response(s, motor, sample_rate_Hz, samples).torque_Nm;
   std::vector<double> torque(samples);
-  if (s.sliding) {
-    for (std::size_t i = 0; i < samples; ++i) {
-      torque[i] = s.sliding->torque_Nm(motor.speed(static_cast<double>(i) * dt));
-    }
-  } else {
-    std::vector<double> state = s.presliding->unloaded();
-    friction_response(*s.presliding, motor, 0.0, dt, state, torque);
+  for (std::size_t i = 0; i < samples; ++i) {
+    torque[i] = s.sliding->torque_Nm(motor.speed(static_cast<double>(i) * (1 / sample_rate_Hz)));
   }
   return torque;
 }
@@ -50,7 +74,7 @@ std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, doubl
 /// A motion in which the joint slides, from time 0 on.
 MovedJoint sliding(const Scenario& s, const Motion& motion, std::size_t samples,
                    double sample_rate_Hz, std::string name, joint::Role role) {
-  const std::vector<double> friction = sliding_torque(s, motion, 1 / sample_rate_Hz, samples);
+  const std::vector<double> friction = sliding_torque(s, motion, sample_rate_Hz, samples);
   MovedJoint moved{empty_recording(std::move(name), role, samples), {}, 0};
   joint::Recording& r = moved.recording;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -107,17 +131,7 @@ MovedJoint oscillation(const Scenario& s, const OscillationExperiment& e, std::s
   const double n = s.gear_ratio;
   const HarmonicMotion motor = oscillating_motor(s, e);
   const std::size_t samples = samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz);
-  const double dt = 1 / e.sample_rate_Hz;
-  const auto* lugre = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get());
-  std::vector<double> z(lugre != nullptr ? samples : 0);
-  std::vector<double> dz(z.size());
-  std::vector<double> torque(lugre != nullptr ? 0 : samples);
-  if (lugre != nullptr) {
-    integrate_bristle(*lugre, motor, 0.0, dt, 0.0, z, dz);
-  } else {
-    std::vector<double> state = s.presliding->unloaded();
-    friction_response(*s.presliding, motor, 0.0, dt, state, torque);
-  }
+  BristleResponse response = dynamic_response(s, motor, e.sample_rate_Hz, samples);
   MovedJoint moved{empty_recording(std::move(name), joint::Role::oscillation, samples),
                    {},
                    std::abs(s.presliding->steady_torque_Nm(1e-9))};
@@ -125,16 +139,15 @@ MovedJoint oscillation(const Scenario& s, const OscillationExperiment& e, std::s
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
     const double w = motor.speed(t);
-    const double friction = lugre != nullptr ? lugre->torque_Nm(z[i], dz[i], w) : torque[i];
     r.t_s.push_back(t);
     r.q_rad.push_back(motor.angle(t) / n);
     r.dq_rad_s.push_back(w / n);
-    r.torque_Nm.push_back(friction);
     moved.ddq_rad_s2.push_back(motor.acceleration(t) / n);
   }
-  if (e.record_bristle && lugre != nullptr) {
-    r.z_rad = std::move(z);
-    r.dz_rad_s = std::move(dz);
+  r.torque_Nm = std::move(response.torque_Nm);
+  if (e.record_bristle) {
+    r.z_rad = std::move(response.z_rad);
+    r.dz_rad_s = std::move(response.dz_rad_s);
   }
   return moved;
 }

@@ -210,6 +210,14 @@ std::vector<Disturbance> all_disturbances() {
          s.constant_speed->motor_speeds_rad_s.front() = slowest;
        },
        {"cause.stribeck", "curve_model"}},
+      {"stribeck_power",
+       {1, 1.5, 3},
+       [](Scenario& s, double x) {
+         LuGre p = lugre_of(s);
+         p.stribeck_power = x;
+         set_lugre(s, p);
+       },
+       {"cause.stribeck_exponent", "cause.stribeck"}},
       {"convex_viscous",
        {1.2, 1.5, 1.8},
        [](Scenario& s, double x) {

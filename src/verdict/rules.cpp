@@ -66,28 +66,48 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
-/// Where the dip of the curve is certainly not the exp(-(w/ws)^2) of the loops' model: by how much
-/// of friction the two differ at most, up to the loops' fastest speed, with the same fall at it.
-std::optional<Measured> stribeck_exponent(const Calibration& c) {
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
-  if (law.lowest_exponent <= 2 && 2 <= law.highest_exponent) return Measured{0, {}};
-  const double exponent = law.stribeck_exponent;
-  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, exponent);
+/// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
+bool has_another_exponent(const method::viscous::SlidingLaw& law) {
+  return law.fitted && law.has_dip && (law.lowest_exponent > 2 || 2 > law.highest_exponent);
+}
+
+/// Largest difference of the dip from one of exponent 2, in percent of friction at rest, up to a
+/// speed at which both have fallen by the same.
+/// @param fall (w/ws)^exponent at that speed.
+double dips_apart_percent(const method::viscous::SlidingLaw& law, double fall) {
   constexpr int parts = 50;
   double apart = 0;
   for (int k = 1; k < parts; ++k) {
-    const double share = static_cast<double>(k) / parts;  // of the fastest speed
-    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, exponent)) -
+    const double share = static_cast<double>(k) / parts;  // of that speed
+    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, law.stribeck_exponent)) -
                                      std::exp(-fall * share * share)));
   }
-  const double percent = 100 * apart * law.excess_Nm / (law.level_Nm + law.excess_Nm);
+  return 100 * apart * law.excess_Nm / (law.level_Nm + law.excess_Nm);
+}
+
+/// Of the curve: down to a third of the dip, at the Stribeck velocity of both.
+std::optional<Measured> stribeck_exponent(const Calibration& c) {
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (!law.fitted || !law.has_dip) return std::nullopt;
+  if (!has_another_exponent(law)) return Measured{0, {}};
+  return Measured{dips_apart_percent(law, 1),
+                  {"cause.stribeck_exponent", {{"exponent", law.stribeck_exponent}}}};
+}
+
+/// Up to the loops' fastest speed, whose model has the exponent 2.
+std::optional<Measured> stribeck_exponent_in_loops(const Calibration& c) {
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
+  if (!has_another_exponent(law)) return Measured{0, {}};
+  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, law.stribeck_exponent);
+  const double percent = dips_apart_percent(law, fall);
   return Measured{percent,
-                  {"cause.stribeck_exponent", {{"exponent", exponent}, {"percent", percent}}}};
+                  {"cause.stribeck_exponent_in_loops",
+                   {{"exponent", law.stribeck_exponent}, {"percent", percent}}}};
 }
 
 std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
-  return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent(c);
+  return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent_in_loops(c);
 }
 
 /// Where friction was read from a sweep: how far its strokes are from one line over the speed.
@@ -199,14 +219,16 @@ const std::vector<Rule>& rules() {
        {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass},
        "record.sweep",
        inertia_of_sweep},
-      // A shape that is off by this bends stiffness and damping by less than matters.
-      {"stribeck_exponent",
+      {"stribeck_exponent", "%", 0.5, Verdict::usable, {}, {}, stribeck_exponent},
+      // A shape that is off by this bends stiffness by a tenth and damping by half of what matters
+      // (study --misfit, disturbance stribeck_power).
+      {"stribeck_exponent_in_loops",
        "%",
        4,
        Verdict::doubtful,
        {Quantity::bristle_stiffness, Quantity::bristle_damping},
        "record.compare_reversals",
-       stribeck_exponent},
+       stribeck_exponent_in_loops},
       {"stribeck_exponent_at_break_away",
        "%",
        1.5,

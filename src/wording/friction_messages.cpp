@@ -177,6 +177,7 @@ const Messages& friction_messages() {
       {"parameter.lugre.coulomb_Nm", text("Tc > 0")},
       {"parameter.lugre.static_Nm", text("Ts >= Tc, break-away torque")},
       {"parameter.lugre.stribeck_speed_rad_s", text("ws > 0")},
+      {"parameter.lugre.stribeck_power", text("d > 0")},
       {"friction_model.leuven", text("Leuven")},
       {"friction_source.leuven",
        text("Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002")},

@@ -56,11 +56,17 @@ const Messages& verdict_messages() {
        text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
             "the speed: another law, or a torque that is not right at some speed")},
       {"rule.inertia_of_sweep", text("Inertia of the sweep that is none, of gravity")},
-      {"rule.stribeck_exponent",
+      {"rule.stribeck_exponent", text("Dip of another exponent than 2, of friction")},
+      {"rule.stribeck_exponent_in_loops",
        text("Dip of the curve unlike that of the loops' model, of friction")},
       {"rule.stribeck_exponent_at_break_away",
        text("Dip of the curve unlike that of the loops' model, for want of ramps, of friction")},
       {"cause.stribeck_exponent",
+       text(
+           "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the paper's law has "
+           "the exponent 2; Coulomb torque, Stribeck velocity and viscous coefficient are those of "
+           "the law that the speeds show")},
+      {"cause.stribeck_exponent_in_loops",
        text(
            "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the loops' model has "
            "the exponent 2: over the loops' speeds the two differ by {percent:.2g} % of friction")},

@@ -68,6 +68,22 @@ TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRigh
   }
 }
 
+TEST(MisfitStudy, ADipOfAnotherShapeIsNamedAndItsCurveIsKnown) {
+  for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("stribeck_power"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+    for (const joint::Quantity which :
+         {joint::Quantity::coulomb_torque, joint::Quantity::stribeck_speed,
+          joint::Quantity::viscous_coefficient, joint::Quantity::bristle_stiffness}) {
+      EXPECT_EQ(quantity(c, which).usable, c.runs) << c.size << " " << to_string(which);
+    }
+    if (c.size > 0) {
+      EXPECT_EQ(c.named, c.runs) << c.size;
+    }
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

@@ -181,7 +181,9 @@ friction::ContactParameters read_contact(const TomlTable& table) {
                            "model = \"" + table.text("model") + "\" in [friction]", ""});
   }
   const friction::FrictionModelEntry& six = friction::dynamic_friction_model("lugre");
-  const auto lugre = made_of(table, read_parameters(table, six.name, six.parameters, true), six);
+  friction::NamedParameters needed = six.parameters;
+  std::erase_if(needed, [](const friction::NamedParameter& one) { return one.has_usual; });
+  const auto lugre = made_of(table, read_parameters(table, six.name, needed, true), six);
   const auto& p = dynamic_cast<const friction::LuGreFriction&>(*lugre).parameters();
   return {p.bristle_stiffness_Nm_rad,
           p.bristle_damping_Nms_rad,

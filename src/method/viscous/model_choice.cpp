@@ -289,11 +289,53 @@ CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, boo
 
 namespace {
 
+/// Root mean square over the speeds that the sliding law used of what eq. (6) leaves of the mean
+/// over both directions; nothing if it fits none.
+std::optional<double> residual_of_five(const CurveModel& five,
+                                       const std::vector<CurveSample>& samples,
+                                       const SlidingLaw& law) {
+  const std::optional<CurveFit> fit = fit_curve(five, samples);
+  if (!fit) return std::nullopt;
+  struct Sum {
+    double error{}, count{};
+  };
+  std::map<std::pair<std::size_t, bool>, Sum> directions;
+  for (const CurveSample& s : samples) {
+    const bool is_used =
+        std::none_of(law.left_out.begin(), law.left_out.end(), [&](const StrayFriction& stray) {
+          return std::find(stray.runs.begin(), stray.runs.end(), s.run) != stray.runs.end();
+        });
+    if (!is_used) continue;
+    Sum& sum = directions[{s.group, s.direction < 0}];
+    sum.error += s.friction_Nm - fit->friction_Nm(s);
+    sum.count += 1;
+  }
+  std::map<std::size_t, Sum> speeds;
+  for (const auto& [key, sum] : directions) {
+    speeds[key.first].error += sum.error / sum.count;
+    speeds[key.first].count += 1;
+  }
+  double squares = 0;
+  for (const auto& [group, sum] : speeds) squares += std::pow(sum.error / sum.count, 2);
+  return std::sqrt(squares / static_cast<double>(speeds.size()));
+}
+
+/// Whether the sliding law, with the exponents of its own, describes the speeds clearly better than
+/// eq. (6) does, which has as many parameters: by the difference of Akaike's criterion.
+bool is_clearly_better(const SlidingLaw& law, const CurveModel& five,
+                       const std::vector<CurveSample>& samples) {
+  constexpr double clear = 6;
+  const std::optional<double> of_five = residual_of_five(five, samples, law);
+  if (!of_five) return true;
+  return 2 * static_cast<double>(law.speeds) * std::log(*of_five / law.residual_Nm) > clear;
+}
+
 /// Where only eq. (6) describes the curve, there is no Coulomb torque to state: without its
 /// Stribeck term it tends to zero with the speed. The Stribeck velocity is that of eq. (6).
-void follow_waiboer(const CurveModelChoice& choice, SlidingLaw& law) {
+void follow_waiboer(const CurveModelChoice& choice, const std::vector<CurveSample>& samples,
+                    SlidingLaw& law) {
   constexpr double clearly_better = 0.5;  // of the error at held-out speeds
-  if (!choice.carries_five || !law.fitted) return;
+  if (!choice.carries_five || !law.fitted || is_clearly_better(law, choice.chosen, samples)) return;
   const CurveModelTrial& five = *choice.find(CurveLaw::waiboer);
   const CurveModelTrial& stribeck = *choice.find(CurveLaw::stribeck);
   const bool is_alone = !stribeck.excluded_because.empty() ||
@@ -332,7 +374,7 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
   out.curve = estimator;
   if (out.chosen_any && !curves.from_sweep) {
     out.sliding = fit_sliding_law(samples, out.chosen);
-    follow_waiboer(out, out.sliding);
+    follow_waiboer(out, samples, out.sliding);
   }
   return out;
 }
