@@ -26,14 +26,14 @@ double stepped(double q, double step, double phase) {
   return step * (std::floor(q / step + phase) - phase + 0.5);
 }
 
-/// The angles that the harmonic motion would have given: at another phase of the encoder's steps,
-/// and with white noise where the residual is larger than they explain.
-std::vector<double> angles_again(const LuGreInput& loop, statistics::RandomStream& random) {
+/// The angles that the harmonic motion would have given: with the encoder's steps elsewhere, and
+/// with white noise where the residual is larger than they explain.
+std::vector<double> angles_again(const LuGreInput& loop, double phase,
+                                 statistics::RandomStream& random) {
   const simulate::HarmonicMotion motion = loop.motion->motor_motion(1);
   const double step = loop.encoder_step_rad;
   const double noise = std::sqrt(
       std::max(0.0, loop.motion->residual_rad * loop.motion->residual_rad - step * step / 12));
-  const double phase = random.uniform();
   std::vector<double> out;
   out.reserve(loop.recording->size());
   for (const double t : loop.recording->t_s) {
@@ -45,10 +45,9 @@ std::vector<double> angles_again(const LuGreInput& loop, statistics::RandomStrea
 
 /// The recording that the traced motion would have given.
 joint::Recording recorded_again(const joint::Recording& r, const motion::TracedMotion& motion,
-                                statistics::RandomStream& random) {
+                                double phase, statistics::RandomStream& random) {
   joint::Recording out = r;
   const double step = motion.is_stepped() ? motion.encoder_step_rad : 0.0;
-  const double phase = random.uniform();
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double q = motion.origin_rad + motion.spline->at(r.t_s[i] - r.t_s.front()).value;
     out.q_rad[i] = step > 0 ? stepped(q, step, phase) : q + motion.noise_rad * random.normal();
@@ -136,18 +135,21 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
   Eigen::MatrixXd shifts(parameters, static_cast<Eigen::Index>(repeats));
   parallel_for(repeats, [&](std::size_t k) {
     statistics::RandomStream random(1, k);
+    // One encoder reads all recordings: loops a whole number of steps apart are off alike.
+    const double phase = (static_cast<double>(k) + random.uniform()) / repeats;
     std::vector<motion::MotionTrace> traces(inputs.size());
     std::vector<motion::OscillationMotion> harmonic(inputs.size());
     std::vector<LuGreInput> again = inputs;
     for (std::size_t r = 0; r < inputs.size(); ++r) {
       if (refits[r]) {
-        harmonic[r] = (*refits[r])(angles_again(inputs[r], random));
+        harmonic[r] = (*refits[r])(angles_again(inputs[r], phase, random));
         again[r].motion = &harmonic[r];
         continue;
       }
       motion::MotionTrace& trace = traces[r];
       const motion::TracedMotion& traced = *inputs[r].traced;
-      trace = motion::trace_motion(recorded_again(*inputs[r].recording, traced, random), &traced);
+      trace = motion::trace_motion(recorded_again(*inputs[r].recording, traced, phase, random),
+                                   &traced);
       // Refused by chance, at the edge of what can be traced: the motion stays as it was.
       if (trace.motion) again[r].traced = &*trace.motion;
     }

@@ -1,11 +1,11 @@
 #pragma once
 // Effect of a recorded angle's noise on a fit along the motion through it.
 //
-// The motion is taken as the truth, recorded again with the noise that was found (its steps at
-// another phase, or other white noise), fitted or traced anew, and the fit takes one step from its
-// solution. The steps over several such recordings show the error that no scatter of the torque
-// shows: a motion that is wrong at the reversals is so in the same way in all half loops, for an
-// encoder reads each cycle of a steady oscillation alike.
+// The motion is taken as the truth, recorded again with the noise that was found (its steps
+// elsewhere, for all recordings by the same, or other white noise), fitted or traced anew, and the
+// fit takes one step from its solution. The steps over several such recordings show the error that
+// no scatter of the torque shows: a motion that is wrong at the reversals is so in the same way in
+// all half loops, for an encoder reads each cycle of a steady oscillation alike.
 //
 // For long recordings a part suffices: the shift by the noise of the part, divided by the square
 // root of the number of parts. The initial deflection, which the first strokes alone determine,
