@@ -89,12 +89,13 @@ void add_drive_noise(joint::Recording& recording, const Noise& noise, double gea
   require_not_negative(noise.clock_jitter_s, "clock jitter", "s");
   require_not_negative(noise.lost_percent, "lost samples", "%");
   if (recording.t_s.empty()) return;
-  add_log_effects(recording, noise.effects, sample_rate_Hz, noise.seed, stream);
+  add_torque_effects(recording, noise.effects, sample_rate_Hz, noise.seed, stream);
   disturb_torque(recording, noise, gear_ratio, stream);
   if (noise.encoder_counts_per_turn > 0) {
     quantise_angle(recording, noise, gear_ratio);
   }
   if (noise.speed_filter_Hz > 0) filter_speed(recording, noise.speed_filter_Hz, sample_rate_Hz);
+  add_log_effects(recording, noise.effects, noise.seed, stream);
   statistics::RandomStream clock = clock_stream(noise, stream);
   if (noise.clock_jitter_s > 0) {
     disturb_clock(recording, noise.clock_jitter_s, sample_rate_Hz, clock);

@@ -138,11 +138,20 @@ void hold(std::vector<double>& signal, double percent, statistics::RandomStream&
 
 }  // namespace
 
-void add_log_effects(joint::Recording& r, const LogEffects& e, double sample_rate_Hz,
-                     std::uint64_t seed, std::uint64_t stream) {
-  if (!e.any() || r.t_s.empty()) return;
+namespace {
+
+/// Random numbers of the effects alone.
+statistics::RandomStream effects_stream(std::uint64_t seed, std::uint64_t stream) {
   constexpr std::uint64_t behind_those_of_noise = std::uint64_t{1} << 33U;
-  statistics::RandomStream random(seed, behind_those_of_noise + stream);
+  return {seed, behind_those_of_noise + stream};
+}
+
+}  // namespace
+
+void add_torque_effects(joint::Recording& r, const LogEffects& e, double sample_rate_Hz,
+                        std::uint64_t seed, std::uint64_t stream) {
+  if (!e.any() || r.t_s.empty()) return;
+  statistics::RandomStream random = effects_stream(seed, stream);
   std::vector<double>& torque = r.torque_Nm;
   const double vibration_phase = 2 * pi * random.uniform();
   const double neighbour_phase = 2 * pi * random.uniform();
@@ -154,8 +163,16 @@ void add_log_effects(joint::Recording& r, const LogEffects& e, double sample_rat
   if (e.torque_delay_s != 0) delay(torque, e.torque_delay_s * sample_rate_Hz);
   if (e.coloured_Nm > 0)
     add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);
+  for (double& value : torque) value *= e.torque_scale;
+}
+
+void add_log_effects(joint::Recording& r, const LogEffects& e, std::uint64_t seed,
+                     std::uint64_t stream) {
+  if (!e.any() || r.t_s.empty()) return;
+  constexpr std::uint64_t behind_those_of_torque = std::uint64_t{1} << 31U;
+  statistics::RandomStream random = effects_stream(seed, behind_those_of_torque + stream);
+  std::vector<double>& torque = r.torque_Nm;
   for (double& value : torque) {
-    value *= e.torque_scale;
     if (e.outlier_percent > 0 && 100 * random.uniform() < e.outlier_percent) {
       value += random.uniform() < 0.5 ? -e.outlier_Nm : e.outlier_Nm;
     }

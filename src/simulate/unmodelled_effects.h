@@ -91,8 +91,15 @@ void put_together(const Scenario& scenario, const SessionClock& clock, MovedJoin
 /// @param direction of the torque, +1 or -1.
 double friction_factor_of_ramp(const Scenario& scenario, double q_rad, double direction);
 
+/// What the torque has before noise is added to it: vibration and the neighbour's gravity, filter
+/// and delay, noise that hangs together in time, the scale.
 /// @param stream number of the recording: its random numbers and phases are its own.
-void add_log_effects(joint::Recording& recording, const LogEffects& effects, double sample_rate_Hz,
-                     std::uint64_t seed, std::uint64_t stream);
+void add_torque_effects(joint::Recording& recording, const LogEffects& effects,
+                        double sample_rate_Hz, std::uint64_t seed, std::uint64_t stream);
+
+/// What becomes of the logged values, noise and steps included: outliers, the limit, held and dead
+/// torque, the speed's scale, wraps, the other sign. @param stream as above.
+void add_log_effects(joint::Recording& recording, const LogEffects& effects, std::uint64_t seed,
+                     std::uint64_t stream);
 
 }  // namespace tribolog::simulate

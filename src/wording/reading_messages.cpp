@@ -86,12 +86,13 @@ const Messages& reading_messages() {
       {"reading.time_runs_back",
        by_count("rows", "time runs backwards in {rows} row (first in line {line}); sorted by time",
                 "time runs backwards in {rows} rows (first in line {line}); sorted by time")},
-      {"reading.angle_wraps",
-       by_count("jumps",
-                "the angle jumps by one turn {jumps} time, first at {first_s:.6g} s: an encoder "
-                "that wraps round? unwrap the angle in the log",
-                "the angle jumps by one turn {jumps} times, first at {first_s:.6g} s: an encoder "
-                "that wraps round? unwrap the angle in the log")},
+      {"reading.angle_unwrapped",
+       by_count(
+           "jumps",
+           "the angle wraps round {jumps} time, at {first_s:.6g} s, by {period:.6g} {unit}: it "
+           "is read as going on there",
+           "the angle wraps round {jumps} times, first at {first_s:.6g} s, by {period:.6g} "
+           "{unit}: it is read as going on there")},
       {"reading.large_angle",
        text("the joint's angle reaches {angle_rad:.4g} rad, read as {unit}: degrees?")},
       {"reading.large_torque",

@@ -245,16 +245,23 @@ TEST(RecordingRows, WithoutEffortNothingCanBeIdentified) {
             "did you mean 'tau_Nm'? without torque or current nothing can be identified");
 }
 
-TEST(RecordingRows, OfAnEncoderThatWrapsRoundAreNoted) {
+TEST(RecordingRows, OfAnEncoderThatWrapsRoundGoOn) {
   std::string csv = header;
   for (int i = 0; i < 100; ++i) {
     const double q = 3.0 + 0.01 * i;
     csv += fmt::format("{},{},1\n", i / 100.0, q > std::numbers::pi ? q - 2 * std::numbers::pi : q);
   }
-  EXPECT_EQ(
-      make(entry(), csv).notes,
-      std::vector<std::string>{"run.csv: the angle jumps by one turn 1 time, first at 0.15 s: an "
-                               "encoder that wraps round? unwrap the angle in the log"});
+  const auto made = make(entry(), csv);
+  EXPECT_EQ(made.notes,
+            std::vector<std::string>{"run.csv: the angle wraps round 1 time, at 0.15 s, by 6.28319 "
+                                     "rad: it is read as going on there"});
+  for (std::size_t i = 0; i < made.recording.size(); ++i) {
+    EXPECT_NEAR(made.recording.q_rad[i], 3.0 + 0.01 * static_cast<double>(i), 1e-12);
+  }
+  // In a window behind the jump too.
+  ingest::manifest::RecordingEntry late = entry();
+  late.from_s = 0.5;
+  EXPECT_NEAR(make(late, csv).recording.q_rad.front(), 3.5, 1e-12);
   // A motor that turns once a sample does not wrap.
   ingest::manifest::RecordingEntry e = entry();
   e.columns.angle->side = joint::Side::motor;

@@ -34,8 +34,31 @@ TEST(UnmodelledEffects, OfNoSizeLeaveEveryBitAsItWas) {
   EXPECT_FALSE(s.noise.effects.any());
   const std::vector<joint::Recording> plain = simulate::simulate_joint(s);
   joint::Recording r = plain.front();
-  simulate::add_log_effects(r, {}, 1000, 1, 0);
+  simulate::add_torque_effects(r, {}, 1000, 1, 0);
+  simulate::add_log_effects(r, {}, 1, 0);
   EXPECT_EQ(r.torque_Nm, plain.front().torque_Nm);
+}
+
+TEST(UnmodelledEffects, WhatALogHoldsIsHeldWithItsNoise) {
+  Scenario s = short_joint();
+  s.noise.torque_white_Nm = 0.01;
+  s.noise.speed_filter_Hz = 100;
+  const auto noisy = simulate::simulate_joint(s);
+  s.noise.effects.dead_percent = 100;
+  s.noise.effects.speed_scale = 0.5;
+  const auto dead = simulate::simulate_joint(s);
+  for (std::size_t k = 0; k < dead.size(); ++k) {
+    const std::vector<double>& torque = dead[k].torque_Nm;
+    EXPECT_EQ(std::count(torque.begin(), torque.end(), torque.front()),
+              static_cast<std::ptrdiff_t>(torque.size()));
+    EXPECT_DOUBLE_EQ(dead[k].dq_rad_s.back(), 0.5 * noisy[k].dq_rad_s.back());
+  }
+  s.noise.effects = {};
+  s.noise.effects.held_percent = 20;
+  const std::vector<double> held = simulate::simulate_joint(s).front().torque_Nm;
+  std::size_t equal = 0;
+  for (std::size_t i = 1; i < held.size(); ++i) equal += held[i] == held[i - 1] ? 1 : 0;
+  EXPECT_GT(static_cast<double>(equal), 0.1 * static_cast<double>(held.size()));
 }
 
 TEST(UnmodelledEffects, AnOffsetIsThereInEverySample) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -66,24 +65,6 @@ std::string likelier_units(const manifest::ColumnEntry& time, double rate_Hz) {
                    likelier.empty() ? "" : likelier + "; ")});
 }
 
-/// Jumps by a turn of the side on which the angle was logged, between samples that hardly move.
-void note_wrapped_angle(const manifest::ColumnEntry& angle, const joint::Drive& drive,
-                        const joint::Recording& r, RecordingNotes& notes) {
-  constexpr double tolerance = 0.1;  // of a turn: the joint goes on moving meanwhile
-  const double turn_rad =
-      2 * std::numbers::pi / (angle.side == joint::Side::motor ? drive.gear_ratio() : 1.0);
-  std::size_t jumps = 0;
-  double first_s = 0;
-  for (std::size_t i = 2; i < r.size(); ++i) {
-    const double step = std::abs(r.q_rad[i] - r.q_rad[i - 1]) / turn_rad;
-    const double before = std::abs(r.q_rad[i - 1] - r.q_rad[i - 2]) / turn_rad;
-    if (std::abs(step - 1) > tolerance || before > tolerance) continue;
-    if (jumps++ == 0) first_s = r.t_s[i];
-  }
-  if (jumps == 0) return;
-  notes.add({"reading.angle_wraps", {{"jumps", jumps}, {"first_s", first_s}}});
-}
-
 void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& table,
                 const joint::Recording& r, RecordingNotes& notes) {
   const manifest::ColumnEntry& time = present(entry.columns.time);
@@ -139,7 +120,6 @@ void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& tab
     notes.add({"reading.large_angle",
                {{"angle_rad", angle_rad}, {"unit", printable(present(entry.columns.angle).unit)}}});
   }
-  note_wrapped_angle(present(entry.columns.angle), drive, recording, notes);
   const double torque_Nm = largest(recording.torque_Nm) * drive.gear_ratio();
   if (torque_Nm > likely_largest_torque_Nm) {
     notes.add(

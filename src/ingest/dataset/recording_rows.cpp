@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
 #include "ingest/log/log_table.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
 #include "joint/gravity_load.h"
 #include "joint/recording.h"
+#include "joint/wrapped_angle.h"
 
 namespace tribolog::ingest::dataset {
 
@@ -155,6 +159,31 @@ void note_reading(const log::LogTable& table, RecordingNotes& notes) {
   }
 }
 
+namespace {
+
+/// The angle's column as the joint went on where it is logged modulo a period; nothing where it
+/// does not wrap round.
+std::optional<std::vector<double>> unwrapped_column(const manifest::ColumnEntry& column,
+                                                    const log::LogTable& table,
+                                                    const std::vector<double>& logged,
+                                                    double seconds_per_unit,
+                                                    const joint::Drive& drive,
+                                                    RecordingNotes& notes) {
+  const std::vector<double>& clock = table.columns.front().values;
+  const double turn = 2 * std::numbers::pi / std::abs(column.si_factor);
+  const std::optional<joint::AngleWraps> wraps =
+      joint::find_wraps(clock, logged, {turn, turn / drive.gear_ratio()});
+  if (!wraps) return std::nullopt;
+  notes.add({"reading.angle_unwrapped",
+             {{"jumps", wraps->jumps.size()},
+              {"first_s", seconds_per_unit * clock[wraps->jumps.front().sample]},
+              {"period", wraps->period},
+              {"unit", printable(column.unit)}}});
+  return joint::unwrapped(logged, *wraps);
+}
+
+}  // namespace
+
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
                                 const joint::Drive& drive, double effort_sign,
                                 std::vector<Statement>& notes_of_all,
@@ -174,7 +203,12 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const manifest::ColumnEntry& column = *columns[k].entry;
-    const std::vector<double>& logged = table.columns[k].values;
+    std::optional<std::vector<double>> gone_on;
+    if (columns[k].signal == joint::LoggedSignal::angle) {
+      gone_on = unwrapped_column(column, table, table.columns[k].values,
+                                 present(entry.columns.time).si_factor, drive, notes);
+    }
+    const std::vector<double>& logged = gone_on ? *gone_on : table.columns[k].values;
     const log::LogTable& stands_in =
         table.columns[k].stands_in ? *table.columns[k].stands_in : table;
     const double factor = conversion_of(columns[k], drive, effort_sign).factor();

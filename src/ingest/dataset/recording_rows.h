@@ -76,8 +76,8 @@ double largest_possible(log::Quantity quantity);
 [[noreturn]] void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
                                           const log::LogTable& table, std::size_t row);
 
-/// Notes what points to another unit: an angle of more than a turn or that wraps round, a torque
-/// larger than that of the largest robots, few samples a second.
+/// Notes what points to another unit: an angle of more than a turn, a torque larger than that of
+/// the largest robots, few samples a second.
 /// @throw InputError for under 5 or over 100 000 samples a second (the median), unless the manifest
 ///        states that this is right; with the units of time in which there would be a usual number.
 void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& table,
@@ -106,6 +106,7 @@ void note_reading(const log::LogTable& table, RecordingNotes& notes);
 /// counted in `skipped`. Time running back by up to a second is put in order.
 /// @param notes receives what the user should know.
 /// @param loads those that load the recording are subtracted from its torque and count it.
+/// An angle that wraps round goes on, in the whole log and so in each window of it.
 /// @throw InputError if time runs back further, more than 5 % of the time stamps stand twice, or
 ///        fewer than 20 rows are left.
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,

@@ -24,6 +24,8 @@ constexpr double shortest_end_rest = 0.015;    // of the motion beside it; short
 constexpr double least_plateau_share = 0.6;    // of a stroke made of several speeds
 constexpr double driven_share = 0.2;           // of the effort's range: it does not rest yet
 constexpr double largest_drift = 0.01;         // of the widest motion: more is no rest
+constexpr std::size_t fewest_steps = 3;        // of a stair of speeds
+constexpr double least_step_ratio = 1.5;       // of its fastest speed to its slowest
 constexpr double least_single_share = 0.4;     // of a stroke with one speed; a sine has 0.2
 constexpr double shortest_rest = 1e-3;         // of the recording
 
@@ -150,6 +152,8 @@ class MotionCutter {
     if (travel < smallest_travel * range_ || travel < smallest_travel_floors * floor_) return;
     if (group.last() - group.first() + 1 < fewest_samples || group.is_irregular) {
       add_varying(group);
+    } else if (add_staircases(group)) {
+      return;
     } else if (group.is_steady) {
       add(MotionKind::constant_speed, group);
     } else if (group.strokes.size() > 1 && is_slow(group)) {
@@ -164,27 +168,59 @@ class MotionCutter {
     if (group.travel_rad() >= smallest_varying * range_) add(MotionKind::varying, group);
   }
 
-  /// A stroke that runs at several speeds one after the other, or at one in a part of it.
-  bool add_plateaus(const StrokeGroup& group) {
+  [[nodiscard]] method::motion::MotionSegments plateaus_between(std::size_t first,
+                                                                std::size_t last) const {
     const auto part = [&](const std::vector<double>& v) {
-      return std::vector<double>(v.begin() + static_cast<std::ptrdiff_t>(group.first()),
-                                 v.begin() + static_cast<std::ptrdiff_t>(group.last()) + 1);
+      return std::vector<double>(v.begin() + static_cast<std::ptrdiff_t>(first),
+                                 v.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     };
-    if (!is_free(group.first(), group.last())) return false;
     joint::Recording stroke;
     stroke.t_s = part(trace_.t_s);
     stroke.q_rad = part(trace_.q_rad);
-    const method::motion::MotionSegments found = method::motion::find_plateaus(stroke);
-    const double least = found.plateaus.size() > 1 ? least_plateau_share : least_single_share;
-    if (found.plateaus.empty() || found.plateau_share() < least) return false;
-    for (const method::motion::Plateau& plateau : found.plateaus) {
-      MotionSegment s = segment(MotionKind::constant_speed, group.first() + plateau.first,
-                                group.first() + plateau.last - 1);
+    return method::motion::find_plateaus(stroke);
+  }
+
+  void add_runs(std::size_t first, const std::vector<method::motion::Plateau>& plateaus) {
+    for (const method::motion::Plateau& plateau : plateaus) {
+      MotionSegment s =
+          segment(MotionKind::constant_speed, first + plateau.first, first + plateau.last - 1);
       s.strokes = 1;
       s.is_steady = true;
       s.speed_rad_s = std::abs(plateau.speed_rad_s);
       s.direction = plateau.speed_rad_s > 0 ? 1 : -1;
       segments_.push_back(s);
+    }
+  }
+
+  /// A stroke that runs at several speeds one after the other, or at one in a part of it.
+  bool add_plateaus(const StrokeGroup& group) {
+    if (!is_free(group.first(), group.last())) return false;
+    const method::motion::MotionSegments found = plateaus_between(group.first(), group.last());
+    const double least = found.plateaus.size() > 1 ? least_plateau_share : least_single_share;
+    if (found.plateaus.empty() || found.plateau_share() < least) return false;
+    add_runs(group.first(), found.plateaus);
+    return true;
+  }
+
+  /// There and back, each way up and down a stair of speeds: by its travel alone the fastest of
+  /// them would pass for the stroke's one speed.
+  bool add_staircases(const StrokeGroup& group) {
+    if (group.strokes.size() > 2 || !is_free(group.first(), group.last())) return false;
+    std::vector<method::motion::MotionSegments> found;
+    for (const AngleStroke& stroke : group.strokes) {
+      found.push_back(plateaus_between(stroke.first, stroke.last));
+      const auto& plateaus = found.back().plateaus;
+      if (plateaus.size() < fewest_steps) return false;
+      const auto [slowest, fastest] =
+          std::minmax_element(plateaus.begin(), plateaus.end(), [](const auto& a, const auto& b) {
+            return std::abs(a.speed_rad_s) < std::abs(b.speed_rad_s);
+          });
+      if (std::abs(fastest->speed_rad_s) < least_step_ratio * std::abs(slowest->speed_rad_s)) {
+        return false;
+      }
+    }
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      add_runs(group.strokes[k].first, found[k].plateaus);
     }
     return true;
   }

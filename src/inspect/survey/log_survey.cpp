@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <utility>
 
 #include "base/input_file.h"
 #include "base/requirements.h"
@@ -10,6 +12,8 @@
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
 #include "inspect/survey/column_guess.h"
+#include "joint/degrees.h"
+#include "joint/wrapped_angle.h"
 #include "method/motion/encoder_resolution.h"
 
 namespace tribolog::inspect::survey {
@@ -112,6 +116,8 @@ motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey
     trace.q_rad.push_back(q[i] * angle_factor);
     if (effort) trace.effort.push_back((*effort)[i]);
   }
+  const auto wraps = joint::find_wraps(trace.t_s, trace.q_rad, {2 * std::numbers::pi});
+  if (wraps) trace.q_rad = joint::unwrapped(std::move(trace.q_rad), *wraps);
   return trace;
 }
 
@@ -154,13 +160,24 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
   }
 }
 
+/// Whether an angle wraps round as radians do: by their turn, or by the field of +-12.5 rad that
+/// many drives' messages have.
+bool wraps_in_radians(const ingest::log::LogTable& data, const TableSurvey& table, std::size_t k) {
+  constexpr double turn = 2 * std::numbers::pi;
+  constexpr double field = 25;
+  if (!table.time) return false;
+  const auto wraps = joint::find_wraps(data.columns[*table.time].values, data.columns[k].values,
+                                       {turn, turn * joint::degrees_per_rad});
+  return wraps && (wraps->period == turn || wraps->period == field);
+}
+
 /// Angles and speeds without a stated unit are degrees where radians make no sense.
 void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     auto& meaning = table.columns[k].meaning;
     if (!meaning || meaning->unit_is_stated || meaning->quantity != ingest::log::Quantity::angle)
       continue;
-    if (!looks_like_degrees(data.columns[k].values)) continue;
+    if (!looks_like_degrees(data.columns[k].values) || wraps_in_radians(data, table, k)) continue;
     meaning->unit = "deg";
     const auto speed = first_of(table, ingest::log::Quantity::angular_speed, meaning->joint, false);
     if (!speed) continue;
@@ -190,12 +207,12 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
       table.columns[guess.meaning.column].meaning = std::move(guess.meaning);
     }
   }
-  look_at_angle_units(data, table);
   for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
     const auto& meaning = table.columns[k].meaning;
     if (meaning && meaning->quantity == ingest::log::Quantity::time && !meaning->is_target)
       table.time = k;
   }
+  look_at_angle_units(data, table);
   if (table.time) {
     ingest::log::LogColumn& column = data.columns[*table.time];
     const bool is_iso = format == ingest::log::LogFormat::text && column.origin != 0;
