@@ -53,8 +53,12 @@ struct Progress {
   method::selection::IndependentGravities independent;
   Calibration c;
 
+  /// Which all steps look at: the sweeps refer to them.
+  [[nodiscard]] const joint::Dataset& used() const {
+    return c.torque_outliers.replaced > 0 ? cleaned : dataset;
+  }
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
-    return c.torque_outliers.replaced > 0 ? cleaned.with_role(role) : dataset.with_role(role);
+    return used().with_role(role);
   }
   [[nodiscard]] method::gravity::KnownOfSweep known_of_sweep() const {
     const std::optional<joint::StatedGravity>& stated = dataset.manifest.known_gravity;
@@ -213,7 +217,7 @@ constexpr Step papers_chain[] = {
      }},
     {"",
      [](Progress& p) {
-       p.c.session = method::session::examine_session_friction({p.dataset.recordings, p.rough_sweep,
+       p.c.session = method::session::examine_session_friction({p.used().recordings, p.rough_sweep,
                                                                 p.c.rough, p.precise_sweep,
                                                                 p.c.precise, p.c.run_gravity, p.n});
      }},

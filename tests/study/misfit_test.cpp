@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "identify/identify.h"
+#include "simulate/simulate_joint.h"
+
 namespace tribolog::misfit_test {
 namespace {
 
@@ -113,6 +116,21 @@ TEST(MisfitStudy, OfSoundJointsLaysNothingOnSevenOfThem) {
     const study::MisfitQuantity& gravity = quantity(c, joint::Quantity::gravity_torque);
     EXPECT_EQ(gravity.usable, c.runs) << c.joint;
     EXPECT_LT(gravity.worst_usable, 10) << c.joint;  // 1 %
+  }
+}
+
+// The sweeps are then those without outliers, and so has to be all that they are looked up in.
+TEST(MisfitStudy, OutliersOfTheTorqueDoNotHideAWarmUp) {
+  simulate::Scenario s = study::misfit_joints().at(1).scenario;
+  s.effects.warm_up = 0.2;
+  s.noise.effects.outlier_Nm = 0.6;
+  for (const double percent : {0.0, 0.2, 1.0}) {
+    s.noise.effects.outlier_percent = percent;
+    const calibration::Calibration c =
+        identify::identify(simulate::simulated_dataset(s), {.resamples = 0});
+    EXPECT_EQ(c.torque_outliers.replaced > 0, percent > 0);
+    EXPECT_NEAR(c.session.drift.change, -0.19, 0.05) << percent;
+    EXPECT_TRUE(c.session.rough_shift) << percent;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Core>
@@ -365,18 +366,31 @@ class Examination {
     return shift;
   }
 
+  /// Of a sweep's recording among those of the session.
+  [[nodiscard]] std::size_t number_of(const joint::Recording& recording) const {
+    const auto at = std::find_if(in_.recordings.begin(), in_.recordings.end(),
+                                 [&](const joint::Recording& r) { return &r == &recording; });
+    if (at == in_.recordings.end()) throw std::logic_error("a sweep of other recordings");
+    return static_cast<std::size_t>(at - in_.recordings.begin());
+  }
+
   [[nodiscard]] gravity::GravityShift effect_of(const motion::Sweep& sweep,
                                                 const gravity::CogSweepResult& found,
                                                 bool amplitude_known, double friction_Nm,
                                                 double change, double time_constant) const {
     const auto rows = static_cast<Eigen::Index>(sweep.samples.size());
     Eigen::VectorXd passed(rows);
+    std::vector<std::size_t> numbers;
+    for (const joint::Recording* recording : sweep.recordings) {
+      numbers.push_back(number_of(*recording));
+    }
     for (Eigen::Index row = 0; row < rows; ++row) {
       const auto i = static_cast<std::size_t>(row);
-      const joint::Recording& recording = *sweep.recordings[sweep.samples.recording[i]];
-      const auto number = static_cast<std::size_t>(&recording - in_.recordings.data());
-      passed(row) = progress(times_.share(number, recording, recording.t_s[sweep.samples.index[i]]),
-                             time_constant);
+      const std::size_t of_sweep = sweep.samples.recording[i];
+      const joint::Recording& recording = *sweep.recordings[of_sweep];
+      passed(row) = progress(
+          times_.share(numbers[of_sweep], recording, recording.t_s[sweep.samples.index[i]]),
+          time_constant);
     }
     const double at_begin = friction_Nm / (1 + change * passed.mean());
     for (Eigen::Index row = 0; row < rows; ++row) {

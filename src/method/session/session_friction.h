@@ -93,7 +93,7 @@ struct SessionFriction {
 
 /// What is known of gravity and sweeps beforehand.
 struct SessionInput {
-  const std::vector<joint::Recording>& recordings;
+  const std::vector<joint::Recording>& recordings;  ///< Those of the sweeps are among them.
   const motion::Sweep& rough_sweep;
   const gravity::CogSweepResult& rough;
   const motion::Sweep& precise_sweep;
