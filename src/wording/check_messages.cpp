@@ -24,6 +24,7 @@ const Messages& check_messages() {
       {"check.run_speeds", text("Number of speeds")},
       {"check.stick_slip", text("No stick-slip")},
       {"check.torque_alive", text("The torque changes")},
+      {"check.torque_held", text("The torque does not stick")},
       {"check.torque_noise", text("Torque signal above the noise")},
       {"check.torque_saturation", text("Torque not clipped")},
       {"check.torque_step", text("Torque step against friction")},
@@ -380,6 +381,19 @@ const Messages& check_messages() {
        text("a torque that does not change shows neither gravity nor friction")},
       {"torque_alive.see_column",
        text("check that the torque column is live before the next measurement")},
+      {"measure.held_torque",
+       text("samples that repeat an old torque, of the recording with most")},
+      {"not_applicable.torque_in_steps",
+       text("the torque comes in steps so coarse, or so rarely, that equal values prove nothing")},
+      {"torque_held.nowhere", text("the torque changes as its noise does, all along")},
+      {"torque_held.percent",
+       text(
+           "{percent:.2g} % of the samples repeat the torque of before, 25 or more in a row, while "
+           "the joint moves")},
+      {"torque_held.is_of_before",
+       text("what the torque was there is not known, and the fits take the old value for it")},
+      {"torque_held.see_log",
+       text("look for lost messages in the drive's log, and leave these stretches out (nan)")},
       {"torque_noise.white", text("{white_percent:.2g} % of the torque's variance is white noise")},
       {"torque_noise.signal_drowns", text("it drowns what is left of gravity and friction; the "
                                           "intervals are correspondingly wide")},

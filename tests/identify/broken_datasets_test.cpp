@@ -197,6 +197,16 @@ const std::vector<Breach>& breaches() {
               [](joint::Recording& r) { std::fill(r.torque_Nm.begin(), r.torque_Nm.end(), 1.25); });
        },
        "dead"},
+      {"held_torque", CheckName::torque_held,
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           for (std::size_t i = 300; i + 60 < r.size(); i += 300) {
+             std::fill_n(r.torque_Nm.begin() + static_cast<std::ptrdiff_t>(i), 60,
+                         r.torque_Nm[i - 1]);
+           }
+         });
+       },
+       "repeat the torque of before"},
       {"degrees_as_radians", CheckName::angle_unit,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 180 / pi); }); },
        "degrees"},

@@ -33,6 +33,7 @@ DataCheck check_run_speeds(const CheckedDataset& data);
 DataCheck check_stick_slip(const CheckedDataset& data);
 // torque_checks.cpp
 DataCheck check_torque_alive(const CheckedDataset& data);
+DataCheck check_torque_held(const CheckedDataset& data);
 DataCheck check_torque_noise(const CheckedDataset& data);
 DataCheck check_torque_saturation(const CheckedDataset& data);
 DataCheck check_torque_step(const CheckedDataset& data);

@@ -39,6 +39,7 @@ std::string to_string(CheckName name) {
                             "run_speeds",
                             "stick_slip",
                             "torque_alive",
+                            "torque_held",
                             "torque_noise",
                             "torque_saturation",
                             "torque_step",

@@ -36,6 +36,7 @@ enum class CheckName {
   run_speeds,
   stick_slip,
   torque_alive,
+  torque_held,
   torque_noise,
   torque_saturation,
   torque_step,

@@ -63,6 +63,63 @@ DataCheck check_torque_alive(const CheckedDataset& data) {
   return check;
 }
 
+// A torque that stands still for a while although noise changes it at nearly every sample: the log
+// repeats an old value.
+
+namespace {
+
+constexpr std::size_t shortest_held = 25;     // samples
+constexpr std::size_t longest_by_chance = 3;  // of nine tenths of all stretches of equal values
+constexpr std::size_t fewest_angles = 3;      // met meanwhile: the joint moves
+
+/// Samples held, of a recording whose torque changes at nearly every other one; nothing of one
+/// whose torque is too coarse, or sampled too slowly, for that to show.
+std::optional<std::size_t> held_samples(const joint::Recording& r) {
+  const std::vector<double>& t = r.torque_Nm;
+  std::vector<std::size_t> lengths;
+  std::size_t held = 0;
+  for (std::size_t first = 0, last = 0; first < t.size(); first = last) {
+    while (last < t.size() && t[last] == t[first]) ++last;
+    lengths.push_back(last - first);
+    if (last - first < shortest_held) continue;
+    std::size_t angles = 1;
+    for (std::size_t i = first + 1; i < last; ++i) angles += r.q_rad[i] != r.q_rad[i - 1] ? 1 : 0;
+    if (angles >= fewest_angles) held += last - first;
+  }
+  if (lengths.size() < 2) return std::nullopt;
+  const auto most = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 9 / 10);
+  std::nth_element(lengths.begin(), most, lengths.end());
+  return *most <= longest_by_chance ? std::optional(held) : std::nullopt;
+}
+
+}  // namespace
+
+DataCheck check_torque_held(const CheckedDataset& data) {
+  constexpr double most_percent = 5;
+  DataCheck check;
+  check.name = CheckName::torque_held;
+  if (!data.has_torque) {
+    return not_applicable(check.name, {"not_applicable.no_torque"});
+  }
+  check.measure = {"measure.held_torque"};
+  check.unit = percent_sign;
+  check.at_most = 0;
+  for (const CheckedRecording& r : data.recordings) {
+    const std::optional<std::size_t> held = held_samples(*r.recording);
+    if (!held) continue;
+    const double percent =
+        100 * static_cast<double>(*held) / static_cast<double>(r.recording->size());
+    (void)take_if_worst(check, percent, r.recording->name);
+  }
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.torque_in_steps"});
+  if (*check.measured == 0) return passed_by_all(check, {"torque_held.nowhere"});
+  check.found = {"torque_held.percent", {{"percent", *check.measured}}};
+  check.state = passed_or_warns_up_to(most_percent, check);
+  check.consequence = {"torque_held.is_of_before"};
+  check.experiment = {"torque_held.see_log"};
+  return check;
+}
+
 DataCheck check_torque_noise(const CheckedDataset& data) {
   constexpr double warning_percent = 50;
   constexpr double most_percent = 80;
