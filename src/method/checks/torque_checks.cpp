@@ -76,12 +76,15 @@ constexpr std::size_t fewest_angles = 3;      // met meanwhile: the joint moves
 /// whose torque is too coarse, or sampled too slowly, for that to show.
 std::optional<std::size_t> held_samples(const joint::Recording& r) {
   const std::vector<double>& t = r.torque_Nm;
+  if (t.empty()) return std::nullopt;
+  const auto [low, high] = std::minmax_element(t.begin(), t.end());
   std::vector<std::size_t> lengths;
   std::size_t held = 0;
   for (std::size_t first = 0, last = 0; first < t.size(); first = last) {
     while (last < t.size() && t[last] == t[first]) ++last;
     lengths.push_back(last - first);
-    if (last - first < shortest_held) continue;
+    const bool may_be_clipped = t[first] == *low || t[first] == *high;
+    if (last - first < shortest_held || may_be_clipped) continue;
     std::size_t angles = 1;
     for (std::size_t i = first + 1; i < last; ++i) angles += r.q_rad[i] != r.q_rad[i - 1] ? 1 : 0;
     if (angles >= fewest_angles) held += last - first;
