@@ -153,6 +153,22 @@ TEST(SlidingLaw, ExponentOtherThanTwo) {
   EXPECT_LT(law.stribeck_exponent, 1.5);
 }
 
+// A gearless motor's losses rise ever less with the speed: the power law that fits best has a
+// negative Coulomb torque, which no joint has.
+TEST(SlidingLaw, AConcaveCurveHasNoNegativeCoulombTorque) {
+  Truth truth;
+  truth.coulomb_Nm = 0.02;
+  truth.excess_Nm = 0;
+  truth.viscous_Nms_rad = 0.011;
+  truth.power = 0.5;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const SlidingLaw law = law_of(curve(truth, speeds(15, 126, 8), seed));
+    ASSERT_TRUE(law.coulomb_Nm.estimate);
+    EXPECT_GE(law.coulomb_Nm.estimate->value, -noise_Nm) << seed;
+    EXPECT_TRUE(covers(law.coulomb_Nm, truth.coulomb_Nm)) << seed;
+  }
+}
+
 TEST(SlidingLaw, LineShowsNoStribeckVelocity) {
   Truth truth;
   truth.excess_Nm = 0;

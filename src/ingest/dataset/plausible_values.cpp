@@ -76,7 +76,7 @@ void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& tabl
   const bool has_loops = r.role == joint::Role::oscillation || r.role == joint::Role::break_away;
   if (rate_Hz < slowest_likely_Hz) {
     notes.add({"reading.unlikely_rate", {{"rate_Hz", rate_Hz}, {"unit", printable(time.unit)}}});
-  } else if (has_loops && rate_Hz < slowest_for_loops_Hz) {
+  } else if (has_loops && rate_Hz < slowest_for_loops_Hz && !notes.has("reading.slow_for_loops")) {
     notes.add({"reading.slow_for_loops", {{"rate_Hz", rate_Hz}}});
   }
 }
@@ -116,7 +116,7 @@ void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& tab
                  const joint::Drive& drive, const joint::Recording& recording,
                  RecordingNotes& notes) {
   const double angle_rad = largest(recording.q_rad);
-  if (angle_rad > likely_largest_angle_rad) {
+  if (angle_rad > likely_largest_angle_rad && !notes.has("reading.large_angle")) {
     notes.add({"reading.large_angle",
                {{"angle_rad", angle_rad}, {"unit", printable(present(entry.columns.angle).unit)}}});
   }

@@ -44,6 +44,9 @@ class RecordingNotes {
   RecordingNotes(const std::string& file, std::vector<Statement>& notes)
       : file_(file), notes_(notes) {}
   void add(const Statement& note);
+  /// Whether the file has a note of this kind: what is true of many of its recordings is said of
+  /// the first.
+  [[nodiscard]] bool has(Code kind) const;
 
  private:
   const std::string& file_;

@@ -145,6 +145,25 @@ void RecordingNotes::add(const Statement& note) {
   if (!is_known) notes_.push_back(std::move(of_file));
 }
 
+bool RecordingNotes::has(Code kind) const {
+  const std::string file = printable(file_);
+  return std::any_of(notes_.begin(), notes_.end(), [&](const Statement& one) {
+    const auto says = [&](const char* name, const auto& is_it) {
+      return std::any_of(one.values().begin(), one.values().end(),
+                         [&](const StatedValue& v) { return v.name == name && is_it(v); });
+    };
+    return says("file",
+                [&](const StatedValue& v) {
+                  const auto* text = std::get_if<std::string>(&v.value);
+                  return text != nullptr && *text == file;
+                }) &&
+           says("note", [&](const StatedValue& v) {
+             const auto* notes = std::get_if<std::vector<Statement>>(&v.value);
+             return notes != nullptr && !notes->empty() && notes->front().is(kind);
+           });
+  });
+}
+
 bool is_outside_window(const joint::SkippedRows& skipped) {
   return skipped.reason.is(outside_window);
 }

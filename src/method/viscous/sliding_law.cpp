@@ -248,6 +248,16 @@ class Laws {
   [[nodiscard]] double freedom(double parameters) const {
     return static_cast<double>(means_.size()) - parameters - (load_ ? 1 : 0);
   }
+  /// Lines of these powers; of bent ones those that a joint can have: where Coulomb torque is not
+  /// negative.
+  [[nodiscard]] std::vector<LawPoint> possible_lines(const std::vector<double>& powers) const {
+    std::vector<LawPoint> out;
+    for (const double power : powers) {
+      LawPoint point = line(power);
+      if (power == 1 || point.coulomb_Nm >= 0) out.push_back(std::move(point));
+    }
+    return out;
+  }
   [[nodiscard]] LawPoint line(double power = 1) const {
     return line_at(means_, scatter2_, power, load_);
   }
@@ -557,10 +567,8 @@ Choice choose(Laws& laws, double direction_scatter) {
       grid.powers = powers_tried;
       best = laws.best_law(grid);
     } else {
-      for (const double power : powers_tried) {
-        const LawPoint at = laws.line(power);
-        if (!best || at.chi2 < best->chi2) best = at;
-      }
+      const std::vector<LawPoint> lines = laws.possible_lines(powers_tried);
+      if (const LawPoint* one = best_of(lines)) best = *one;
     }
     return best ? Rival{*best, chance_of_gain(out.law.chi2, best->chi2, 1, left)} : Rival{};
   };
@@ -608,10 +616,10 @@ void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
         if (point.chi2 <= choice.limit) power.add(point.power);
       }
     } else {
-      for (const double p : grid.powers) {
-        const LawPoint point = laws.line(p);
-        add_points({point}, choice.limit, near);
-        if (point.chi2 <= choice.limit) power.add(p);
+      const std::vector<LawPoint> lines = laws.possible_lines(grid.powers);
+      add_points(lines, choice.limit, near);
+      for (const LawPoint& line : lines) {
+        if (line.chi2 <= choice.limit) power.add(line.power);
       }
     }
     hulls = near;
@@ -659,7 +667,7 @@ void add_other_powers(const Laws& laws, const Choice& choice, LawGrid grid, Hull
   if (laws.can_dip() && grid.slowest_speed < grid.fastest_speed) {
     others = hulls_of(laws, grid, choice.law, choice.limit);
   }
-  for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, others);
+  add_points(laws.possible_lines(grid.powers), choice.limit, others);
   hulls.coulomb.add(others.coulomb);
   hulls.speed.add(others.speed);
   if (choice.may_curve) hulls.slope.add(others.slope);
@@ -683,7 +691,7 @@ Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
     hulls = hulls_of(laws, grid, choice.law, choice.limit);
   const bool is_of_any_power = choice.leaves_power && (choice.has_dip || choice.may_curve);
   if (is_of_any_power) add_other_powers(laws, choice, grid, hulls);
-  for (const double power : grid.powers) add_points({laws.line(power)}, choice.limit, hulls);
+  add_points(laws.possible_lines(grid.powers), choice.limit, hulls);
   add_points({choice.law}, choice.limit, hulls);
   if (is_curved) {
     add_shapes_nearby(laws, choice, hulls);
@@ -697,8 +705,7 @@ Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
 std::optional<double> bend_instead_of_dip(const Laws& laws, const Choice& choice) {
   if (!choice.has_dip) return std::nullopt;
   std::optional<LawPoint> best;
-  for (const double power : powers()) {
-    const LawPoint bent = laws.line(power);
+  for (const LawPoint& bent : laws.possible_lines(powers())) {
     const bool is_excluded =
         chance_of_gain(bent.chi2, choice.law.chi2, 2, choice.freedom) < bend_excluded;
     if (bent.coulomb_Nm < 0 || is_excluded) continue;
@@ -810,7 +817,7 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
   }
   // The mean of the directions is friction only where both tell of the same.
   constexpr double matters = 0.005;
-  if (out.direction_scatter_Nm > matters * out.level_Nm) {
+  if (out.direction_scatter_Nm > matters * std::abs(out.level_Nm)) {
     const Statement disagree{"cause.outliers_between_directions",
                              {{"scatter_Nm", out.direction_scatter_Nm},
                               {"percent", 100 * out.direction_scatter_Nm / out.level_Nm}}};
