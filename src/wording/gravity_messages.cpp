@@ -84,6 +84,11 @@ const Messages& gravity_messages() {
       {"lag.inertia_not_shown",
        text("accelerations are too small for their torque to show, and with it a lag between "
             "torque and angle")},
+      {"lag.other_torques",
+       text("in starts and stops {rest_Nm:.2g} N·m of the torque follow neither acceleration nor "
+            "speed, beside {inertia_Nm:.2g} N·m that would accelerate the joint: something else "
+            "moves it too, such as ripple, and neither inertia nor a lag of the torque can be "
+            "told")},
 
       // Gravity from the runs at constant speed.
       {"gravity.no_runs", text("no run at constant speed was recorded")},

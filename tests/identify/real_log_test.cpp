@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +86,79 @@ TEST(RealLog, Ur10eJoint3) {
   ASSERT_TRUE(c.rough.unloaded_coulomb_Nm);
   EXPECT_NEAR(c.rough.unloaded_coulomb_Nm->value / 4.99, 1, 0.2);
   EXPECT_NEAR(c.q_peak_rad->value * joint::degrees_per_rad, -90, 1.0);
+}
+
+const calibration::QuantityVerdict& verdict_on(const calibration::Calibration& c,
+                                               joint::Quantity which) {
+  const auto& all = c.judgement.quantities;
+  return *std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.quantity == which; });
+}
+
+/// By hand, over all moving samples.
+struct DamiaoMotor {
+  const char* manifest;
+  const char* log;
+  double coulomb_Nm, viscous_Nms_rad, inertia_kgm2;
+};
+
+// The angle is logged modulo 25 rad, no number of turns, and the speed is off by a factor.
+TEST(RealLog, DamiaoMotorsGoOnThroughTheEndsOfTheirAngle) {
+  for (const DamiaoMotor& motor :
+       {DamiaoMotor{"damiao_motor_3.toml", "damiao/motor_03.npz", 0.495, 0.038, 0.030},
+        DamiaoMotor{"damiao_motor_5.toml", "damiao/motor_05.npz", 0.103, 0.0032, 0.0004}}) {
+    TRIBOLOG_NEEDS_REAL_LOG(motor.log);
+    joint::Dataset dataset;
+    const calibration::Calibration c = identify_manifest(motor.manifest, dataset);
+    const std::vector<std::string> found = findings_of(c.data_checks);
+    EXPECT_EQ(std::count(found.begin(), found.end(), "speed_scale"), 1) << motor.log;
+    for (const auto& [which, by_hand, near] :
+         {std::tuple{joint::Quantity::coulomb_torque, motor.coulomb_Nm, 0.15},
+          std::tuple{joint::Quantity::viscous_coefficient, motor.viscous_Nms_rad, 0.15},
+          std::tuple{joint::Quantity::inertia, motor.inertia_kgm2, 1.0}}) {
+      const calibration::QuantityVerdict& q = verdict_on(c, which);
+      ASSERT_TRUE(q.estimate) << motor.log << " " << to_string(which);
+      EXPECT_NEAR(q.estimate->value / by_hand, 1, near) << motor.log << " " << to_string(which);
+      EXPECT_LE(q.estimate->low, by_hand) << motor.log << " " << to_string(which);
+      EXPECT_GE(q.estimate->high, by_hand) << motor.log << " " << to_string(which);
+    }
+  }
+}
+
+// One direction alone, and losses that rise ever less with the speed.
+TEST(RealLog, MoteusCoulombTorqueIsNotNegativeAndNotUsable) {
+  TRIBOLOG_NEEDS_REAL_LOG("moteus_dynamometer/futek_test_27_04_2021_17-39-20.csv");
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("moteus_dynamometer.toml", dataset);
+  const calibration::QuantityVerdict& coulomb = verdict_on(c, joint::Quantity::coulomb_torque);
+  ASSERT_TRUE(coulomb.estimate);
+  EXPECT_GE(coulomb.estimate->value, 0);
+  EXPECT_LE(coulomb.estimate->low, 0.025);
+  EXPECT_GE(coulomb.estimate->high, 0.025);
+  EXPECT_NE(coulomb.verdict, calibration::Verdict::usable);
+}
+
+TEST(RealLog, NothingIsUsableOfAJointThatSlipsNorOfOneThatAllOthersMove) {
+  for (const auto& [manifest, log] :
+       {std::pair{"openarm_joint4.toml", "openarm_joint4/fid_4.npz"},
+        std::pair{"kuka_joint3.toml", "kuka_lwr4/measurements_1.npz"}}) {
+    TRIBOLOG_NEEDS_REAL_LOG(log);
+    joint::Dataset dataset;
+    for (const auto& q : identify_manifest(manifest, dataset).judgement.quantities) {
+      EXPECT_NE(q.verdict, calibration::Verdict::usable) << log << " " << to_string(q.quantity);
+    }
+  }
+}
+
+// The arm starts within five samples, and then runs over ripple that its controller follows: that
+// is no inertia, five times what the arm has, nor a lag of 50 ms.
+TEST(RealLog, CiceseRippleIsNoInertia) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  EXPECT_FALSE(c.torque_lag.is_clear());
+  const calibration::QuantityVerdict& inertia = verdict_on(c, joint::Quantity::inertia);
+  EXPECT_TRUE(inertia.verdict != calibration::Verdict::usable ||
+              (inertia.estimate->low < 2.8 && inertia.estimate->high > 2.5));
 }
 
 bool has_finding(const calibration::Calibration& c, const std::string& words) {

@@ -57,6 +57,46 @@ TEST(TorqueLag, TellsTheInertiaThatItIsFoundBy) {
   EXPECT_NEAR(found.inertia_kgm2->value / truth, 1, 0.02);
 }
 
+/// A run of a direct drive over ripple, its speed held by a controller that sees the ripple only by
+/// what it does to the speed.
+joint::Recording run_over_ripple(double wanted_rad_s, double from_rad) {
+  constexpr double inertia = 2.5;
+  constexpr double friction_Nm = 12;
+  constexpr double dt_s = 1e-4;
+  constexpr int steps_per_sample = 150;
+  constexpr int samples = 1000;
+  joint::Recording r;
+  double q = from_rad;
+  double speed = wanted_rad_s;
+  double integral = friction_Nm;
+  for (int i = 0; i < samples * steps_per_sample; ++i) {
+    const double error = wanted_rad_s - speed;
+    integral += 60 * error * dt_s;
+    const double torque = integral + 15 * error;
+    if (i % steps_per_sample == 0) {
+      r.t_s.push_back(i * dt_s);
+      r.q_rad.push_back(q);
+      r.dq_rad_s.push_back(speed);
+      r.torque_Nm.push_back(torque);
+    }
+    const double ripple = 0.4 * std::sin(30 * q);
+    speed += (torque - friction_Nm - ripple) / inertia * dt_s;
+    q += speed * dt_s;
+  }
+  return r;
+}
+
+TEST(TorqueLag, IsNotReadFromRippleThatAControllerFollows) {
+  std::vector<joint::Recording> runs;
+  for (int k = 0; k < 8; ++k) runs.push_back(run_over_ripple(0.1 + 0.02 * k, 0.3 * k));
+  std::vector<const joint::Recording*> all;
+  for (const joint::Recording& r : runs) all.push_back(&r);
+  const method::motion::TorqueLag found = method::motion::find_torque_lag(all, 1);
+  EXPECT_FALSE(found.inertia_kgm2);
+  EXPECT_FALSE(found.lag_s);
+  EXPECT_FALSE(found.why_not.empty());
+}
+
 TEST(TorqueLag, NeedsStartsAndStops) {
   std::vector<joint::Recording> plateaus = travels({});
   for (joint::Recording& r : plateaus) {

@@ -127,24 +127,90 @@ std::optional<Travel> travel_of(const joint::Recording& r, double gear_ratio) {
   return std::nullopt;
 }
 
-/// Adds the rows of a recording's transients; numbers its starts and stops from `transients` on.
-void add_rows(const Travel& travel, std::vector<Row>& rows, std::size_t& transients) {
-  const Scale scale = scale_of(travel);
-  const Eigen::MatrixXd& weights = travel.smoothed.weights();
-  const std::vector<double>& angle = travel.recording->q_rad;
-  const std::size_t step = std::max<std::size_t>(1, travel.half / 4);
-  bool inside = false;
-  for (std::size_t i = travel.half; i + travel.half < angle.size(); i += step) {
-    const Eigen::Map<const Eigen::VectorXd> near(&angle[i - travel.half], weights.cols());
-    const double acceleration = weights.row(2).dot((near.array() - angle[i]).matrix());
-    const bool is_used = std::abs(acceleration) > least_acceleration_share * scale.acceleration &&
-                         is_within_stroke(travel, i, least_speed_share * scale.speed);
-    if (is_used) rows.push_back({&travel, i, travel.speed[i], acceleration, transients});
-    if (inside && !is_used) ++transients;
-    inside = is_used;
+/// Starts, stops and changes of speed among the places of a travel that are looked at. Ripple that
+/// makes a running joint faster and slower is none of them: there the torque follows the speed by
+/// way of the controller, and what accelerates the joint is not in the log.
+class Transients {
+ public:
+  explicit Transients(const Travel& travel) : travel_(travel), scale_(scale_of(travel)) {
+    const Eigen::MatrixXd& weights = travel.smoothed.weights();
+    const std::vector<double>& angle = travel.recording->q_rad;
+    const std::size_t step = std::max<std::size_t>(1, travel.half / 4);
+    for (std::size_t i = travel.half; i + travel.half < angle.size(); i += step) {
+      const Eigen::Map<const Eigen::VectorXd> near(&angle[i - travel.half], weights.cols());
+      const double acceleration = weights.row(2).dot((near.array() - angle[i]).matrix());
+      const bool is_steady =
+          std::abs(acceleration) <= least_acceleration_share * scale_.acceleration;
+      places_.push_back(
+          {i, acceleration, is_steady,
+           !is_steady && is_within_stroke(travel, i, least_speed_share * scale_.speed)});
+    }
   }
-  if (inside) ++transients;
-}
+
+  /// Adds their rows, numbered from `transients` on.
+  void add(std::vector<Row>& rows, std::size_t& transients) const {
+    for (std::size_t first = 0, end = 0; first < places_.size(); first = end) {
+      while (end < places_.size() && places_[end].is_used == places_[first].is_used) ++end;
+      if (!places_[first].is_used || !is_transient(first, end)) continue;
+      for (std::size_t k = first; k < end; ++k) {
+        rows.push_back({&travel_, places_[k].index, travel_.speed[places_[k].index],
+                        places_[k].acceleration, transients});
+      }
+      ++transients;
+    }
+  }
+
+ private:
+  struct Place {
+    std::size_t index{};
+    double acceleration{};
+    bool is_steady{};
+    bool is_used{};
+  };
+
+  [[nodiscard]] bool is_transient(std::size_t first, std::size_t end) const {
+    constexpr double least_change = 0.3;  // of the fastest speed
+    double low = scale_.speed;
+    double high = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      low = std::min(low, std::abs(travel_.speed[places_[k].index]));
+      high = std::max(high, std::abs(travel_.speed[places_[k].index]));
+    }
+    if (high - low < least_change * scale_.speed) return false;
+    const bool is_between_plateaus =
+        steady_before(first) >= end - first && steady_from(end) >= end - first;
+    return is_between_plateaus || rests_beside(places_[first].index, places_[end - 1].index);
+  }
+
+  /// Numbers of steady places that lie there without a gap.
+  [[nodiscard]] std::size_t steady_before(std::size_t place) const {
+    std::size_t count = 0;
+    while (count < place && places_[place - 1 - count].is_steady) ++count;
+    return count;
+  }
+  [[nodiscard]] std::size_t steady_from(std::size_t place) const {
+    std::size_t count = 0;
+    while (place + count < places_.size() && places_[place + count].is_steady) ++count;
+    return count;
+  }
+
+  /// Whether the joint stands or turns right before or right behind these samples.
+  [[nodiscard]] bool rests_beside(std::size_t first, std::size_t last) const {
+    const std::size_t half = travel_.half;
+    const std::size_t reach = 2 * half;
+    const std::size_t from = std::max(half, first > reach ? first - reach : 0);
+    const std::size_t to = std::min(travel_.recording->size() - half, last + reach);
+    for (std::size_t i = from; i < to; ++i) {
+      if (i >= first && i <= last) continue;
+      if (std::abs(travel_.speed[i]) <= least_speed_share * scale_.speed) return true;
+    }
+    return false;
+  }
+
+  const Travel& travel_;
+  Scale scale_;
+  std::vector<Place> places_;
+};
 
 /// Numbers the transients of some rows from 0 on without gaps.
 void renumber_transients(std::vector<Row>& rows) {
@@ -369,7 +435,7 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
       travels.push_back(std::move(*travel));
   }
   std::vector<Row> rows;
-  for (const Travel& travel : travels) add_rows(travel, rows, out.transients);
+  for (const Travel& travel : travels) Transients(travel).add(rows, out.transients);
   if (out.transients < fewest_transients || rows.size() < fewest_rows) {
     out.why_not = {"lag.too_few_transients",
                    {{"transients", out.transients}, {"needed", fewest_transients}}};
@@ -388,6 +454,18 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     lag_s += step;
   }
   const statistics::BlockRegression fit = regression.with_intervals(lag_s);
+  // Where something else moves the joint, such as ripple that its controller follows, the torque is
+  // an answer to the acceleration and not its cause; no coefficient is then what it is meant to be.
+  constexpr double most_unexplained = 0.5;
+  double squares = 0;
+  for (const Row& row : rows) squares += square(row.acceleration);
+  const double of_inertia_Nm =
+      std::abs(fit.coefficients(inertia)) * std::sqrt(squares / static_cast<double>(rows.size()));
+  if (!(fit.residual_sd < most_unexplained * of_inertia_Nm)) {
+    out.why_not = {"lag.other_torques",
+                   {{"rest_Nm", fit.residual_sd}, {"inertia_Nm", of_inertia_Nm}}};
+    return out;
+  }
   const Apart apart = starts_and_stops_apart(rows, knots, lag_s, fit);
   // Friction that builds up over the first bristles' length of a start is in no polygon over the
   // speed.
