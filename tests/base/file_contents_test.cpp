@@ -90,7 +90,6 @@ TEST(InputFileSource, RefusesAFileThatBecomesShorterWhileItReads) {
   InputFileSource source(path);
   std::filesystem::resize_file(path, 3);
   std::string bytes(100, '\0');
-  EXPECT_EQ(source.read(bytes.data(), bytes.size()), 3U);
   EXPECT_EQ(
       test::refusal_of<InputError>([&] { return source.read(bytes.data(), bytes.size()); }),
       path +

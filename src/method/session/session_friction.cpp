@@ -370,7 +370,7 @@ class Examination {
   [[nodiscard]] std::size_t number_of(const joint::Recording& recording) const {
     const auto at = std::find_if(in_.recordings.begin(), in_.recordings.end(),
                                  [&](const joint::Recording& r) { return &r == &recording; });
-    if (at == in_.recordings.end()) throw std::logic_error("a sweep of other recordings");
+    if (at == in_.recordings.end()) throw std::logic_error("unknown recording");
     return static_cast<std::size_t>(at - in_.recordings.begin());
   }
 
