@@ -467,11 +467,7 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     return out;
   }
   const Apart apart = starts_and_stops_apart(rows, knots, lag_s, fit);
-  // Friction that builds up over the first bristles' length of a start is in no polygon over the
-  // speed.
-  constexpr double least_error = 0.0025;  // of the inertia
-  const double inertia_half_width =
-      std::hypot(fit.half_width(inertia), apart.inertia, least_error * fit.coefficients(inertia));
+  const double inertia_half_width = std::hypot(fit.half_width(inertia), apart.inertia);
   if (!(fit.coefficients(inertia) > 2 * inertia_half_width)) {
     out.why_not = {"lag.inertia_not_shown"};
     return out;
