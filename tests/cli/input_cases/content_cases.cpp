@@ -82,8 +82,8 @@ std::vector<InputCase> content_cases() {
             if (std::stod(row[1]) > 0.5) row[1] = scaled(row[1], 1, -2 * pi);
           },
           "",
-          "log.csv: the angle jumps by one turn 2 times, first at 13.05 s: an encoder that wraps "
-          "round? unwrap the angle in the log"),
+          "log.csv: the angle wraps round 2 times, first at 13.05 s, by 6.28319 rad: it is read as "
+          "going on there"),
   };
 }
 
