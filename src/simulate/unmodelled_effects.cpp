@@ -136,10 +136,6 @@ void hold(std::vector<double>& signal, double percent, statistics::RandomStream&
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Random numbers of the effects alone.
 statistics::RandomStream effects_stream(std::uint64_t seed, std::uint64_t stream) {
   constexpr std::uint64_t behind_those_of_noise = std::uint64_t{1} << 33U;
