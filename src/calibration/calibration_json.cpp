@@ -121,6 +121,18 @@ Json speeds(const std::vector<method::motion::SpeedSource>& sources) {
   return list;
 }
 
+Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio) {
+  const bool is_found = lag.inertia_kgm2.has_value();
+  return {{"lag_s", interval(lag.lag_s)},
+          {"is_clear", lag.is_clear()},
+          {"inertia_kgm2",
+           is_found ? both_sides(*lag.inertia_kgm2, gear_ratio * gear_ratio) : Json(nullptr)},
+          {"inertia_apart", is_found ? number(lag.inertia_apart) : Json(nullptr)},
+          {"starts_and_stops", lag.transients},
+          {"why_not", words_or_null(lag.why_not)},
+          {"why_not_code", code_of(lag.why_not)}};
+}
+
 // The whole.
 
 namespace {
@@ -176,6 +188,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["direction_asymmetry"] = direction_asymmetry(c.direction_asymmetry);
   all["torque_balance"] = torque_balance(c.torque_balance);
   all["load_dependence"] = load_dependence(c.load_dependence);
+  all["torque_lag"] = torque_lag(c.torque_lag, n);
   all["session"] = session(c.session);
   all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);

@@ -37,6 +37,7 @@ Json direction_asymmetry(const method::viscous::DirectionAsymmetryResult& a);
 Json load_dependence(const method::viscous::LoadDependenceResult& l);
 Json session(const method::session::SessionFriction& s);
 Json run_gravity(const method::gravity::RunGravityResult& r, double gear_ratio);
+Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio);
 Json known_loads(const std::vector<joint::KnownLoad>& loads);
 Json torque_balance(const method::viscous::TorqueBalance& b);
 Json known_gravity(const std::optional<joint::StatedGravity>& g);

@@ -98,6 +98,7 @@ struct StudyCommandOptions {
   bool sound{false};   ///< The same on joints that it does describe.
   std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
   std::vector<std::string> joints;        ///< With `misfit`: keys; none: all.
+  std::string logs;  ///< With `misfit` or `sound`: directory for the first run of each case.
   int processes{2};
   wording::Language language;
 };

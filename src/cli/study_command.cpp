@@ -1,6 +1,9 @@
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "api/drawing.h"
@@ -10,6 +13,7 @@
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "cli/shared_options.h"
+#include "exports/simulation/simulation_files.h"
 #include "figures/figure_csv.h"
 #include "figures/study_figures.h"
 #include "ingest/manifest/scenario_file.h"
@@ -62,10 +66,56 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
                     {"disturbance", c.disturbance},
                     {"size", c.size},
                     {"runs", c.runs},
-                    {"named", c.named},
+                    {"named", c.has_cause ? nlohmann::json(c.named) : nlohmann::json(nullptr)},
                     {"quantities", quantities}});
   }
   return {{"schema", "tribolog-misfit-1"}, {"cases", list}};
+}
+
+/// What the study is made for, in a few lines: wrong numbers that are called usable, and causes
+/// that are not named. What no log can show, such as a wrong torque constant, is left out.
+void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) {
+  std::map<std::string, study::Disturbance> laid;
+  for (const study::Disturbance& d : study::disturbances()) laid[d.key] = d;
+  std::size_t numbers = 0;
+  std::size_t usable = 0;
+  std::size_t wrong = 0;
+  std::vector<std::string> where;
+  std::map<std::string, std::pair<std::size_t, std::size_t>> named;  // of all runs
+  for (const study::MisfitCase& c : cases) {
+    if (c.has_cause) {
+      named[c.disturbance].first += c.named;
+      named[c.disturbance].second += c.runs;
+    }
+    if (!c.disturbance.empty() && laid.at(c.disturbance).is_hidden) continue;
+    for (const study::MisfitQuantity& q : c.quantities) {
+      numbers += q.found;
+      usable += q.usable;
+      wrong += q.wrong_usable;
+      if (q.wrong_usable == 0) continue;
+      where.push_back(fmt::format(
+          "{}, {}: {} in {} of {} runs, at most {:.2g} times what matters", c.joint,
+          c.disturbance.empty() ? "sound" : fmt::format("{} {:g}", c.disturbance, c.size),
+          to_string(q.quantity), q.wrong_usable, c.runs, q.worst_usable));
+    }
+  }
+  console.say(
+      fmt::format("wrong and usable: {} of {} numbers, {} of them usable", wrong, numbers, usable));
+  for (const std::string& one : where) console.say("  " + one);
+  if (named.empty()) return;
+  constexpr double enough = 0.8;
+  std::size_t named_runs = 0;
+  std::size_t runs = 0;
+  std::vector<std::string> seldom;
+  for (const auto& [key, of] : named) {
+    named_runs += of.first;
+    runs += of.second;
+    const double share = static_cast<double>(of.first) / static_cast<double>(of.second);
+    if (share < enough) seldom.push_back(fmt::format("{} {:.0f} %", key, 100 * share));
+  }
+  console.say(fmt::format("cause named: in {:.1f} % of {} runs; seldom: {}",
+                          100.0 * static_cast<double>(named_runs) / static_cast<double>(runs), runs,
+                          seldom.empty() ? "none" : fmt::format("{}", fmt::join(seldom, ", "))));
 }
 
 ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
@@ -84,6 +134,15 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   study.disturbances = options.disturbances;
   study.joints = options.joints;
   study.only_sound = options.sound;
+  if (!options.logs.empty()) {
+    study.keep_logs = [&](const study::MisfitCase& of, const simulate::Scenario& laid,
+                          const std::vector<joint::Recording>& logs) {
+      const std::string name = of.disturbance.empty()
+                                   ? of.joint
+                                   : fmt::format("{}-{}-{:g}", of.joint, of.disturbance, of.size);
+      exports::simulation::write_simulation(laid, logs, options.logs + "/" + name);
+    };
+  }
   std::vector<study::MisfitCase> cases;
   try {
     cases = study::run_misfit_study(
@@ -96,6 +155,7 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   AtomicFiles files;
   files.add(options.json, misfit_json(cases).dump(1) + "\n");
   files.commit();
+  say_outcome(cases, console);
   console.say("numbers: " + options.json);
   return ExitStatus::done;
 }
@@ -106,6 +166,9 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console) {
   if (options.sound && !options.disturbances.empty()) {
     throw UsageError("--sound lays no --disturbance: choose one of them");
+  }
+  if (!options.logs.empty() && !options.misfit && !options.sound) {
+    throw UsageError("--logs keeps what --misfit or --sound simulates: neither is given");
   }
   if (options.misfit || options.sound) return run_misfit_command(options, console);
   if (options.output.empty()) throw UsageError("study needs -o FILE, --misfit or --sound");
@@ -173,6 +236,8 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
                      "with --misfit: lay this one alone (may be given again); default: all");
   command.add_option("--joint", study.joints,
                      "with --misfit or --sound: on this joint alone (may be given again)");
+  command.add_option("--logs", study.logs,
+                     "with --misfit or --sound: directory for the logs of each case's first run");
   command.add_option("--runs", study.runs, "runs per case")
       ->check(CLI::Range(std::size_t{2}, most))
       ->capture_default_str();

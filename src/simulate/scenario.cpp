@@ -26,6 +26,7 @@ const friction::FrictionModel& Scenario::sliding_model() const {
 }
 
 std::shared_ptr<const friction::StaticFriction> Scenario::known_curve() const {
+  if (log.keeps_friction_secret) return nullptr;
   if (sliding) return sliding;
   if (friction::dynamic_friction_model(presliding->name()).traits.remembers_rest) return nullptr;
   return std::make_shared<friction::SteadyFriction>(presliding);

@@ -93,6 +93,7 @@ struct Noise {
 
 /// What a controller writes into its log.
 struct LogForm {
+  bool keeps_friction_secret{};           ///< The manifest states no friction as known.
   double torque_constant_Nm_A{};          ///< > 0: the motor's current instead of its torque.
   std::optional<std::uint64_t> decimals;  ///< Of every number; none: all that it has.
 };
@@ -131,7 +132,7 @@ struct Scenario {
   /// The model that drives sweeps and runs.
   [[nodiscard]] const friction::FrictionModel& sliding_model() const;
   /// Its torque at constant speed: what an identification should find. Null where that depends on
-  /// more than the speed (FrictionTraits::remembers_rest).
+  /// more than the speed (FrictionTraits::remembers_rest), and where it is kept secret.
   [[nodiscard]] std::shared_ptr<const friction::StaticFriction> known_curve() const;
 };
 

@@ -77,6 +77,7 @@ Scenario sketched(const JointSketch& j) {
   Scenario s;
   s.robot = s.serial = "simulated";
   s.joint = "1";
+  s.log.keeps_friction_secret = true;
   s.gear_ratio = j.gear_ratio;
   s.motor_inertia_kgm2 = j.motor_inertia_kgm2;
   s.arm_inertia_kgm2 = j.mass_kg * j.distance_m * j.distance_m;
@@ -266,6 +267,7 @@ std::vector<Disturbance> all_disturbances() {
        {1.02, 1.1, 1.5},
        [](Scenario& s, double x) { s.noise.effects.torque_scale = x; },
        {"budget."},
+       {},
        true},
       {"torque_limit",
        {0.98, 0.9, 0.8},
@@ -343,7 +345,8 @@ std::vector<Disturbance> all_disturbances() {
          s.noise.effects.mirrored_angle = x != 2;
          s.noise.effects.mirrored_torque = x != 1;
        },
-       {"check.friction_dissipates"}},
+       {"check.friction_dissipates"},
+       3},
   };
 }
 
@@ -402,25 +405,29 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
   Scenario laid = joint.scenario;
   if (disturbance != nullptr) disturbance->lay(laid, size);
   const std::vector<simulate::IdealRecording> ideal = simulate::simulate_ideal_joint(laid);
+  MisfitCase out;
+  out.joint = joint.key;
+  if (disturbance != nullptr) out.disturbance = disturbance->key;
+  out.size = size;
+  out.runs = options.runs;
+  out.has_cause = disturbance != nullptr && disturbance->sound_at != size;
   std::vector<RunOutcome> runs(options.runs);
   parallel_for(
       options.runs,
       [&](std::size_t run) {
         const simulate::Noise noise = noise_of_run(laid.noise, options.seed, run);
-        joint::Dataset dataset =
-            simulate::simulated_dataset(laid, simulate::with_noise(ideal, noise, laid.gear_ratio));
-        dataset.manifest.reference.reset();
+        std::vector<joint::Recording> logs = simulate::with_noise(ideal, noise, laid.gear_ratio);
+        if (run == 0 && options.keep_logs) options.keep_logs(out, laid, logs);
+        const joint::Dataset dataset = simulate::simulated_dataset(laid, std::move(logs));
         identify::IdentifyOptions how;
         how.resamples = options.resamples;
         how.seed = noise.seed;
         how.threads = 1;
         calibration::Calibration c = identify::identify(dataset, how);
-        runs[run].named = disturbance != nullptr && names(c.judgement, *disturbance);
+        runs[run].named = out.has_cause && names(c.judgement, *disturbance);
         runs[run].quantities = std::move(c.judgement.quantities);
       },
       options.threads);
-  MisfitCase out{joint.key, disturbance == nullptr ? "" : disturbance->key, size, options.runs, 0,
-                 {}};
   const auto truths = truths_of(joint.scenario, laid);
   for (const auto& quantity : runs.front().quantities) {
     const auto truth = truths.find(quantity.quantity);

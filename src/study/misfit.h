@@ -10,10 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "joint/quantity.h"
+#include "joint/recording.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::study {
@@ -25,6 +27,8 @@ struct Disturbance {
   std::function<void(simulate::Scenario& scenario, double size)> lay;
   /// Codes of findings that name it: one that begins with any of these.
   std::vector<std::string> named_by;
+  /// Size at which neither joint nor log is wrong: there is nothing to name.
+  std::optional<double> sound_at{};
   /// No log can show it: the uncertainty budget has to name it instead.
   bool is_hidden{};
 };
@@ -57,6 +61,7 @@ struct MisfitCase {
   std::string disturbance;  ///< Empty: none; what is sound.
   double size{};
   std::size_t runs{};
+  bool has_cause{};     ///< Something is wrong that the findings should name.
   std::size_t named{};  ///< Runs whose findings name the cause.
   std::vector<MisfitQuantity> quantities;
 };
@@ -69,6 +74,10 @@ struct MisfitOptions {
   std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
   std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
   bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
+  /// Given the logs of each case's first run, with the scenario behind them; may be empty.
+  std::function<void(const MisfitCase& of, const simulate::Scenario& laid,
+                     const std::vector<joint::Recording>& logs)>
+      keep_logs;
 };
 
 using MisfitProgress =
