@@ -75,6 +75,7 @@ struct JointSketch {
 
 Scenario sketched(const JointSketch& j) {
   Scenario s;
+  s.name = "joint of the misfit study";
   s.robot = s.serial = "simulated";
   s.joint = "1";
   s.log.keeps_friction_secret = true;

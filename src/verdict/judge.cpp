@@ -231,8 +231,18 @@ bool is_of_gravity(const statistics::StageReport& stage) {
   return std::find(names.begin(), names.end(), stage.name) != names.end();
 }
 
-/// Most important first: what is wrong with the data, disagreements, broken limits, what is
-/// missing, notes.
+/// How many of the numbers that decide rest their doubt on a finding.
+std::ptrdiff_t numbers_resting_on(const Statement& finding,
+                                  const std::vector<calibration::QuantityVerdict>& quantities) {
+  return std::count_if(quantities.begin(), quantities.end(),
+                       [&](const calibration::QuantityVerdict& q) {
+                         return q.decides && q.verdict != calibration::Verdict::usable &&
+                                !q.reasons.empty() && q.reasons.front() == finding;
+                       });
+}
+
+/// Most important first: what is wrong with the data; then that on which most numbers rest their
+/// doubt, and else disagreements, broken limits, how friction is, what is missing, notes.
 std::vector<Statement> collect_findings(const calibration::Calibration& c,
                                         const calibration::Judgement& judgement,
                                         const std::vector<Statement>& disagreements) {
@@ -245,6 +255,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::fails)) {
     add(finding_of(*check));
   }
+  const auto checks = static_cast<std::ptrdiff_t>(findings.size());
   for (const calibration::RuleOutcome& rule : judgement.rules) add(rule.finding);
   if (c.position_plan)
     add(method::hysteresis::why_more_positions(*c.position_plan, c.rough.ripple));
@@ -254,24 +265,45 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
       if (limit.state != calibration::LimitState::inside) add(limit.outcome);
     }
   }
+  for (const Statement& one : curve_findings(c)) add(one);
   for (const statistics::StageReport& stage : c.stages()) {
     const bool is_asked_for =
         !(has_stated_no_gravity(c) && is_of_gravity(stage)) &&
         !(has_points_alone(c) && stage.state == statistics::StageState::skipped);
     if (stage.state != statistics::StageState::done && is_asked_for) add(stage.reason);
   }
-  for (const Statement& one : curve_findings(c)) add(one);
   for (const calibration::TruthFinding& one : c.truth_check.findings) add(one.finding);
   for (const method::checks::DataCheck* check :
        c.data_checks.in_state(method::checks::CheckState::warns)) {
     add(finding_of(*check));
   }
   add(what_is_not_stated(c, judgement.quantities));
+  std::stable_sort(findings.begin() + checks, findings.end(),
+                   [&](const Statement& a, const Statement& b) {
+                     return numbers_resting_on(a, judgement.quantities) >
+                            numbers_resting_on(b, judgement.quantities);
+                   });
   return findings;
 }
 
-Statement sentence_of(const calibration::Calibration& c, calibration::Verdict overall,
-                      bool has_angle, bool has_mass, bool has_disagreement, bool limit_broken) {
+/// Which of the numbers that decide are not usable.
+Statement what_is_not_usable(const std::vector<calibration::QuantityVerdict>& quantities) {
+  std::vector<Statement> names;
+  std::size_t all = 0;
+  for (const calibration::QuantityVerdict& q : quantities) {
+    if (!q.decides) continue;
+    ++all;
+    if (q.verdict == calibration::Verdict::usable) continue;
+    names.emplace_back(Code::of("quantity." + to_string(q.quantity)));
+  }
+  if (names.size() == all) return {"verdict.nothing_usable"};
+  return {"verdict.not_all_usable", {{"quantities", std::move(names)}}};
+}
+
+Statement sentence_of(const calibration::Calibration& c,
+                      const std::vector<calibration::QuantityVerdict>& quantities,
+                      calibration::Verdict overall, bool has_angle, bool has_mass,
+                      bool has_disagreement, bool limit_broken) {
   const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
   if (c.manifest.drive.kind() == joint::EffortKind::none) {
     return {"verdict.no_torque"};
@@ -293,7 +325,7 @@ Statement sentence_of(const calibration::Calibration& c, calibration::Verdict ov
   if (has_disagreement) return {"verdict.estimates_disagree"};
   if (limit_broken) return {"verdict.limit_not_kept"};
   if (!c.truth_check.findings.empty()) return {"verdict.own_answer_not_found"};
-  return {"verdict.stage_without_data"};
+  return what_is_not_usable(quantities);
 }
 
 }  // namespace
@@ -339,8 +371,8 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   }
   if ((!has_angle || !has_mass) && !without_gravity)
     out.verdict = calibration::Verdict::not_identifiable;
-  out.sentence =
-      sentence_of(c, out.verdict, has_angle, has_mass, c.cross_checks.doubtful, limit_broken);
+  out.sentence = sentence_of(c, out.quantities, out.verdict, has_angle, has_mass,
+                             c.cross_checks.doubtful, limit_broken);
   out.findings = collect_findings(c, out, disagreements);
   return out;
 }

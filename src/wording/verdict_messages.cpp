@@ -240,8 +240,9 @@ const Messages& verdict_messages() {
       {"verdict.own_answer_not_found",
        text("Angle and mass are known, but in a simulation of what was identified the method does "
             "not recover its own result.")},
-      {"verdict.stage_without_data",
-       text("Angle and mass are known, but not every stage had the data it needs.")},
+      {"verdict.not_all_usable", text("Usable but for: {quantities:, }.")},
+      {"verdict.nothing_usable",
+       text("No number can be used as it stands: each has its reason below.")},
 
       // Why a quantity is not usable.
       {"verdict.check", text("{check}: {found}")},

@@ -123,6 +123,29 @@ TEST(Verdicts, ABrokenLimitMakesAUsableJointDoubtful) {
   EXPECT_EQ(identify::identify(d).judgement.verdict, calibration::Verdict::usable);
 }
 
+TEST(Verdicts, TheFirstScreenSaysWhichNumbersAreDoubtfulAndWhyBeforeAllElse) {
+  const joint::Dataset d = simulate::simulated_dataset([] {
+    simulate::Scenario s = test::paper_joint();
+    s.effects.friction_by_angle = 0.05;
+    return s;
+  }());
+  const calibration::Calibration c = identify::identify(d);
+  ASSERT_EQ(c.judgement.sentence.code().text(), "verdict.not_all_usable");
+  const std::string sentence = wording::words(c.judgement.sentence);
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    const std::string name =
+        wording::words(Statement(Code::of("quantity." + to_string(q.quantity))));
+    const bool is_named = sentence.find(name) != std::string::npos;
+    EXPECT_EQ(is_named, q.decides && q.verdict != calibration::Verdict::usable) << name;
+    if (is_named) {
+      EXPECT_NE(std::find(c.judgement.findings.begin(), c.judgement.findings.begin() + 3,
+                          q.reasons.front()),
+                c.judgement.findings.begin() + 3)
+          << name << ": " << wording::words(q.reasons.front());
+    }
+  }
+}
+
 TEST(Verdicts, OneDirectionLeavesCoulombAndOffsetInseparable) {
   simulate::Scenario s = test::paper_joint();
   s.rough_sweep->both_directions = false;

@@ -34,6 +34,13 @@ double largest_change_Nm(const joint::Recording& r) {
   return largest;
 }
 
+/// Samples over which a ramp's torque is averaged where single ones are too noisy.
+std::size_t window_of(const joint::Recording& r) {
+  constexpr std::size_t share = 100;
+  constexpr std::size_t most = 50;
+  return std::clamp<std::size_t>(r.size() / share, 1, most);
+}
+
 /// Where a ramp begins, and whether towards positive torque.
 struct RampBegin {
   std::size_t sample{};
@@ -43,9 +50,7 @@ struct RampBegin {
 /// Where the torque first leaves its initial level: earlier motion is not due to the ramp. By means
 /// over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
 RampBegin begin_of_ramp(const joint::Recording& r) {
-  constexpr std::size_t share = 100;
-  constexpr std::size_t most = 50;
-  const std::size_t window = std::clamp<std::size_t>(r.size() / share, 1, most);
+  const std::size_t window = window_of(r);
   const double rest = torque_on * largest_change_Nm(r);
   double sum = 0;
   for (std::size_t i = 0; i < window; ++i) sum += r.torque_Nm[i];
@@ -59,6 +64,46 @@ RampBegin begin_of_ramp(const joint::Recording& r) {
   // A short one may leave it within its last window.
   if (std::abs(change) <= rest) change = r.torque_Nm.back() - first;
   return {std::min(i + window / 2, r.size() - 1), change < 0 ? -1.0 : 1.0};
+}
+
+/// Where the torque is largest in the ramp's direction: of the samples that noise leaves in doubt
+/// the last, for single ones reach their largest value before.
+std::size_t end_of_ramp(const joint::Recording& r, double sign) {
+  const double noise =
+      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  constexpr double in_doubt = 2;  // standard deviations
+  std::vector<double> sum{0};
+  for (const double torque : r.torque_Nm) sum.push_back(sum.back() + sign * torque);
+  const std::size_t beside = window_of(r) / 2;
+  const auto mean = [&](std::size_t i) {
+    const std::size_t half = std::min({beside, i, r.size() - 1 - i});
+    return (sum[i + half + 1] - sum[i - half]) / static_cast<double>(2 * half + 1);
+  };
+  double largest = -INFINITY;
+  for (std::size_t i = 0; i < r.size(); ++i) largest = std::max(largest, mean(i));
+  std::size_t last = r.size() - 1;
+  while (last > 0 && mean(last) < largest - in_doubt * noise) --last;
+  return last;
+}
+
+/// What the torque has certainly reached at a sample: by a straight line through those before it,
+/// less two standard errors of its end.
+double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
+  const std::size_t count = std::min(window_of(r), at + 1);
+  constexpr std::size_t fewest = 4;
+  if (count < fewest) return r.torque_Nm[at];
+  const auto n = static_cast<double>(count);
+  double mean = 0;
+  double slope = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double torque = r.torque_Nm[at + 1 - count + k];
+    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
+    mean += torque / n;
+    slope += from_middle * torque * 12 / (n * (n * n - 1));
+  }
+  const double noise =
+      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  return mean + slope * (n - 1) / 2 - sign * 2 * noise * 2 / std::sqrt(n);
 }
 
 /// The usual step of the angle from sample to sample, zero steps left out: the encoder's step or
@@ -236,14 +281,11 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   ramp.is_rising = sign > 0;
   ramp.q_start_rad = r.q_rad.front();
   std::vector<double> way(r.size());
-  std::size_t furthest = 0;  // the largest torque in the ramp's direction, where it never slips
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    way[i] = sign * (r.q_rad[i] - r.q_rad.front());
-    if (sign * (r.torque_Nm[i] - r.torque_Nm[furthest]) > 0) furthest = i;
-  }
+  for (std::size_t i = 0; i < r.size(); ++i) way[i] = sign * (r.q_rad[i] - r.q_rad.front());
   const statistics::Summits summits(std::move(way));
   const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r);
+  const std::size_t furthest = end_of_ramp(r, sign);
   std::size_t furthest_at_rest = furthest;
   std::size_t at = furthest;
   std::size_t beside = 0;
@@ -267,13 +309,13 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
       break;
     }
   }
-  ramp.torque_Nm = r.torque_Nm[at];
   constexpr std::size_t fewest_beside = 3;
   constexpr std::size_t beside_the_end = 10;
   if (!ramp.broke_away) {
     at = furthest_at_rest;
     beside = beside_the_end;
   }
+  ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, at, sign);
   if (beside >= fewest_beside) {
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
     if (!ramp.broke_away) ramp.inertia_Nm = std::max(0.0, ramp.inertia_Nm);  // it stays a bound
