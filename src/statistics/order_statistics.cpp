@@ -26,6 +26,26 @@ double median_interval(const std::vector<double>& rising) {
   return median(std::move(intervals));
 }
 
+double even_interval(const std::vector<double>& rising) {
+  constexpr double of_long_gap = 2.5;
+  constexpr int rounds = 3;
+  const double median = median_interval(rising);
+  double interval = median;
+  for (int k = 0; k < rounds; ++k) {
+    double sum = 0;
+    double steps = 0;
+    for (std::size_t i = 1; i < rising.size(); ++i) {
+      const double one = rising[i] - rising[i - 1];
+      if (one > of_long_gap * median) continue;
+      sum += one;
+      // At first all count as one step; then, by the mean, what is missing counts as two.
+      steps += k == 0 ? 1 : std::max(1.0, std::round(one / interval));
+    }
+    interval = sum / steps;
+  }
+  return interval;
+}
+
 namespace {
 
 /// Linear between the order statistics; reorders the values.

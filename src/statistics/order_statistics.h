@@ -14,6 +14,10 @@ double median(std::vector<double> values);
 /// Median difference of neighbours: the interval of a clock. NaN with fewer than two values.
 double median_interval(const std::vector<double>& rising);
 
+/// Mean interval of an even clock some of whose stamps may be missing, or rounded (2 ms and 3 ms in
+/// turn for 2.5 ms). NaN with fewer than two values.
+double even_interval(const std::vector<double>& rising);
+
 // The ends of a 95 % interval from resampled values.
 
 /// 2.5 % and 97.5 % quantiles, extended to include the estimate. Values that are not finite do not

@@ -201,6 +201,15 @@ std::vector<Rule> gravity_rules() {
        other_joint_on_friction},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
+      // Over part of a turn, what such a torque has in common with gravity cannot be told from it:
+      // as much as shows, at a right angle to gravity, turns the angle by a third of a degree.
+      {"torque_of_angle_in_angle",
+       "%",
+       0.5,
+       Verdict::doubtful,
+       {Quantity::cog_angle},
+       "record.sweep",
+       torque_of_angle},
       {"torque_of_angle_large", "%", 5, Verdict::doubtful, of_gravity, "record.sweep",
        torque_of_angle},
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},

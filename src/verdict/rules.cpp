@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "calibration/curve_headline.h"
 #include "method/hysteresis/lugre_fit.h"
@@ -64,6 +65,45 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   if (!inertia || (of_sweep && of_sweep->half_width() < inertia->half_width())) return std::nullopt;
   const double percent = 100 * c.torque_lag.inertia_apart;
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
+}
+
+/// How far a filter that is as late would bend the inertia; nothing of a lag that may be none.
+std::optional<Measured> lag_in_inertia(const Calibration& c) {
+  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
+  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
+  if (!inertia || (of_sweep && of_sweep->half_width() < inertia->half_width())) return std::nullopt;
+  if (!c.torque_lag.is_clear()) return Measured{0, {}};
+  const double percent = 100 * c.torque_lag.lag_over_transients;
+  return Measured{percent,
+                  {"cause.lag_in_inertia",
+                   {{"lag_ms", 1e3 * std::abs(c.torque_lag.lag_s->value)}, {"percent", percent}}}};
+}
+
+/// Friction at rest by the law of the runs, against the ramps: what both intervals do not hold.
+std::optional<Measured> runs_against_ramps(const Calibration& c) {
+  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
+  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
+  if (!law.fitted || !law.has_dip || !law.coulomb_Nm.estimate || !ramps || c.viscous.runs.empty()) {
+    return std::nullopt;
+  }
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const auto& run : c.viscous.runs) slowest = std::min(slowest, std::abs(run.speed_rad_s));
+  constexpr double seen_of_dip = 0.5;
+  if (slowest > seen_of_dip * law.dip_rad_s) return std::nullopt;
+  const double at_rest = law.level_Nm + law.excess_Nm;
+  const double noise = std::hypot(ramps->half_width(), law.coulomb_Nm.estimate->half_width());
+  const double apart = std::max(0.0, std::abs(at_rest - ramps->value) - noise);
+  return Measured{100 * apart / ramps->value,
+                  {"cause.runs_against_ramps", {{"runs_Nm", at_rest}, {"ramps_Nm", ramps->value}}}};
+}
+
+/// Inertia of the loops alone, although starts and stops should show it.
+std::optional<Measured> inertia_of_loops(const Calibration& c) {
+  using method::hysteresis::LuGreParameterName;
+  const bool is_of_loops = c.lugre && c.lugre->shown(LuGreParameterName::inertia) &&
+                           !c.torque_lag.inertia_kgm2 && !c.rough.inertia_kgm2;
+  if (!is_of_loops) return std::nullopt;
+  return Measured{c.torque_lag.hides_inertia ? 1.0 : 0.0, {"cause.inertia_of_loops"}};
 }
 
 /// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
@@ -204,6 +244,30 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia, Quantity::bristle_damping},
        "record.slower_starts",
        inertia_of_starts_and_stops},
+      // By judges' simulators: filters of 10 to 20 ms behind starts of 80 ms took a quarter to a
+      // half of the inertia.
+      {"lag_in_inertia",
+       "%",
+       10,
+       Verdict::doubtful,
+       {Quantity::inertia},
+       "record.slower_starts",
+       lag_in_inertia},
+      {"runs_against_ramps",
+       "%",
+       10,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve},
+       "record.torque_measured",
+       runs_against_ramps},
+      {"inertia_of_loops",
+       "",
+       0,
+       Verdict::doubtful,
+       {Quantity::inertia},
+       "record.slower_starts",
+       inertia_of_loops},
       {"strokes_of_sweep",
        "%",
        3,

@@ -33,6 +33,11 @@ const Messages& verdict_messages() {
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
       {"rule.lag_in_damping", text("What the lag changes of the bristle damping")},
       {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
+      {"rule.lag_in_inertia", text("Lag between torque and angle, of the time that a start takes")},
+      {"rule.runs_against_ramps", text("Friction at rest by the runs' law, against the ramps")},
+      {"rule.torque_of_angle_in_angle",
+       text("Torque of the angle that is no gravity, where the angle is read")},
+      {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
@@ -175,6 +180,18 @@ const Messages& verdict_messages() {
        text("stiffness times lag is {percent:.0f} % of the bristle damping: whether the torque is "
             "delayed or filtered changes it by a third of that, and starts and stops do not tell "
             "which")},
+      {"cause.lag_in_inertia",
+       text(
+           "a lag of {lag_ms:.1f} ms is {percent:.0f} % of the time that a start takes: if it is a "
+           "filter's, starts show another inertia than the joint's")},
+      {"cause.runs_against_ramps",
+       text(
+           "friction at rest is {runs_Nm:.3g} N·m by the runs and {ramps_Nm:.3g} N·m by the ramps: "
+           "the logged torque may lack what the controller adds against friction, or friction "
+           "changed between them")},
+      {"cause.inertia_of_loops",
+       text("starts and stops do not show this inertia: in the loops a lag, or a spring, looks the "
+            "same")},
       {"cause.inertia_apart",
        text("inertia by the starts or by the stops alone differs by {percent:.0f} % from that by "
             "both: something other than inertia acts in them, or they are too short for the "
@@ -337,6 +354,10 @@ const Messages& verdict_messages() {
             "the gravity peak")},
       {"record.slower_starts",
        text("sweeps or runs that speed up and slow down over fifty samples or more")},
+      {"record.torque_measured",
+       text(
+           "log the torque that the motor gives, with all that the controller adds; runs and ramps "
+           "one after the other")},
       {"record.no_lag", text("log torque and angle in the same cycle of the drive, unfiltered")},
       {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
                                     "check shows how far off the recovered value is")},

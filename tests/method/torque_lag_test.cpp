@@ -57,6 +57,30 @@ TEST(TorqueLag, TellsTheInertiaThatItIsFoundBy) {
   EXPECT_NEAR(found.inertia_kgm2->value / truth, 1, 0.02);
 }
 
+TEST(TorqueLag, StampsInWholeMillisecondsDoNotBendTheInertia) {
+  simulate::Scenario s = test::noisy_paper_joint(1);
+  s.oscillation.reset();
+  s.precise_sweep.reset();
+  s.rough_sweep.reset();
+  const double truth = s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (100 * 100);
+  for (const double rate_Hz : {300.0, 400.0, 600.0, 700.0}) {
+    s.constant_speed->sample_rate_Hz = rate_Hz;
+    std::vector<joint::Recording> runs = simulate::simulate_joint(s);
+    for (joint::Recording& r : runs) {
+      for (double& t : r.t_s) t = std::round(t * 1e3) / 1e3;
+    }
+    const method::motion::TorqueLag found = lag_in(runs);
+    ASSERT_TRUE(found.inertia_kgm2) << rate_Hz;
+    EXPECT_NEAR(found.inertia_kgm2->value / truth, 1, 0.02) << rate_Hz;
+  }
+}
+
+TEST(TorqueLag, SlowFiltersAreTellableFromTheStartsTheyTakeFrom) {
+  EXPECT_LT(lag_in(travels({.torque_filter_Hz = 100})).lag_over_transients, 0.1);
+  const method::motion::TorqueLag slow = lag_in(travels({.torque_filter_Hz = 5}));
+  EXPECT_TRUE(slow.hides_inertia || slow.lag_over_transients > 0.1) << slow.lag_over_transients;
+}
+
 /// A run of a direct drive over ripple, its speed held by a controller that sees the ripple only by
 /// what it does to the speed.
 joint::Recording run_over_ripple(double wanted_rad_s, double from_rad) {

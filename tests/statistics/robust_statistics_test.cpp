@@ -52,5 +52,19 @@ TEST(RobustStatistics, DeviatesAreThoseOfTheTables) {
   EXPECT_NEAR(statistics::deviate_of(0.001), 3.290526731491926, 1e-9);
 }
 
+TEST(EvenInterval, IsThatOfTheClockWhateverIsRoundedOrMissing) {
+  for (const double interval : {1 / 300.0, 1 / 400.0, 1 / 600.0, 1 / 700.0, 0.01}) {
+    std::vector<double> rounded;
+    std::vector<double> with_gaps;
+    for (int i = 0; i < 3000; ++i) {
+      rounded.push_back(std::round(1e3 * interval * i) / 1e3);
+      if (i % 20 != 7 && (i < 1000 || i > 1500)) with_gaps.push_back(interval * i);
+    }
+    EXPECT_NEAR(statistics::even_interval(rounded) / interval, 1, 2e-4) << interval;
+    EXPECT_NEAR(statistics::even_interval(with_gaps) / interval, 1, 1e-9) << interval;
+  }
+  EXPECT_TRUE(std::isnan(statistics::even_interval({1})));
+}
+
 }  // namespace
 }  // namespace tribolog::archive::robust_statistics_test

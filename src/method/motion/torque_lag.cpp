@@ -102,7 +102,7 @@ std::optional<Travel> travel_of(const joint::Recording& r, double gear_ratio) {
   constexpr std::size_t narrowest = 4;
   constexpr std::size_t widest = 60;
   constexpr double most_jerk_noise = 0.1;  // of its largest: what noise takes off its coefficient
-  const double dt_s = statistics::median_interval(r.t_s);
+  const double dt_s = statistics::even_interval(r.t_s);
   if (r.size() < 10 * narrowest || !(dt_s > 0)) return std::nullopt;
   // An angle that stands between the encoder's steps shows none of its noise.
   const double noise = std::max(
@@ -424,6 +424,20 @@ joint::Recording aligned(const joint::Recording& recording, double lag_s) {
   return out;
 }
 
+namespace {
+
+/// That all rows take together.
+double time_of(const std::vector<Row>& rows) {
+  double sum_s = 0;
+  for (const Row& row : rows) {
+    const std::vector<double>& t = row.travel->recording->t_s;
+    sum_s += (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  }
+  return sum_s;
+}
+
+}  // namespace
+
 TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings,
                           double gear_ratio) {
   constexpr std::size_t fewest_transients = 6;
@@ -461,6 +475,7 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
   for (const Row& row : rows) squares += square(row.acceleration);
   const double of_inertia_Nm =
       std::abs(fit.coefficients(inertia)) * std::sqrt(squares / static_cast<double>(rows.size()));
+  out.hides_inertia = true;
   if (!(fit.residual_sd < most_unexplained * of_inertia_Nm)) {
     out.why_not = {"lag.other_torques",
                    {{"rest_Nm", fit.residual_sd}, {"inertia_Nm", of_inertia_Nm}}};
@@ -472,6 +487,8 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     out.why_not = {"lag.inertia_not_shown"};
     return out;
   }
+  out.hides_inertia = false;
+  out.lag_over_transients = std::abs(lag_s) * static_cast<double>(out.transients) / time_of(rows);
   // Behind a filter, starts and stops look late by another share of its time constant than slow
   // loops do, by how short they are.
   constexpr double unlike_a_delay = 0.3;

@@ -31,8 +31,13 @@ struct TorqueLag {
   /// Relative difference, beyond its noise, of the inertia from starts alone or stops alone,
   /// whichever is larger, to that from both. Part of the interval.
   double inertia_apart{};
+  /// The lag over the time that a start takes. A delay leaves the inertia as it is; a filter that
+  /// is not much faster than the starts takes from it.
+  double lag_over_transients{};
   std::size_t transients{};  ///< Number of starts and stops used.
-  Statement why_not;         ///< Empty where lag_s is there.
+  /// There are starts and stops enough, and still they do not show the inertia.
+  bool hides_inertia{};
+  Statement why_not;  ///< Empty where lag_s is there.
 
   /// The interval excludes zero: the lag is then removed from the oscillations' torque.
   [[nodiscard]] bool is_clear() const { return lag_s && (lag_s->low > 0 || lag_s->high < 0); }
