@@ -255,7 +255,7 @@ const std::vector<Rule>& rules() {
        lag_in_inertia},
       {"runs_against_ramps",
        "%",
-       10,
+       5,
        Verdict::doubtful,
        {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
         Quantity::viscous_curve},

@@ -34,6 +34,34 @@ TEST(OscillationMotion, FindsFrequencyAndHarmonics) {
   }
 }
 
+/// A servo whose contact bends over: its motion has a third and higher harmonics.
+TEST(OscillationMotion, TakesAsManyHarmonicsAsTheAngleShows) {
+  std::vector<simulate::HarmonicMotion::Harmonic> harmonics(13);
+  harmonics[0] = {0, 0.01};
+  for (std::size_t k = 2; k < harmonics.size(); k += 2) {
+    harmonics[k] = {2e-4 / static_cast<double>(k * k), 1e-4 / static_cast<double>(k)};
+  }
+  const simulate::HarmonicMotion truth(0.7, 1.37, harmonics);
+  joint::Recording r = sampled(truth, 7.3, 500);
+  const double step = 2 * 3.141592653589793 / 1e6;
+  for (double& q : r.q_rad) q = step * std::round(q / step);
+  const auto m = method::motion::fit_oscillation_motion(r);
+  ASSERT_TRUE(m);
+  EXPECT_GE(m->harmonics.size(), 13U);
+  EXPECT_LT(m->residual_rad, 1.2 * step / std::sqrt(12.0));
+  EXPECT_GT(m->near_sine_rad, 5 * m->residual_rad);
+}
+
+TEST(OscillationMotion, TakesNoneOfNoiseOrOfAnEncodersSteps) {
+  const simulate::HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
+  for (const double counts : {1e4, 1e5, 1e6}) {
+    joint::Recording r = sampled(truth, 7.3, 500);
+    const double step = 2 * 3.141592653589793 / counts;
+    for (double& q : r.q_rad) q = step * std::round(q / step);
+    EXPECT_LE(method::motion::fit_oscillation_motion(r)->harmonics.size(), 5U) << counts;
+  }
+}
+
 TEST(OscillationMotion, OfALongRecordingTheLastRoundsSeeEverySample) {
   const simulate::HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
   joint::Recording r = sampled(truth, 120, 2000);

@@ -66,9 +66,14 @@ RampBegin begin_of_ramp(const joint::Recording& r) {
   return {std::min(i + window / 2, r.size() - 1), change < 0 ? -1.0 : 1.0};
 }
 
-/// Where the torque is largest in the ramp's direction: of the samples that noise leaves in doubt
-/// the last, for single ones reach their largest value before.
-std::size_t end_of_ramp(const joint::Recording& r, double sign) {
+/// Where the torque is largest in the ramp's direction, by means over some samples; and the last
+/// sample at which noise leaves that in doubt.
+struct RampEnd {
+  std::size_t largest{};
+  std::size_t last{};
+};
+
+RampEnd end_of_ramp(const joint::Recording& r, double sign) {
   const double noise =
       statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
   constexpr double in_doubt = 2;  // standard deviations
@@ -79,18 +84,23 @@ std::size_t end_of_ramp(const joint::Recording& r, double sign) {
     const std::size_t half = std::min({beside, i, r.size() - 1 - i});
     return (sum[i + half + 1] - sum[i - half]) / static_cast<double>(2 * half + 1);
   };
-  double largest = -INFINITY;
-  for (std::size_t i = 0; i < r.size(); ++i) largest = std::max(largest, mean(i));
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (mean(i) > mean(largest)) largest = i;
+  }
   std::size_t last = r.size() - 1;
-  while (last > 0 && mean(last) < largest - in_doubt * noise) --last;
-  return last;
+  while (last > 0 && mean(last) < mean(largest) - in_doubt * noise) --last;
+  return {largest, last};
 }
 
 /// What the torque has certainly reached at a sample: by a straight line through those before it,
 /// less two standard errors of its end.
 double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
-  const std::size_t count = std::min(window_of(r), at + 1);
+  constexpr std::size_t share = 20;
+  constexpr std::size_t most = 50;
   constexpr std::size_t fewest = 4;
+  const std::size_t count =
+      std::min(std::clamp<std::size_t>(r.size() / share, 2 * fewest, most), at + 1);
   if (count < fewest) return r.torque_Nm[at];
   const auto n = static_cast<double>(count);
   double mean = 0;
@@ -285,8 +295,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   const statistics::Summits summits(std::move(way));
   const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r);
-  const std::size_t furthest = end_of_ramp(r, sign);
-  std::size_t furthest_at_rest = furthest;
+  const auto [largest, furthest] = end_of_ramp(r, sign);
+  std::size_t furthest_at_rest = largest;
   std::size_t at = furthest;
   std::size_t beside = 0;
   SpeedOfFirstHalf first_half(r, sign);
@@ -315,7 +325,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
     at = furthest_at_rest;
     beside = beside_the_end;
   }
-  ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, at, sign);
+  ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, largest, sign);
   if (beside >= fewest_beside) {
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
     if (!ramp.broke_away) ramp.inertia_Nm = std::max(0.0, ramp.inertia_Nm);  // it stays a bound

@@ -8,6 +8,8 @@
 
 #include <Eigen/Dense>
 
+#include "method/motion/encoder_resolution.h"
+
 namespace tribolog::method::motion {
 namespace {
 
@@ -74,6 +76,12 @@ class SeriesFit {
   [[nodiscard]] double omega() const { return omega_; }
   /// Centre, counted from the first angle, and cosine and sine of each harmonic.
   [[nodiscard]] const Eigen::VectorXd& coefficients() const { return c_; }
+
+  /// Goes on with more of them, the further ones zero.
+  void take_harmonics(int harmonics) {
+    harmonics_ = harmonics;
+    c_.conservativeResizeLike(Eigen::VectorXd::Zero(1 + 2 * harmonics_));
+  }
 
   /// Standard deviation of the last iteration's residuals.
   double residual() {
@@ -147,11 +155,37 @@ class SeriesFit {
   Eigen::VectorXd y_;
 };
 
+/// Highest order that the angle shows beyond its noise, from `harmonics` on: a servo's motion is no
+/// sine where the contact bends over.
+int further_harmonics(const joint::Recording& r, const SeriesFit& fit, int harmonics) {
+  constexpr int highest = 31;
+  constexpr double samples_a_period = 8;  // of the highest
+  constexpr double standard_errors = 6;
+  constexpr double share_of_step = 0.3;  // an encoder's steps leave less in any order
+  const double duration = r.t_s.back() - r.t_s.front();
+  const double per_period = static_cast<double>(r.size() - 1) / duration * 2 * pi / fit.omega();
+  const int most = std::min(highest, static_cast<int>(per_period / samples_a_period));
+  if (most <= harmonics) return harmonics;
+  SeriesFit whole = fit;
+  whole.take_harmonics(most);
+  whole.improve(1, 2);
+  const double error = whole.residual() * std::sqrt(2 / static_cast<double>(r.size()));
+  constexpr double matters = 1e-6;  // of the first
+  const Eigen::VectorXd& first = fit.coefficients();
+  const double least = std::max({matters * std::hypot(first(1), first(2)), standard_errors * error,
+                                 share_of_step * angle_step(r.q_rad, 1).step_rad});
+  for (int k = most; k > harmonics; --k) {
+    const Eigen::VectorXd& c = whole.coefficients();
+    if (std::hypot(c(2 * k - 1), c(2 * k)) > least) return k;
+  }
+  return harmonics;
+}
+
 }  // namespace
 
 bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
   constexpr double largest_share = 0.02;
-  return residual_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
+  return near_sine_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
 }
 
 double OscillationMotion::share_of_harmonic(std::size_t order) const {
@@ -205,8 +239,8 @@ OscillationMotion HarmonicRefit::operator()(const std::vector<double>& q_rad) co
   return out;
 }
 
-std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,
-                                                        int harmonics) {
+std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording) {
+  int harmonics = 3;
   if (recording.size() < 20) return std::nullopt;
   const double period = rough_period(recording);
   if (!(period > 0)) return std::nullopt;
@@ -216,6 +250,13 @@ std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& 
   const std::size_t stride = first_stride(recording, period);
   if (stride > 1) fit.improve(stride, rounds);
   fit.improve(1, stride > 1 ? last_rounds : rounds);
+  const double near_sine_rad = fit.residual();
+  const int further = further_harmonics(recording, fit, harmonics);
+  if (further > harmonics) {
+    fit.take_harmonics(further);
+    fit.improve(1, last_rounds);
+    harmonics = further;
+  }
   const double omega = fit.omega();
   const Eigen::VectorXd& c = fit.coefficients();
   OscillationMotion out;
@@ -223,6 +264,7 @@ std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& 
   out.centre_rad = recording.q_rad.front() + c(0);
   out.start_s = recording.t_s.front();
   out.residual_rad = fit.residual();
+  out.near_sine_rad = near_sine_rad;
   out.samples = recording.size();
   for (int k = 1; k <= harmonics; ++k) out.harmonics.push_back({c(2 * k - 1), c(2 * k)});
   out.amplitude_rad = std::hypot(out.harmonics.front().cosine, out.harmonics.front().sine);

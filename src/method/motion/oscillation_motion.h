@@ -17,6 +17,7 @@ struct OscillationMotion {
   double amplitude_rad{};  ///< Of the first harmonic.
   double start_s{};        ///< Time of the first sample; harmonics count time from here.
   double residual_rad{};   ///< Standard deviation of q less the harmonics.
+  double near_sine_rad{};  ///< The same, less the first three alone.
   std::size_t samples{};
   std::vector<simulate::HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
 
@@ -26,7 +27,7 @@ struct OscillationMotion {
   /// Whether the motion has an appreciable second harmonic, beyond what the noise of the angle
   /// explains.
   [[nodiscard]] bool has_even_harmonics() const;
-  /// Whether the harmonics describe the motion: their residual is below a fiftieth of the
+  /// Whether the motion is about a sine: what three harmonics leave is below a fiftieth of the
   /// amplitude, or below a step of the encoder. A joint driven by torque creeps and drifts; its
   /// loops are not periodic.
   [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
@@ -47,9 +48,8 @@ class HarmonicRefit {
   Eigen::MatrixXd solved_;  ///< Coefficients by angles.
 };
 
-/// Fits `harmonics` harmonics and their frequency to the angle. Absent if the angle does not
-/// complete at least one cycle.
-std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,
-                                                        int harmonics = 3);
+/// Fits three harmonics and their frequency to the angle, and as many further ones as the angle
+/// shows beyond its noise. Absent if the angle does not complete at least one cycle.
+std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording);
 
 }  // namespace tribolog::method::motion
