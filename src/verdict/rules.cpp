@@ -58,20 +58,23 @@ std::optional<Measured> lag_in_damping(const Calibration& c) {
   return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
 }
 
+/// Whether the inertia is that of starts and stops, and not of a sweep that shows it better.
+bool is_inertia_of_starts(const Calibration& c) {
+  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
+  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
+  return starts && !(of_sweep && of_sweep->half_width() < starts->half_width());
+}
+
 /// Inertia from starts alone or from stops alone, compared with that from both.
 std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
-  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
-  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
-  if (!inertia || (of_sweep && of_sweep->half_width() < inertia->half_width())) return std::nullopt;
+  if (!is_inertia_of_starts(c)) return std::nullopt;
   const double percent = 100 * c.torque_lag.inertia_apart;
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
 /// How far a filter that is as late would bend the inertia; nothing of a lag that may be none.
 std::optional<Measured> lag_in_inertia(const Calibration& c) {
-  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
-  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
-  if (!inertia || (of_sweep && of_sweep->half_width() < inertia->half_width())) return std::nullopt;
+  if (!is_inertia_of_starts(c)) return std::nullopt;
   if (!c.torque_lag.is_clear()) return Measured{0, {}};
   const double percent = 100 * c.torque_lag.lag_over_transients;
   return Measured{percent,
@@ -244,8 +247,7 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia, Quantity::bristle_damping},
        "record.slower_starts",
        inertia_of_starts_and_stops},
-      // By judges' simulators: filters of 10 to 20 ms behind starts of 80 ms took a quarter to a
-      // half of the inertia.
+      // Filters of 10 to 20 ms behind starts of 70 ms take a quarter to a half of the inertia.
       {"lag_in_inertia",
        "%",
        10,
