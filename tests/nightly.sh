@@ -5,6 +5,7 @@
 #     program    ASan, UBSan and libstdc++'s assertions: every command, on every example and on
 #                every real log                          (ten minutes, and half an hour of building)
 #     valgrind   memcheck: identify on every real log                          (three minutes)
+#     coverage   how often the stated intervals hold the truth, over many seeds (ten minutes)
 #     tests      ASan and UBSan: the whole test suite                         (some hours)
 #     lint       clang-tidy over all of the source, through clang and libc++  (half an hour)
 # Real logs are those in ../shared/data, by the manifests of tests/data and by those that `init`
@@ -19,7 +20,7 @@ out=$root/build-nightly
 findings=0
 commands=0
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(program valgrind tests lint)
+[ ${#parts[@]} -gt 0 ] || parts=(program valgrind coverage tests lint)
 
 # A status of its own, which no command of the program has. Drivers keep what they made for as long
 # as the process lives, and the template engine its modifiers.
@@ -179,6 +180,16 @@ part_valgrind() {
   done
 }
 
+part_coverage() {
+  ./setup.sh tests || exit 1
+  commands=$((commands + 1))
+  TRIBOLOG_ALL_SEEDS=1 ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure \
+    -L 'identify|study' >"$out/coverage.log" 2>&1 && return
+  findings=$((findings + 1))
+  say "FOUND: $out/coverage.log"
+  sed -n '/The following tests FAILED/,$p' "$out/coverage.log"
+}
+
 part_tests() {
   sanitized_build
   commands=$((commands + 1))
@@ -198,14 +209,14 @@ part_lint() {
 
 for part in "${parts[@]}"; do
   case $part in
-    program | valgrind | tests | lint)
+    program | valgrind | coverage | tests | lint)
       say "$part"
       rm -rf "${out:?}/$part"
       mkdir -p "$out/$part"
       "part_$part"
       ;;
     *)
-      say "no part '$part': program, valgrind, tests or lint" >&2
+      say "no part '$part': program, valgrind, coverage, tests or lint" >&2
       exit 2
       ;;
   esac

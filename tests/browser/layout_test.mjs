@@ -46,28 +46,27 @@ const faultsOf = (page) => page.evaluate(() => {
   return faults;
 });
 
-for (const width of [390, 768, 1400]) {
-  for (const name of ["paper.html", "noisy.html", "hostile.html"]) {
-    test(`${name} at ${width} px: nothing collides, is cut or scrolls sideways, zoomed or not`, () =>
-      withReport(name, { width }, async (page) => {
+// Each width and each report, not each with each.
+for (const [name, width] of [["noisy.html", 390], ["hostile.html", 390], ["paper.html", 768], ["noisy.html", 1400]]) {
+  test(`${name} at ${width} px: nothing collides, is cut or scrolls sideways, zoomed or not`, () =>
+    withReport(name, { width }, async (page) => {
+      await settled(page);
+      assert.deepEqual(await faultsOf(page), []);
+      const height = () => page.evaluate(() => document.getElementById("review").offsetHeight);
+      const first = await height();
+      if (name === "hostile.html") return;
+      for (const times of [1, 2, 3, 6, 12, 24]) {
+        await press(page, ["T-q", "dz-q", "T-t", "e-w"], "+", times);
+        assert.deepEqual(await faultsOf(page), [], `${times} times closer`);
+      }
+      await press(page, ["T-q"], "0", 1);
+      if (width < 1400) return;
+      for (const radio of await page.locator("#review fieldset input").all()) {
+        await radio.check();
         await settled(page);
-        assert.deepEqual(await faultsOf(page), []);
-        const height = () => page.evaluate(() => document.getElementById("review").offsetHeight);
-        const first = await height();
-        if (name === "hostile.html") return;
-        for (const times of [1, 2, 3, 6, 12, 24]) {
-          await press(page, ["T-q", "dz-q", "T-t", "e-w"], "+", times);
-          assert.deepEqual(await faultsOf(page), [], `${times} times closer`);
-        }
-        await press(page, ["T-q"], "0", 1);
-        if (width < 1400) return;
-        for (const radio of await page.locator("#review fieldset input").all()) {
-          await radio.check();
-          await settled(page);
-          assert.equal(await height(), first, "the layout jumps with the reading");
-        }
-      }));
-  }
+        assert.equal(await height(), first, "the layout jumps with the reading");
+      }
+    }));
 }
 
 test("light and dark draw the same, on a dark page", async () => {

@@ -14,20 +14,17 @@
 #include "identify/identify.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "support/seeds.h"
 
 namespace tribolog::interval_coverage_test {
 namespace {
 
 using method::hysteresis::Estimator;
 
-constexpr std::size_t many_seeds = 100;
-constexpr std::size_t fewer_seeds = 50;  // where ripple makes each run long
 constexpr double largest_coverage = 1;
 
-/// Of 100 intervals at 95 %, 95 hold the truth; 4 standard errors are 9.
-double least_coverage(std::size_t seeds) {
-  return 0.95 - 4 * std::sqrt(0.95 * 0.05 / static_cast<double>(seeds));
-}
+// Ripple makes each run long.
+std::size_t seeds_of_ripple() { return test::seeds_of(20, 100); }
 
 simulate::Scenario with_ripple(simulate::Scenario s, std::uint64_t seed) {
   statistics::RandomStream random(seed, 777);
@@ -124,17 +121,17 @@ void expect_coverage(const Coverage& coverage) {
     // of 40.
     constexpr double least_of_waiboer = 0.7;
     EXPECT_GE(share,
-              name.starts_with("waiboer") ? least_of_waiboer : least_coverage(coverage.seeds))
+              name.starts_with("waiboer") ? least_of_waiboer : test::least_coverage(coverage.seeds))
         << name;
     EXPECT_LE(share, largest_coverage) << name;
   }
   // The band's points share the error of gravity: they count as few.
-  EXPECT_GE(coverage.band, least_coverage(coverage.seeds));
+  EXPECT_GE(coverage.band, test::least_coverage(coverage.seeds));
   EXPECT_LE(coverage.band, largest_coverage);
 }
 
 TEST(IntervalCoverage, OfEveryStatedIntervalInRealisticNoise) {
-  const Coverage c = coverage_of(many_seeds, test::noisy_paper_joint);
+  const Coverage c = coverage_of(test::seeds_of(40, 100), test::noisy_paper_joint);
   EXPECT_GE(c.share.size(), 20U);
   expect_coverage(c);
   EXPECT_LT(c.largest_mass_error, 1e-3);
@@ -146,7 +143,7 @@ TEST(IntervalCoverage, OfEveryStatedIntervalInRealisticNoise) {
 }
 
 TEST(IntervalCoverage, WithRippleFromOnePositionIsAsWideAsTheRippleDemands) {
-  const Coverage c = coverage_of(fewer_seeds, [](std::uint64_t seed) {
+  const Coverage c = coverage_of(seeds_of_ripple(), [](std::uint64_t seed) {
     return with_ripple(test::noisy_paper_joint(seed), seed);
   });
   expect_coverage(c);
@@ -156,7 +153,7 @@ TEST(IntervalCoverage, WithRippleFromOnePositionIsAsWideAsTheRippleDemands) {
 }
 
 TEST(IntervalCoverage, WithRippleFromEightPositions) {
-  const Coverage c = coverage_of(fewer_seeds, [](std::uint64_t seed) {
+  const Coverage c = coverage_of(seeds_of_ripple(), [](std::uint64_t seed) {
     return from_eight_positions(with_ripple(test::noisy_paper_joint(seed), seed));
   });
   expect_coverage(c);

@@ -60,7 +60,7 @@ TEST(StatementMessage, RefusesOneThatEndsEarly) {
 
 TEST(StatementMessage, RefusesStatementsTooDeepInStatements) {
   EXPECT_THROW(through_a_message(nested(9)), FigureError);
-  EXPECT_THROW(through_a_message(nested(10'000)), FigureError);
+  EXPECT_THROW(through_a_message(nested(1'000)), FigureError);
 }
 
 TEST(StatementMessage, RefusesWhatIsNoCodeAndNoKindOfValue) {

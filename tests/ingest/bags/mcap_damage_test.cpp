@@ -19,7 +19,7 @@ TEST(McapDamage, ReadsAllMessagesBeforeTheCutAndInventsNone) {
   for (const test::McapOptions& form : test::all_forms()) {
     test::McapWriter log = test::numbered_log(form);
     const std::string bytes = log.finish();
-    for (int trial = 0; trial < 1000; ++trial) {
+    for (int trial = 0; trial < 300; ++trial) {
       const std::size_t cut = random() % bytes.size();
       const auto complete = static_cast<std::size_t>(
           std::count_if(log.readable_from().begin(), log.readable_from().end(),
@@ -41,7 +41,7 @@ TEST(McapDamage, ReadsAllMessagesBeforeTheCutAndInventsNone) {
       ASSERT_EQ(tables[0].notes.size(), 1U);
     }
   }
-  EXPECT_EQ(cut_positions, 14000U);
+  EXPECT_EQ(cut_positions, 4200U);
 }
 
 TEST(McapDamage, SaysWhereTheFileIsCut) {
