@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -33,31 +34,49 @@ HarmonicMotion HarmonicMotion::sine(double centre_rad, double amplitude_rad, dou
   return {centre_rad, frequency_Hz, {{0.0, amplitude_rad}}};
 }
 
+namespace {
+
+/// Visits each harmonic with its order, cos(k x) and sin(k x): one trigonometric function each for
+/// few, for many by multiplication from order to order.
+template <class Visit>
+void over_orders(const std::vector<HarmonicMotion::Harmonic>& harmonics, double x, Visit visit) {
+  constexpr std::size_t few = 4;
+  const std::complex<double> first = std::polar(1.0, x);
+  std::complex<double> order = 1.0;
+  for (std::size_t i = 0; i < harmonics.size(); ++i) {
+    const auto k = static_cast<double>(i + 1);
+    order = i < few ? std::polar(1.0, k * x) : order * first;
+    visit(harmonics[i], k, order.real(), order.imag());
+  }
+}
+
+}  // namespace
+
 double HarmonicMotion::angle(double t_s) const {
   double sum = centre_rad_;
-  for (std::size_t i = 0; i < harmonics_.size(); ++i) {
-    const double x = static_cast<double>(i + 1) * omega_rad_s_ * t_s;
-    sum += harmonics_[i].cosine * std::cos(x) + harmonics_[i].sine * std::sin(x);
-  }
+  over_orders(harmonics_, omega_rad_s_ * t_s,
+              [&](const Harmonic& h, double /*order*/, double cosine, double sine) {
+                sum += h.cosine * cosine + h.sine * sine;
+              });
   return sum;
 }
 
 double HarmonicMotion::speed(double t_s) const {
   double sum = 0;
-  for (std::size_t i = 0; i < harmonics_.size(); ++i) {
-    const double w = static_cast<double>(i + 1) * omega_rad_s_;
-    sum += w * (harmonics_[i].sine * std::cos(w * t_s) - harmonics_[i].cosine * std::sin(w * t_s));
-  }
+  over_orders(harmonics_, omega_rad_s_ * t_s,
+              [&](const Harmonic& h, double order, double cosine, double sine) {
+                sum += order * omega_rad_s_ * (h.sine * cosine - h.cosine * sine);
+              });
   return sum;
 }
 
 double HarmonicMotion::acceleration(double t_s) const {
   double sum = 0;
-  for (std::size_t i = 0; i < harmonics_.size(); ++i) {
-    const double w = static_cast<double>(i + 1) * omega_rad_s_;
-    sum -=
-        w * w * (harmonics_[i].cosine * std::cos(w * t_s) + harmonics_[i].sine * std::sin(w * t_s));
-  }
+  over_orders(harmonics_, omega_rad_s_ * t_s,
+              [&](const Harmonic& h, double order, double cosine, double sine) {
+                const double w = order * omega_rad_s_;
+                sum -= w * w * (h.cosine * cosine + h.sine * sine);
+              });
   return sum;
 }
 

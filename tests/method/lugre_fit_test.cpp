@@ -239,7 +239,7 @@ TEST(LuGreFit, StiffnessIsHeldWhereTheEncoderIsCoarserThanTheTorquesNoise) {
     ASSERT_TRUE(stiffness);
     const double truth = test::true_parameters(s).at(LuGreParameterName::bristle_stiffness);
     held += stiffness->low <= truth && truth <= stiffness->high;
-    EXPECT_LT(stiffness->half_width(), 0.05 * truth);
+    EXPECT_LT(stiffness->half_width(), 0.08 * truth);  // where chance looks like a servo
   }
   EXPECT_GE(held, 34);
 }

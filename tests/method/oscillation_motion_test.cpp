@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::oscillation_motion_test {
@@ -50,6 +51,50 @@ TEST(OscillationMotion, TakesAsManyHarmonicsAsTheAngleShows) {
   EXPECT_GE(m->harmonics.size(), 13U);
   EXPECT_LT(m->residual_rad, 1.2 * step / std::sqrt(12.0));
   EXPECT_GT(m->near_sine_rad, 5 * m->residual_rad);
+}
+
+/// A stiff servo gives way to the torque of the contact by less than a step of the encoder; each
+/// order by itself is below what the steps leave, all together are seen.
+TEST(OscillationMotion, GivesWayToTheTorqueAsAServoDoes) {
+  constexpr double amplitude = 0.01;
+  constexpr double step = amplitude / 150;
+  // Friction that bends over: like the sign of the speed, rounded.
+  std::vector<simulate::HarmonicMotion::Harmonic> torque(31);
+  for (std::size_t k = 1; k <= torque.size(); k += 2) {
+    const auto order = static_cast<double>(k);
+    torque[k - 1] = {1.3 / order / (1 + 0.02 * order * order), 0.2 / order / order};
+  }
+  constexpr double compliance = 0.2 * step;  // by N·m
+  constexpr double late = 0.01 * step;       // by order
+  std::vector<simulate::HarmonicMotion::Harmonic> motion(31);
+  motion[0] = {0, amplitude};
+  for (std::size_t k = 3; k <= motion.size(); k += 2) {
+    const simulate::HarmonicMotion::Harmonic& t = torque[k - 1];
+    const auto order = static_cast<double>(k);
+    motion[k - 1] = {-compliance * t.cosine - late * order * t.sine,
+                     -compliance * t.sine + late * order * t.cosine};
+  }
+  const simulate::HarmonicMotion truth(0.7, 1.0, motion);
+  joint::Recording r = sampled(truth, 11, 1000);
+  const simulate::HarmonicMotion friction(0, 1.0, torque);
+  statistics::RandomStream noise(3, 0);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    r.q_rad[i] = step * std::round(r.q_rad[i] / step);
+    r.torque_Nm[i] = friction.angle(r.t_s[i] - 100) + 0.03 * noise.normal();
+  }
+  const auto found = method::motion::fit_oscillation_motion(r);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->harmonics.size(), 31U);
+  EXPECT_EQ(found->one_by_one, 3U);
+  for (const std::size_t k : {5U, 7U, 9U, 15U}) {
+    EXPECT_NEAR(found->harmonics[k - 1].cosine, motion[k - 1].cosine, 0.02 * step) << k;
+    EXPECT_NEAR(found->harmonics[k - 1].sine, motion[k - 1].sine, 0.02 * step) << k;
+  }
+  // Fitted again to the same angles it is the same motion.
+  const method::motion::OscillationMotion again =
+      method::motion::HarmonicRefit(r.t_s, *found)(r.q_rad);
+  EXPECT_NEAR(again.harmonics[4].cosine, found->harmonics[4].cosine, 0.01 * step);
+  EXPECT_NEAR(again.harmonics[0].sine, found->harmonics[0].sine, 0.01 * step);
 }
 
 TEST(OscillationMotion, TakesNoneOfNoiseOrOfAnEncodersSteps) {

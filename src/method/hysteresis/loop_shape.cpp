@@ -144,8 +144,11 @@ std::vector<LoopShape> describe_loops(const std::vector<const joint::Recording*>
   std::vector<LoopShape> shapes;
   for (const joint::Recording* whole : oscillations) {
     const joint::Recording r = motion::moving_part(*whole);
-    const auto motion = motion::fit_oscillation_motion(r);
+    auto motion = motion::fit_oscillation_motion(r);
     if (!motion) continue;
+    // Its turns are those of three orders: higher ones, of few steps of an encoder, turn more
+    // often.
+    motion->harmonics.resize(std::min<std::size_t>(3, motion->harmonics.size()));
     const double period = 1 / motion->frequency_Hz;
     const auto first = static_cast<std::size_t>(
         std::lower_bound(r.t_s.begin(), r.t_s.end(), r.t_s.front() + period) - r.t_s.begin());

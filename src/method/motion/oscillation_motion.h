@@ -20,6 +20,11 @@ struct OscillationMotion {
   double near_sine_rad{};  ///< The same, less the first three alone.
   std::size_t samples{};
   std::vector<simulate::HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
+  /// Beyond the orders that were fitted one by one, what a servo of finite stiffness gives way to
+  /// the torque: two series of harmonics, like the torque's and like its rate's, whose sum the
+  /// angle shows. Empty where it shows none, or where the recording is too coarse for them.
+  std::vector<std::vector<simulate::HarmonicMotion::Harmonic>> of_torque;
+  std::size_t one_by_one{};  ///< Number of the orders fitted one by one.
 
   /// Amplitude of a harmonic as a share of the first's. @param order from 1 on; 0 beyond those
   /// fitted.
@@ -48,8 +53,9 @@ class HarmonicRefit {
   Eigen::MatrixXd solved_;  ///< Coefficients by angles.
 };
 
-/// Fits three harmonics and their frequency to the angle, and as many further ones as the angle
-/// shows beyond its noise. Absent if the angle does not complete at least one cycle.
+/// Fits three harmonics and their frequency to the angle, as many further ones as the angle shows
+/// beyond its noise, and behind them those by which a servo gives way to the torque. Absent if the
+/// angle does not complete at least one cycle.
 std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording);
 
 }  // namespace tribolog::method::motion
