@@ -9,6 +9,7 @@
 #include "simulate/motion.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "support/seeds.h"
 #include "wording/words.h"
 
 namespace tribolog::cog_sweep_test {
@@ -348,9 +349,10 @@ TEST(CogSweep, FrictionThatFallsWithTheSpeedTurnsNoPeak) {
 
 TEST(CogSweep, ATorqueThatWandersWidensAngleAndGravity) {
   int held = 0;
-  constexpr int runs = 40;
+  const auto runs = static_cast<int>(test::seeds_of(24, 40));
+  const joint::Dataset still = simulate::simulated_dataset(test::paper_joint());
   for (int run = 0; run < runs; ++run) {
-    joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+    joint::Dataset d = still;
     joint::Recording& r = d.recordings.front();
     ASSERT_EQ(r.role, joint::Role::rough_sweep);
     statistics::RandomStream random(static_cast<std::uint64_t>(run) + 1, 0);
@@ -366,7 +368,7 @@ TEST(CogSweep, ATorqueThatWandersWidensAngleAndGravity) {
                 ? 1
                 : 0;
   }
-  EXPECT_GE(held, 35);  // of 40; blocks of neighbours alone hold some 28
+  EXPECT_GE(held, 0.83 * runs);  // blocks of neighbours alone hold some 0.7
 }
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
