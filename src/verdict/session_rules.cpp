@@ -52,17 +52,17 @@ std::optional<Measured> by_load(const Calibration& c) {
                     {"unloaded_Nm", l.unloaded_Nm}}}};
 }
 
-/// Effect of the load on the slope over speed, where runs at different speeds cross different
-/// loads.
+/// Effect of the load on the slope over speed: where runs at different speeds cross different
+/// loads, and as large as that on friction as a whole, which the load may add to or multiply.
 std::optional<Measured> by_load_on_slope(const Calibration& c) {
   std::optional<Measured> found = by_load(c);
   // In a sweep of varying speed the effects of speed and load cannot be separated.
-  if (!c.session.load.examined && c.viscous.from_sweep) return found;
+  if (!found || (!c.session.load.examined && c.viscous.from_sweep)) return found;
   const auto& line = c.friction.coulomb_viscous;
-  if (!found || !c.session.load.examined || !line || !(line->viscous_Nms_rad.value > 0))
-    return std::nullopt;
-  found->value = percent_if(c.session.load.found,
-                            c.session.load.viscous_Nms_rad / line->viscous_Nms_rad.value);
+  if (!c.session.load.examined || !line || !(line->viscous_Nms_rad.value > 0)) return std::nullopt;
+  found->value =
+      std::max(found->value, percent_if(c.session.load.found, c.session.load.viscous_Nms_rad /
+                                                                  line->viscous_Nms_rad.value));
   return found;
 }
 

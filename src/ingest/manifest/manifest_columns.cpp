@@ -84,7 +84,8 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   } else {
     entry.si_factor = log::si_factor(quantity, entry.unit, table->where("unit"));
   }
-  if (has_side && table->has("sign")) {
+  // The effort's side is stated under [effort]; its sign there or here.
+  if ((has_side || key == "effort") && table->has("sign")) {
     const double sign = table->number("sign");
     if (std::abs(sign) != 1) {
       table->refuse("sign", {"is neither 1 nor -1", fmt::format("{:g}", sign), "1 or -1",

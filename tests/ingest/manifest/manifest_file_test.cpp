@@ -241,6 +241,18 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
   EXPECT_EQ(refusal(minimal + "[extras]\n").substr(0, 34), "m.toml:17:1: unknown key 'extras';");
 }
 
+TEST(Manifest, AColumnOfAnglesOrOfEffortMayCountTheOtherWayRound) {
+  const ingest::manifest::ManifestFile effort = ingest::manifest::parse_manifest(
+      with("unit = \"Nm\"", "unit = \"mNm\", sign = -1"), "m.toml");
+  EXPECT_EQ(effort.recordings[0].columns.effort->si_factor, -1e-3);
+  EXPECT_EQ(effort.effort_sign, 1.0);
+  const ingest::manifest::ManifestFile angle = ingest::manifest::parse_manifest(
+      with("unit = \"rad\"", "unit = \"rad\", sign = -1"), "m.toml");
+  EXPECT_EQ(angle.recordings[0].columns.angle->si_factor, -1.0);
+  EXPECT_NE(refusal(with("unit = \"Nm\"", "unit = \"Nm\", sign = 2")).find("is neither 1 nor -1"),
+            std::string::npos);
+}
+
 TEST(Manifest, RefusesImpossibleValues) {
   EXPECT_EQ(refusal(minimal + "from_s = 5\nto_s = 5\n"),
             "m.toml:18:8: key 'recording.to_s': window is empty, found 5..5 s, expected from_s < "
