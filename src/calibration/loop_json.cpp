@@ -173,6 +173,11 @@ Json lugre(const method::hysteresis::LuGreFit& f, double n) {
   }
   made["gravity_Nm"] = sides_if_shown(f.gravity_Nm, n);
   made["residual_Nm"] = number(f.residual_Nm);
+  made["damping_fall"] = nullptr;
+  if (f.damping_fall) {
+    made["damping_fall"] = {{"half_at_rad_s", number(f.damping_fall->half_at_rad_s)},
+                            {"stiffness_share", number(f.damping_fall->stiffness_share)}};
+  }
   made["iterations"] = f.iterations;
   made["reason"] = words_or_null(f.reason);
   made["reason_code"] = code_of(f.reason);

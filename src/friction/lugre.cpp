@@ -15,7 +15,8 @@ ParameterSlots LuGreFriction::Parameters::by_name() {
           {"coulomb_Nm", &coulomb_Nm},
           {"static_Nm", &static_Nm},
           {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
-          {"stribeck_power", &stribeck_power, true}};
+          {"stribeck_power", &stribeck_power, true},
+          {"damping_speed_rad_s", &damping_speed_rad_s, true}};
 }
 
 LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
@@ -26,6 +27,7 @@ LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.static_Nm, "static torque", "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
   require_positive(p_.stribeck_power, "Stribeck power", "");
+  require_not_negative(p_.damping_speed_rad_s, "damping speed", "rad/s");
   require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
@@ -40,8 +42,14 @@ double LuGreFriction::deflection_rate_rad_s(double z_rad, double speed_rad_s) co
   return speed_rad_s - std::abs(speed_rad_s) * z_rad / steady_deflection_rad(speed_rad_s);
 }
 
+double LuGreFriction::damping_Nms_rad(double speed_rad_s) const {
+  if (p_.damping_speed_rad_s == 0) return p_.bristle_damping_Nms_rad;
+  const double x = speed_rad_s / p_.damping_speed_rad_s;
+  return p_.bristle_damping_Nms_rad * std::exp(-x * x);
+}
+
 double LuGreFriction::torque_Nm(double z_rad, double dz_rad_s, double speed_rad_s) const {
-  return p_.bristle_stiffness_Nm_rad * z_rad + p_.bristle_damping_Nms_rad * dz_rad_s +
+  return p_.bristle_stiffness_Nm_rad * z_rad + damping_Nms_rad(speed_rad_s) * dz_rad_s +
          p_.viscous_Nms_rad * speed_rad_s;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 // LuGre friction (Canudas de Wit, Olsson, Astrom, Lischinsky 1995), eq. (3) to (5).
 //
-//   Tf    = s0 z + s1 dz/dt + s2 w                              (3)
+//   Tf    = s0 z + s1(w) dz/dt + s2 w                           (3)
 //   dz/dt = w - |w| z / g(w)                                    (4)
 //   s0 g(w) = Tc + (Ts - Tc) exp(-(|w|/ws)^d)                   (5), where d = 2
+//   s1(w)   = s1 exp(-(w/wd)^2)            Olsson et al. 1998; constant unless wd is given
 //
 // z: mean bristle deflection [rad, motor side], w: motor speed [rad/s].
 
@@ -22,6 +23,7 @@ class LuGreFriction final : public DynamicFriction {
     double static_Nm{};                 ///< Ts >= Tc, break-away torque
     double stribeck_speed_rad_s{1.0};   ///< ws > 0
     double stribeck_power{2.0};         ///< d > 0
+    double damping_speed_rad_s{0.0};    ///< wd >= 0; 0: s1 is constant
     ParameterSlots by_name();
   };
 
@@ -36,6 +38,8 @@ class LuGreFriction final : public DynamicFriction {
   [[nodiscard]] double steady_deflection_rad(double speed_rad_s) const;
   /// dz/dt [rad/s], eq. (4).
   [[nodiscard]] double deflection_rate_rad_s(double z_rad, double speed_rad_s) const;
+  /// s1(w) [N·m·s/rad].
+  [[nodiscard]] double damping_Nms_rad(double speed_rad_s) const;
   /// Friction torque [N·m], eq. (3).
   [[nodiscard]] double torque_Nm(double z_rad, double dz_rad_s, double speed_rad_s) const;
   /// Torque of steady sliding at constant speed [N·m]: sgn(w) s0 g(w) + s2 w.

@@ -233,9 +233,10 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        const method::motion::TorqueLag& lag = p.c.torque_lag;
        std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
-       method::hysteresis::LagOfLoops of_loops;
-       if (lag.lag_s) of_loops.half_width_s = lag.lag_s->half_width();
-       if (lag.is_clear()) of_loops.taken_off_s = lag.lag_s->value;
+       method::hysteresis::KnownOfStarts known;
+       if (lag.lag_s) known.lag_half_width_s = lag.lag_s->half_width();
+       if (lag.is_clear()) known.lag_taken_off_s = lag.lag_s->value;
+       known.inertia_kgm2 = lag.inertia_kgm2;
        p.prepared.clear();
        p.prepared.reserve(loops.size());
        for (const joint::Recording*& r : loops) {
@@ -244,7 +245,7 @@ constexpr Step papers_chain[] = {
          r = &p.prepared.back();
        }
        p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
-                                                        motor_peak(p.c), of_loops);
+                                                        motor_peak(p.c), known);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",

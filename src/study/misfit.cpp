@@ -220,6 +220,15 @@ std::vector<Disturbance> all_disturbances() {
          set_lugre(s, p);
        },
        {"cause.stribeck_exponent", "cause.stribeck"}},
+      {"damping_fall",
+       {1, 0.6, 0.3},  // of the loops' peak speed
+       [](Scenario& s, double x) {
+         LuGre p = lugre_of(s);
+         p.damping_speed_rad_s = x * s.gear_ratio * 2 * std::numbers::pi *
+                                 s.oscillation->frequency_Hz * s.oscillation->amplitude_rad;
+         set_lugre(s, p);
+       },
+       {"cause.damping_falls", "cause.other_contact"}},
       {"convex_viscous",
        {1.2, 1.5, 1.8},
        [](Scenario& s, double x) {

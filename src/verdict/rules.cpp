@@ -33,6 +33,17 @@ std::optional<Measured> loop_misfit(const Calibration& c) {
                     {"percent", percent}}}};
 }
 
+/// By how much the stiffness would be another with a damping that falls with speed.
+std::optional<Measured> fall_of_damping(const Calibration& c) {
+  if (!c.lugre || !c.lugre->converged) return std::nullopt;
+  const std::optional<method::hysteresis::FallOfDamping>& fall = c.lugre->damping_fall;
+  if (!fall) return Measured{0, {}};
+  const double percent = 100 * fall->stiffness_share;
+  return Measured{
+      std::abs(percent),
+      {"cause.damping_falls", {{"half_at_rad_s", fall->half_at_rad_s}, {"percent", percent}}}};
+}
+
 /// Lag between torque and angle, as far as it is certain.
 std::optional<Measured> torque_lag(const Calibration& c) {
   const std::optional<statistics::Estimate>& lag = c.torque_lag.lag_s;
@@ -316,6 +327,9 @@ const std::vector<Rule>& rules() {
       // softer (tests/identify/other_friction_test.cpp).
       {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
        loop_misfit},
+      // A term that is there beyond doubt, at the smallest shift that is worth a word.
+      {"fall_of_damping", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
+       fall_of_damping},
       {"loop_misfit_at_break_away",
        "%",
        0.5,

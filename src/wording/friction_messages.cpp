@@ -178,6 +178,8 @@ const Messages& friction_messages() {
       {"parameter.lugre.static_Nm", text("Ts >= Tc, break-away torque")},
       {"parameter.lugre.stribeck_speed_rad_s", text("ws > 0")},
       {"parameter.lugre.stribeck_power", text("d > 0")},
+      {"parameter.lugre.damping_speed_rad_s",
+       text("wd >= 0, s1 falls as exp(-(w/wd)²); 0: it stays")},
       {"friction_model.leuven", text("Leuven")},
       {"friction_source.leuven",
        text("Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002")},

@@ -40,6 +40,7 @@ const Messages& verdict_messages() {
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
+      {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
       {"rule.loops_within_dip",
        text("Five times the dip's speed over the fastest of the loops, where friction comes from "
@@ -164,6 +165,9 @@ const Messages& verdict_messages() {
       {"cause.coloured_noise",
        text("noise of {coloured_Nm:.2g} N·m hangs together in time, beside white noise of "
             "{white_Nm:.2g} N·m; the intervals hold it")},
+      {"cause.damping_falls",
+       text("the bristle damping falls with speed, to a half at {half_at_rad_s:.2g} rad/s (motor "
+            "side): with such a damping the stiffness would be {percent:+.2g} % different")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "

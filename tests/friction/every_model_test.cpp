@@ -85,7 +85,10 @@ TEST_P(EveryModel, EveryNamedParameterCounts) {
   const auto model = entry_.make(values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     friction::NamedParameters changed = values;
-    if (auto* number = std::get_if<double>(&changed[i].value)) *number *= 0.99;
+    // A zero leaves its term out.
+    if (auto* number = std::get_if<double>(&changed[i].value)) {
+      *number = *number == 0 ? 0.01 : 0.99 * *number;
+    }
     if (auto* count = std::get_if<std::uint64_t>(&changed[i].value)) *count += 1;
     if (auto* elements = std::get_if<std::vector<friction::MaxwellElement>>(&changed[i].value)) {
       for (friction::MaxwellElement& one : *elements) one.stiffness_Nm_rad *= 0.99;

@@ -87,6 +87,14 @@ TEST(MisfitStudy, ADipOfAnotherShapeIsNamedAndItsCurveIsKnown) {
   }
 }
 
+TEST(MisfitStudy, ABristleDampingThatFallsWithSpeedIsNotTakenForStiffness) {
+  for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("damping_fall"))) {
+    for (const study::MisfitQuantity& q : c.quantities) {
+      EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
+    }
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

@@ -176,7 +176,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
 /// Fits LuGre to all loops together; the fit provides the bristle state of those that recorded
 /// none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
-                     const gravity::Ripple& ripple, const LagOfLoops& lag, Hysteresis& made) {
+                     const gravity::Ripple& ripple, const KnownOfStarts& known, Hysteresis& made) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
   Statement not_followed;
@@ -191,7 +191,7 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;
-  if (!inputs.empty()) lugre = fit_lugre(inputs, gear_ratio, q_peak, ripple, lag);
+  if (!inputs.empty()) lugre = fit_lugre(inputs, gear_ratio, q_peak, ripple, known);
   lugre.fit.reason.add(not_followed);
   if (!loops.front().trace.z_rad.empty()) {
     made.result.bristle_source = {"loop.bristle_recorded"};
@@ -215,7 +215,7 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,
                                const std::optional<statistics::Estimate>& q_peak_rad,
-                               const LagOfLoops& lag) {
+                               const KnownOfStarts& known) {
   Hysteresis made;
   HysteresisResult& out = made.result;
   out.stage.name = "hysteresis";
@@ -272,7 +272,7 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
   }
 
   const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().oscillation.centre_rad;
-  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, lag, made);
+  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, known, made);
 
   out.found = true;
   out.stage.state =

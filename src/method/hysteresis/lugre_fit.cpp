@@ -250,17 +250,17 @@ class LateTorque {
 /// Shifts of the fit's parameters by the lag, as standard deviations: one column for the
 /// uncertainty of its size, and one for its shape, which may be that of a delay or of a filter.
 Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& problem,
-                              const LagOfLoops& lag) {
+                              const KnownOfStarts& known) {
   Eigen::MatrixXd late = Eigen::MatrixXd::Zero(problem.rows(), 2);
   Eigen::Index top = 0;
   for (const LuGreLoopModel& model : problem.models()) {
     const LateTorque torque(
         model.row_times_s(),
         model.measured() + climb.linear.fit.residuals.segment(top, model.rows()));
-    late.col(0).segment(top, model.rows()) = torque.slope() * lag.half_width_s;
-    if (lag.taken_off_s != 0) {
+    late.col(0).segment(top, model.rows()) = torque.slope() * known.lag_half_width_s;
+    if (known.lag_taken_off_s != 0) {
       late.col(1).segment(top, model.rows()) =
-          torque.filtered_less_delayed(std::abs(lag.taken_off_s));
+          torque.filtered_less_delayed(std::abs(known.lag_taken_off_s));
     }
     top += model.rows();
   }
@@ -368,7 +368,7 @@ std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) con
 }
 
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple, const LagOfLoops& lag) {
+                      const gravity::Ripple& ripple, const KnownOfStarts& known) {
   if (loops.empty()) throw std::invalid_argument("no loops");
   FittedLuGre made;
   LuGreFit& fit = made.fit;
@@ -388,10 +388,11 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   fit.converged = true;
   Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
   by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
-  if (lag.half_width_s > 0) {
+  if (known.lag_half_width_s > 0) {
     by_motion.conservativeResize(Eigen::NoChange, by_motion.cols() + 2);
-    by_motion.rightCols<2>() = shifts_by_lag(climb, problem, lag);
+    by_motion.rightCols<2>() = shifts_by_lag(climb, problem, known);
   }
+  fit.damping_fall = fall_of_damping(climb, problem, known.inertia_kgm2);
   climb.around.covariance += by_motion * by_motion.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
   LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);

@@ -26,6 +26,7 @@
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
+#include "method/hysteresis/lugre_rivals.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/estimate.h"
@@ -124,6 +125,7 @@ struct LuGreFit {
   double peak_speed_rad_s{};     ///< Largest motor speed in the loops.
   double motor_amplitude_rad{};  ///< Largest.
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
+  std::optional<FallOfDamping> damping_fall;
   int iterations{};
   Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
 
@@ -142,10 +144,12 @@ struct LuGreSignals {
   std::vector<double> dz_rad_s;
 };
 
-/// Lag of the loops' torque behind their angle.
-struct LagOfLoops {
-  double taken_off_s{};   ///< Already removed as a delay; it may have been a filter's.
-  double half_width_s{};  ///< 95 %; 0: known exactly.
+/// What starts and stops say of the loops.
+struct KnownOfStarts {
+  double lag_taken_off_s{};   ///< Of the torque behind the angle, removed as a delay; it may have
+                              ///< been a filter's.
+  double lag_half_width_s{};  ///< 95 %; 0: known exactly.
+  std::optional<statistics::Estimate> inertia_kgm2;  ///< Motor side.
 };
 
 struct FittedLuGre {
@@ -162,9 +166,9 @@ struct FittedLuGre {
 /// @param q_peak_rad angle at which gravity is largest.
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
-/// @param lag looks like bristle damping; its uncertainty widens what depends on that.
+/// @param known a lag looks like bristle damping: its uncertainty widens what depends on that.
 /// @throw std::invalid_argument if there is no loop.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple = {}, const LagOfLoops& lag = {});
+                      const gravity::Ripple& ripple = {}, const KnownOfStarts& known = {});
 
 }  // namespace tribolog::method::hysteresis

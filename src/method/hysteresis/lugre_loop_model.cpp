@@ -191,6 +191,15 @@ std::vector<double> LuGreLoopModel::row_times_s() const {
   return out;
 }
 
+Eigen::VectorXd LuGreLoopModel::row_speeds_rad_s() const {
+  const std::vector<double> times = row_times_s();
+  Eigen::VectorXd speeds(rows());
+  for (Eigen::Index k = 0; k < rows(); ++k) {
+    speeds(k) = motion_->speed(times[static_cast<std::size_t>(k)]);
+  }
+  return speeds;
+}
+
 Eigen::VectorXd LuGreLoopModel::measured() const {
   return Eigen::Map<const Eigen::VectorXd>(measured_Nm_.data(), rows());
 }

@@ -61,6 +61,8 @@ class LuGreLoopModel {
   [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
   /// Times of the rows since the first sample, and the torque measured there.
   [[nodiscard]] std::vector<double> row_times_s() const;
+  /// Motor speed there, by the motion.
+  [[nodiscard]] Eigen::VectorXd row_speeds_rad_s() const;
   [[nodiscard]] Eigen::VectorXd measured() const;
   /// Residuals T_model - T_measured, and their derivatives.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
