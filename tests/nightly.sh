@@ -184,7 +184,7 @@ part_coverage() {
   ./setup.sh tests || exit 1
   commands=$((commands + 1))
   TRIBOLOG_ALL_SEEDS=1 ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure \
-    -L 'identify|study' >"$out/coverage.log" 2>&1 && return
+    -L 'identify|study|unit' >"$out/coverage.log" 2>&1 && return
   findings=$((findings + 1))
   say "FOUND: $out/coverage.log"
   sed -n '/The following tests FAILED/,$p' "$out/coverage.log"

@@ -33,10 +33,13 @@ TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
     EXPECT_EQ(c.hysteresis.points.size(), 6U) << "seed " << seed;
   }
   RecordProperty("covered", covered);
-  EXPECT_GE(covered, test::least_coverage(seeds) * static_cast<double>(seeds));
+  const bool are_many = seeds >= 100;
+  const auto all = static_cast<double>(seeds);
+  EXPECT_GE(covered, (are_many ? 0.90 : test::least_coverage(seeds)) * all);
+  EXPECT_LE(covered, (are_many ? 0.99 : 1.0) * all);
   // Without noise the paper's rule selects B.
   RecordProperty("b_is_possible", b_is_possible);
-  EXPECT_GE(b_is_possible, 0.95 * static_cast<double>(seeds));
+  EXPECT_GE(b_is_possible, 0.95 * all);
 }
 
 }  // namespace

@@ -368,7 +368,7 @@ TEST(CogSweep, ATorqueThatWandersWidensAngleAndGravity) {
                 ? 1
                 : 0;
   }
-  EXPECT_GE(held, 0.83 * runs);  // blocks of neighbours alone hold some 0.7
+  EXPECT_GE(held, (runs >= 40 ? 0.875 : 0.83) * runs);  // blocks of neighbours alone hold some 0.7
 }
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
