@@ -5,7 +5,7 @@
 #     program    ASan, UBSan and libstdc++'s assertions: every command, on every example and on
 #                every real log                          (ten minutes, and half an hour of building)
 #     valgrind   memcheck: identify on every real log                          (three minutes)
-#     coverage   how often the stated intervals hold the truth, over many seeds (ten minutes)
+#     cases      the test suite with every seed and every case that a change sees in part (an hour)
 #     tests      ASan and UBSan: the whole test suite                         (some hours)
 #     lint       clang-tidy over all of the source, through clang and libc++  (half an hour)
 # Real logs are those in ../shared/data, by the manifests of tests/data and by those that `init`
@@ -20,7 +20,7 @@ out=$root/build-nightly
 findings=0
 commands=0
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(program valgrind coverage tests lint)
+[ ${#parts[@]} -gt 0 ] || parts=(program valgrind cases tests lint)
 
 # A status of its own, which no command of the program has. Drivers keep what they made for as long
 # as the process lives, and the template engine its modifiers.
@@ -180,14 +180,14 @@ part_valgrind() {
   done
 }
 
-part_coverage() {
+part_cases() {
   ./setup.sh tests || exit 1
   commands=$((commands + 1))
-  TRIBOLOG_ALL_SEEDS=1 ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure \
-    -L 'identify|study|unit' >"$out/coverage.log" 2>&1 && return
+  TRIBOLOG_EVERY_CASE=1 ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure \
+    -j "$(nproc)" >"$out/cases.log" 2>&1 && return
   findings=$((findings + 1))
-  say "FOUND: $out/coverage.log"
-  sed -n '/The following tests FAILED/,$p' "$out/coverage.log"
+  say "FOUND: $out/cases.log"
+  sed -n '/The following tests FAILED/,$p' "$out/cases.log"
 }
 
 part_tests() {
@@ -209,14 +209,14 @@ part_lint() {
 
 for part in "${parts[@]}"; do
   case $part in
-    program | valgrind | coverage | tests | lint)
+    program | valgrind | cases | tests | lint)
       say "$part"
       rm -rf "${out:?}/$part"
       mkdir -p "$out/$part"
       "part_$part"
       ;;
     *)
-      say "no part '$part': program, valgrind, coverage, tests or lint" >&2
+      say "no part '$part': program, valgrind, cases, tests or lint" >&2
       exit 2
       ;;
   esac

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { axePath, focusPlot, settled, withReport } from "./open_report.mjs";
+import { axePath, eachNight, focusPlot, settled, withReport } from "./open_report.mjs";
 
 const axe = readFileSync(axePath, "utf8");
 
@@ -43,7 +43,7 @@ test("noisy.html, light, 390 px: axe-core finds no violation", () =>
     assert.deepEqual(await violationsOf(page, "#review"), []);
   }));
 
-test("paper.html, dark, 768 px: axe-core finds no violation", () =>
+test("paper.html, dark, 768 px: axe-core finds no violation", eachNight, () =>
   withReport("paper.html", { width: 768, colorScheme: "dark" }, async (page) => {
     await use(page);
     assert.deepEqual(await violationsOf(page, "html", { runOnly: contrast }), []);

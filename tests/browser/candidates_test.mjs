@@ -1,7 +1,7 @@
 // Switching the candidate mass: curves, errors and numbers, against the data and the tables.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertNear, dataOf, focusPlot, inkOf, listOf, plotOf, plotsOf, screenOf, settled, withReport }
+import { assertNear, dataOf, everyCase, focusPlot, inkOf, listOf, plotOf, plotsOf, screenOf, settled, withReport }
   from "./open_report.mjs";
 
 const cellsOf = (page, table) => page.evaluate((id) => Object.fromEntries(
@@ -19,7 +19,7 @@ const colourAt = (page, id, plot, x, y) => page.evaluate(([name, at]) => {
     .map((part) => part.toString(16).padStart(2, "0")).join("");
 }, [id, screenOf(plot, x, y)]);
 
-for (const name of ["paper.html", "noisy.html"]) {
+for (const name of everyCase ? ["paper.html", "noisy.html"] : ["paper.html"]) {
   test(`${name}: each candidate draws its curve and error, with the tables' numbers`, () =>
     withReport(name, {}, async (page) => {
       const data = await dataOf(page);

@@ -1,7 +1,7 @@
 // The report in Polish: the same numbers, the same viewer, and nothing of it left in English.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { dataOf, listOf, settled, withReport } from "./open_report.mjs";
+import { dataOf, eachNight, listOf, settled, withReport } from "./open_report.mjs";
 
 const read = (page) => page.evaluate(() => ({
   language: document.documentElement.lang,
@@ -44,7 +44,7 @@ test("the viewer speaks Polish", async () => {
   assert.ok(words(polish.viewer).length > 20);
 });
 
-test("readings in Polish have the English ones' numbers", async () => {
+test("readings in Polish have the English ones' numbers", eachNight, async () => {
   const [english, polish] = await both(async (page) => {
     const { candidates } = await dataOf(page);
     const readings = {};
@@ -60,7 +60,7 @@ test("readings in Polish have the English ones' numbers", async () => {
   assert.ok(english.AB.length > english.midline.length);
 });
 
-test("no horizontal scroll in Polish at 390, 768 and 1400 px", async () => {
+test("no horizontal scroll in Polish at 390, 768 and 1400 px", eachNight, async () => {
   for (const width of [390, 768, 1400]) {
     await withReport("polish.html", { width }, async (page) => {
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);

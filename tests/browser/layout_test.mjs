@@ -1,7 +1,7 @@
 // Widths, dark mode, sharp drawing, labels that do not collide, and the page without JavaScript.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { focusPlot, press, settled, withReport } from "./open_report.mjs";
+import { eachNight, focusPlot, press, settled, withReport } from "./open_report.mjs";
 
 /// Faults that can be seen: labels on each other or cut, targets too small, wider than the screen.
 const faultsOf = (page) => page.evaluate(() => {
@@ -69,7 +69,7 @@ for (const [name, width] of [["noisy.html", 390], ["hostile.html", 390], ["paper
     }));
 }
 
-test("light and dark draw the same, on a dark page", async () => {
+test("light and dark draw the same, on a dark page", eachNight, async () => {
   const seen = [];
   for (const colorScheme of ["light", "dark"]) {
     await withReport("noisy.html", { colorScheme }, async (page) => {
@@ -88,7 +88,7 @@ test("light and dark draw the same, on a dark page", async () => {
   assert.notEqual(dark.page, light.page);
 });
 
-test("a display of high density gets as many pixels as it has", () =>
+test("a display of high density gets as many pixels as it has", eachNight, () =>
   withReport("noisy.html", { deviceScaleFactor: 2.5 }, async (page) => {
     await settled(page);
     const size = await page.evaluate(() => {

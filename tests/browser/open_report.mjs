@@ -7,6 +7,10 @@ import { pathToFileURL } from "node:url";
 
 const require = createRequire(join(process.env.TRIBOLOG_PACKAGES, "package.json"));
 const { chromium } = require("playwright-core");
+/// Each night (tests/nightly.sh cases) what is looked at in part at every change is looked at whole.
+export const everyCase = process.env.TRIBOLOG_EVERY_CASE !== undefined;
+export const eachNight = { skip: everyCase ? false : "each night" };
+
 export const axePath = require.resolve("axe-core/axe.min.js");
 export const reportPath = (name) => join(process.env.TRIBOLOG_REPORTS, name);
 

@@ -15,6 +15,7 @@
 
 #include "base/utf8.h"
 #include "cli/small_dataset.h"
+#include "support/breadth.h"
 
 namespace tribolog::test::hostile_texts_test {
 namespace {
@@ -142,6 +143,7 @@ TEST_F(HostileTexts, OfAnArchiveAreShownByNoCommandAsTheyAre) {
 }
 
 TEST_F(HostileTexts, ThatWereAlteredInAnArchiveAreRefusedOrEscaped) {
+  TRIBOLOG_EACH_NIGHT();
   archive_it();
   const std::string one = id();
   const std::string kept = read_text(scratch_.file("a.tribolog"));

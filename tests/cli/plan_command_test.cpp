@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_dataset.h"
+#include "support/breadth.h"
 
 namespace tribolog::test::plan_command_test {
 namespace {
@@ -34,6 +35,7 @@ TEST(PlanCommand, WritesPageNumbersSetPointsAndManifest) {
 }
 
 TEST(PlanCommand, SameInputSameBytes) {
+  TRIBOLOG_EACH_NIGHT();
   const ScratchDirectory scratch;
   for (const char* threads : {"1", "2"}) {
     EXPECT_EQ(plan(scratch, "'" + example + "' -o out --runs 2 --threads " + threads).status, 0);

@@ -26,11 +26,11 @@ def bounded(kind, value, hard=None):
 def limits(few):
     """Name, value to show, what to do before the program starts, environment."""
     megabyte = 1 << 20
-    for MB in ((100, 400) if few else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
+    for MB in ((100,) if few else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
         yield "memory", f"{MB} MB", bounded(resource.RLIMIT_AS, MB * megabyte), {}
-    for kB in ((0, 64) if few else (0, 1, 16, 64, 256, 1024)):
+    for kB in ((64,) if few else (0, 1, 16, 64, 256, 1024)):
         yield "file size", f"{kB} kB", bounded(resource.RLIMIT_FSIZE, 1024 * kB), {}
-    for files in ((3, 12) if few else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
+    for files in ((12,) if few else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
         yield "open files", files, bounded(resource.RLIMIT_NOFILE, files), {}
     for seconds in ((1,) if few else (1, 2, 3)):
         yield "processor", f"{seconds} s", bounded(resource.RLIMIT_CPU, seconds, seconds + 5), {}

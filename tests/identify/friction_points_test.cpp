@@ -8,7 +8,7 @@
 
 #include "identify/identify.h"
 #include "statistics/random_stream.h"
-#include "support/seeds.h"
+#include "support/breadth.h"
 
 namespace tribolog::identified_friction_points_test {
 namespace {

@@ -13,8 +13,8 @@
 #include "base/parallel_for.h"
 #include "identify/identify.h"
 #include "statistics/random_stream.h"
+#include "support/breadth.h"
 #include "support/paper_joint.h"
-#include "support/seeds.h"
 
 namespace tribolog::interval_coverage_test {
 namespace {
@@ -24,7 +24,7 @@ using method::hysteresis::Estimator;
 constexpr double largest_coverage = 1;
 
 // Ripple makes each run long.
-std::size_t seeds_of_ripple() { return test::seeds_of(20, 100); }
+std::size_t seeds_of_ripple() { return test::seeds_of(10, 100); }
 
 simulate::Scenario with_ripple(simulate::Scenario s, std::uint64_t seed) {
   statistics::RandomStream random(seed, 777);
@@ -131,7 +131,7 @@ void expect_coverage(const Coverage& coverage) {
 }
 
 TEST(IntervalCoverage, OfEveryStatedIntervalInRealisticNoise) {
-  const Coverage c = coverage_of(test::seeds_of(40, 100), test::noisy_paper_joint);
+  const Coverage c = coverage_of(test::seeds_of(20, 100), test::noisy_paper_joint);
   EXPECT_GE(c.share.size(), 20U);
   expect_coverage(c);
   EXPECT_LT(c.largest_mass_error, 1e-3);

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel_for.h"
+#include "support/breadth.h"
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
-#include "support/seeds.h"
 
 namespace tribolog::lugre_coverage_test {
 namespace {

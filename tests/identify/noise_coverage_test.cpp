@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "identify/identify.h"
+#include "support/breadth.h"
 #include "support/paper_joint.h"
-#include "support/seeds.h"
 
 namespace tribolog::noise_coverage_test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using method::hysteresis::Estimator;
 
 TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
-  const std::uint64_t seeds = test::seeds_of(40, 100);
+  const std::uint64_t seeds = test::seeds_of(12, 100);
   int covered = 0;
   int b_is_possible = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -39,7 +39,7 @@ TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
   EXPECT_LE(covered, (are_many ? 0.99 : 1.0) * all);
   // Without noise the paper's rule selects B.
   RecordProperty("b_is_possible", b_is_possible);
-  EXPECT_GE(b_is_possible, 0.95 * all);
+  EXPECT_GE(b_is_possible, (are_many ? 0.95 : 0.9) * all);
 }
 
 }  // namespace

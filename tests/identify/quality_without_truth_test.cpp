@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "identify/identify.h"
+#include "support/breadth.h"
 #include "support/paper_joint.h"
-#include "support/seeds.h"
 #include "wording/words.h"
 
 namespace tribolog::quality_without_truth_test {

@@ -12,6 +12,7 @@
 #include "plan/paper_facts.h"
 #include "plan/simulated_plan.h"
 #include "simulate/simulate_joint.h"
+#include "support/breadth.h"
 
 namespace tribolog::test::expected_intervals_test {
 namespace {
@@ -64,6 +65,7 @@ double scatter_of(const std::vector<std::vector<truth::Reading>>& runs, ReadingN
 constexpr double agreement = 3.5;
 
 TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
+  TRIBOLOG_EACH_NIGHT();
   const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   const plan::ExpectedIntervals expected = plan::expect_intervals(plan, {8});
   EXPECT_NEAR(expected.find(ReadingName::midline)->truth, 3.88318571, 1e-9);
@@ -89,9 +91,9 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
 
 TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
   const plan::ExpectedIntervals little =
-      plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {4});
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {2});
   const plan::ExpectedIntervals much =
-      plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {4});
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {2});
   for (const ReadingName name : {ReadingName::midline, ReadingName::sweep, ReadingName::q_peak,
                                  ReadingName::bristle_stiffness, ReadingName::sweep_friction}) {
     EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << to_string(name);

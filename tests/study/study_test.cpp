@@ -12,6 +12,7 @@
 
 #include "simulate/simulate_joint.h"
 #include "study/small_scenario.h"
+#include "support/breadth.h"
 #include "support/paper_joint.h"
 #include "wording/words.h"
 
@@ -76,7 +77,9 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
 }
 
 TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
-  const study::StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, 12);
+  const std::size_t runs = test::seeds_of(6, 12);
+  const double least = runs >= 12 ? 8.0 / 12 : 0.5;
+  const study::StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, runs);
   const study::StudyLevel& one = factor(study, "ripple_one_position").levels.back();
   const study::StudyLevel& eight = factor(study, "ripple_eight_positions").levels.back();
   const study::ErrorStatistics& from_one = study.case_of(one).find(ReadingName::midline)->errors;
@@ -87,11 +90,11 @@ TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
   EXPECT_GT(from_one.scatter, amplitude_Nm / 2);
   EXPECT_LT(from_one.scatter, amplitude_Nm * 2);
   // What is left is the noise of the sweep's offset, which is taken off the mid-line.
-  EXPECT_LT(from_eight.scatter, from_one.scatter / 5);
-  EXPECT_GE(from_one.coverage.value, 8.0 / 12);
-  EXPECT_GE(from_eight.coverage.value, 8.0 / 12);
+  EXPECT_LT(from_eight.scatter, from_one.scatter / (runs >= 12 ? 5 : 3));
+  EXPECT_GE(from_one.coverage.value, least);
+  EXPECT_GE(from_eight.coverage.value, least);
   // What is read at the first position alone is widened by the ripple, however many there are.
-  EXPECT_GE(study.case_of(eight).find(ReadingName::AB)->errors.coverage.value, 8.0 / 12);
+  EXPECT_GE(study.case_of(eight).find(ReadingName::AB)->errors.coverage.value, least);
 }
 
 TEST(Study, EachFactorHasOneBaseLevelAndLevelsOfOneCaseAreOneScenario) {

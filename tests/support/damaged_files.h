@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "support/breadth.h"
 
 namespace tribolog::test {
 
@@ -25,19 +26,19 @@ void expect_answer(const Read& read, const std::string& bytes, const std::string
 
 /// Cuts the file at `count` random places.
 template <class Read>
-void expect_cuts_answered(const Read& read, const std::string& bytes, int count) {
+void expect_cuts_answered(const Read& read, const std::string& bytes, std::size_t count) {
   std::mt19937 random(1);
-  for (int i = 0; i < count; ++i) {
-    const std::size_t length = i < 20 ? static_cast<std::size_t>(i) : random() % bytes.size();
+  for (std::size_t i = 0; i < seeds_of(count / 4, count); ++i) {
+    const std::size_t length = i < 20 ? i : random() % bytes.size();
     expect_answer(read, bytes.substr(0, length), "first " + std::to_string(length) + " bytes");
   }
 }
 
 /// Changes one random byte at a time to another one, `count` times.
 template <class Read>
-void expect_changes_answered(const Read& read, const std::string& bytes, int count) {
+void expect_changes_answered(const Read& read, const std::string& bytes, std::size_t count) {
   std::mt19937 random(2);
-  for (int i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < seeds_of(count / 4, count); ++i) {
     const std::size_t at = random() % bytes.size();
     std::string changed = bytes;
     changed[at] = static_cast<char>(changed[at] ^ static_cast<char>(1 + random() % 255));

@@ -14,7 +14,11 @@ full='--resamples 100 --truth-runs 2 --no-figures'
 quick='--resamples 0 --truth-runs 0 --no-figures'
 $tribolog simulate "$examples/paper/scenario_noise.toml" -o noise
 python3 "$here/vary_dataset.py" noise
-for manifest in noise/*_variant.toml; do
+# At every change those that say most; each night, by tests/nightly.sh cases, all.
+every_case=$TRIBOLOG_EVERY_CASE
+variants='noise/limits_variant.toml noise/no_torque_variant.toml noise/runs_variant.toml'
+[ -z "$every_case" ] || variants=$(echo noise/*_variant.toml)
+for manifest in $variants; do
   name=$(basename "$manifest" .toml)
   for language in en pl; do
     $tribolog report "$manifest" $quick --language $language -o $name.$language.html \
@@ -25,12 +29,15 @@ for language in en pl; do
   # Of a joint that was measured before, so that there is a change to tell.
   $tribolog report noise/dataset.toml $full --language $language -o whole.$language.html \
     --archive $language.tribolog --archive-again
-  $tribolog figures noise/dataset.toml --truth-runs 1 --format svg --language $language -o svg.$language
-  $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
-  cp plan.$language/plan.html plan.$language.html
-  $tribolog models --compare --language $language -o models.$language.html
+  if [ -n "$every_case" ]; then
+    $tribolog figures noise/dataset.toml --truth-runs 1 --format svg --language $language \
+      -o svg.$language
+    $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
+    cp plan.$language/plan.html plan.$language.html
+    $tribolog models --compare --language $language -o models.$language.html
+  fi
   $tribolog paper --language $language -o paper.$language.html
-  $tribolog study --runs 2 --factor torque_noise --language $language -o study.$language.html
+  $tribolog study --runs 2 --factor cycles --language $language -o study.$language.html
   $tribolog archive trend --archive $language.tribolog --language $language -o trend.$language.html \
     >/dev/null
   $tribolog archive fleet --archive $language.tribolog --language $language -o fleet.$language.html
@@ -46,5 +53,7 @@ for page in *.en.html; do
   grep -q '<html lang="pl">' "$other" || { echo "$other: not in Polish"; status=1; }
   python3 "$here/untranslated.py" "$page" "$other" >left || { echo "## $other"; cat left; status=1; }
 done
-python3 "$here/untranslated.py" svg.en svg.pl >left || { echo "## figures"; cat left; status=1; }
+if [ -n "$every_case" ]; then
+  python3 "$here/untranslated.py" svg.en svg.pl >left || { echo "## figures"; cat left; status=1; }
+fi
 exit $status

@@ -9,6 +9,7 @@
 #include "figures/sweep/swept_figures.h"
 #include "render/workers/renderer.h"
 #include "report/html_report.h"
+#include "support/breadth.h"
 
 namespace tribolog::test::sixty_figures_test {
 namespace {
@@ -29,6 +30,7 @@ std::vector<figures::ReportFigure> sixty_figures() {
 }
 
 TEST(SixtyFigures, StayUnderTenMegabytes) {
+  TRIBOLOG_EACH_NIGHT();
   const std::vector<figures::ReportFigure> figures = sixty_figures();
   ASSERT_EQ(figures.size(), count);
   std::vector<render::figure::Figure> scenes;

@@ -9,6 +9,7 @@
 #include "render/vector/drawn_set.h"
 #include "render/vector/outside_renderers.h"
 #include "render/vector/picture_match.h"
+#include "support/breadth.h"
 #include "wording/words.h"
 
 namespace tribolog::render::renders_alike_test {
@@ -32,7 +33,7 @@ void expect_pdf_alike(const std::vector<figures::ReportFigure>& figures) {
     GTEST_SKIP() << "poppler-utils or qpdf is not installed";
   }
   const text::Font font;
-  for (const DrawnExample& one : drawn(figures)) {
+  for (const DrawnExample& one : drawn(test::some_of(figures, 4))) {
     const std::string pdf = vector::pdf_document(one.list, one.texts(), font, one.solid_parts);
     const int width = one.list.width;
     const int height = one.list.height;
@@ -48,7 +49,7 @@ void expect_pdf_alike(const std::vector<figures::ReportFigure>& figures) {
 void expect_svg_alike(const std::vector<figures::ReportFigure>& figures) {
   if (!has_program("rsvg-convert")) GTEST_SKIP() << "librsvg2-bin is not installed";
   const text::Font font;
-  for (const DrawnExample& one : drawn(figures)) {
+  for (const DrawnExample& one : drawn(test::some_of(figures, 4))) {
     const std::string svg = vector::svg_document(one.list, one.texts(), font, one.solid_parts);
     expect_alike(one, svg_by_librsvg(svg, one.list.width, one.list.height), "librsvg");
     EXPECT_GT(texts_of_svg(svg).size(), 2U) << one.figure.figure.id;
