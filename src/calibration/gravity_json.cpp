@@ -168,6 +168,12 @@ Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
       {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
 }
 
+Json out_of_proportion(const std::optional<method::viscous::TorqueProportion>& torque) {
+  if (!torque) return nullptr;
+  const bool saturates = torque->form == method::viscous::OutOfProportion::saturation;
+  return {{"form", saturates ? "saturation" : "dead_zone"}, {"share", interval(torque->share)}};
+}
+
 Json load_dependence(const method::viscous::LoadDependenceResult& l) {
   const auto if_examined = [&](double value) { return l.examined ? number(value) : Json(nullptr); };
   Json points = Json::array();
@@ -190,6 +196,7 @@ Json load_dependence(const method::viscous::LoadDependenceResult& l) {
           {"held_out_Nm", if_examined(l.held_out_Nm)},
           {"held_out_without_load_Nm", if_examined(l.held_out_without_load_Nm)},
           {"held_out_speed_alone_Nm", if_examined(l.held_out_speed_alone_Nm)},
+          {"out_of_proportion", out_of_proportion(l.out_of_proportion)},
           {"points", std::move(points)}};
 }
 

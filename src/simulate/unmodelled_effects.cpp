@@ -62,9 +62,10 @@ bool JointEffects::any() const {
 
 bool LogEffects::any() const {
   return torque_delay_s != 0 || torque_filter_Hz != 0 || torque_scale != 1 ||
-         torque_limit_Nm != 0 || vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 ||
-         outlier_percent != 0 || held_percent != 0 || dead_percent != 0 || speed_scale != 1 ||
-         wrap_rad != 0 || mirrored_angle || mirrored_torque;
+         saturation_per_Nm2 != 0 || dead_zone_Nm != 0 || torque_limit_Nm != 0 ||
+         vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 || outlier_percent != 0 ||
+         held_percent != 0 || dead_percent != 0 || speed_scale != 1 || wrap_rad != 0 ||
+         mirrored_angle || mirrored_torque;
 }
 
 void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& moved) {
@@ -159,7 +160,14 @@ void add_torque_effects(joint::Recording& r, const LogEffects& e, double sample_
   if (e.torque_delay_s != 0) delay(torque, e.torque_delay_s * sample_rate_Hz);
   if (e.coloured_Nm > 0)
     add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);
-  for (double& value : torque) value *= e.torque_scale;
+  constexpr double edge = 0.1;  // of a dead zone
+  for (double& value : torque) {
+    value *= 1 + e.saturation_per_Nm2 * value * value;
+    if (e.dead_zone_Nm > 0) {
+      value += e.dead_zone_Nm * std::clamp(value / (edge * e.dead_zone_Nm), -1.0, 1.0);
+    }
+    value *= e.torque_scale;
+  }
 }
 
 void add_log_effects(joint::Recording& r, const LogEffects& e, std::uint64_t seed,

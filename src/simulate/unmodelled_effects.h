@@ -50,8 +50,11 @@ struct LogEffects {
   double torque_delay_s{};    ///< The torque is logged so much later than the angle; < 0: earlier.
   double torque_filter_Hz{};  ///< First-order low pass of the torque; 0: none.
   double torque_scale{1.0};   ///< Logged over true: a torque constant that is off.
-  double torque_limit_Nm{};   ///< Larger torques are logged as this, motor side; 0: none are.
-  double vibration_Nm{};      ///< Amplitude of a torque periodic in time, motor side.
+  double saturation_per_Nm2{};  ///< T is logged as T (1 + this T^2), motor side: the drive's torque
+                                ///< constant falls with its current.
+  double dead_zone_Nm{};        ///< Logged beyond T on either side of zero, motor side.
+  double torque_limit_Nm{};     ///< Larger torques are logged as this, motor side; 0: none are.
+  double vibration_Nm{};        ///< Amplitude of a torque periodic in time, motor side.
   double vibration_Hz{};
   double coloured_Nm{};      ///< Standard deviation of noise that hangs together in time.
   double coloured_time_s{};  ///< For so long.

@@ -279,6 +279,16 @@ std::vector<Disturbance> all_disturbances() {
        {"budget."},
        {},
        true},
+      {"torque_saturates",
+       {0.003, 0.01, 0.04},
+       [](Scenario& s, double x) {
+         s.noise.effects.saturation_per_Nm2 = x / std::pow(motor_gravity(s), 2);
+       },
+       {"cause.torque_saturates", "cause.load"}},
+      {"dead_zone",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) { s.noise.effects.dead_zone_Nm = x * motor_gravity(s); },
+       {"cause.dead_zone", "cause.offset"}},
       {"torque_limit",
        {0.98, 0.9, 0.8},
        [](Scenario& s, double x) {

@@ -62,6 +62,20 @@ std::optional<Measured> torque_of_angle(const Calibration& c) {
                    {{"amplitude_Nm", c.rough.of_angle->amplitude_Nm}, {"percent", percent}}}};
 }
 
+/// A torque that is logged out of proportion, in percent of gravity.
+std::optional<Measured> torque_out_of_proportion(const Calibration& c) {
+  using method::viscous::OutOfProportion;
+  if (!c.load_dependence.examined) return std::nullopt;
+  const std::optional<method::viscous::TorqueProportion>& found =
+      c.load_dependence.out_of_proportion;
+  if (!found) return Measured{};
+  const double percent = 100 * found->share.value;
+  return Measured{percent,
+                  {found->form == OutOfProportion::saturation ? Code{"cause.torque_saturates"}
+                                                              : Code{"cause.dead_zone"},
+                   {{"percent", percent}, {"half_width", 100 * found->share.half_width()}}}};
+}
+
 std::optional<Measured> gear_twist(const Calibration& c) {
   const std::optional<statistics::Estimate>& twist = c.rough.twist_rad;
   // Slow ripple of a motor that hardly turns looks the same.
@@ -199,6 +213,8 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
        "record.other_joints_at_rest",
        other_joint_on_friction},
+      {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_measured",
+       torque_out_of_proportion},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
       // Over part of a turn, what such a torque has in common with gravity cannot be told from it:

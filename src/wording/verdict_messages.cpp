@@ -41,6 +41,8 @@ const Messages& verdict_messages() {
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
+      {"rule.torque_out_of_proportion",
+       text("Torque that is not in proportion to the joint's, at the gravity peak")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
       {"rule.loops_within_dip",
        text("Five times the dip's speed over the fastest of the loops, where friction comes from "
@@ -168,6 +170,14 @@ const Messages& verdict_messages() {
       {"cause.damping_falls",
        text("the bristle damping falls with speed, to a half at {half_at_rad_s:.2g} rad/s (motor "
             "side): with such a damping the stiffness would be {percent:+.2g} % different")},
+      {"cause.torque_saturates",
+       text("the torque is not in proportion: at the gravity peak {percent:.2g} ± {half_width:.2g} "
+            "% "
+            "too much is logged, as where a torque constant falls with the current; friction that "
+            "grows with the load describes the sweep no better")},
+      {"cause.dead_zone", text("the torque has a dead zone: {percent:.2g} ± {half_width:.2g} % of "
+                               "the gravity torque is "
+                               "logged on either side of zero before the joint gets any")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "

@@ -98,6 +98,65 @@ TEST(LoadDependence, CoversAndIsRefusedWhereItIsNot) {
   EXPECT_LE(falsely_taken_up, 10);
 }
 
+/// Rising and falling at a constant speed, from -1.2 to 1.2 rad about the peak; what is logged of
+/// the torque is up to the test.
+template <class Logged>
+Result identify_strokes(double per_load, double friction_Nm, std::uint64_t seed,
+                        const Logged& logged) {
+  statistics::RandomStream random(seed, 0);
+  joint::Recording r;
+  r.role = joint::Role::rough_sweep;
+  constexpr double speed = 0.08;
+  constexpr double half_s = 1.2 / speed;
+  for (double t = 0; t < 8 * half_s; t += 0.01) {
+    const double within = std::fmod(t, 4 * half_s);
+    const bool rises = within < 2 * half_s;
+    const double q = rises ? -1.2 + speed * within : 1.2 - speed * (within - 2 * half_s);
+    const double gravity = gravity_Nm * std::cos(q - 0.1);
+    const double friction = friction_Nm + per_load * std::abs(gravity);
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.torque_Nm.push_back(logged(gravity + (rises ? friction : -friction)) + 0.1 * random.normal());
+  }
+  return identify(r);
+}
+
+TEST(LoadDependence, ATorqueThatSaturatesIsToldFromFrictionByLoad) {
+  using method::viscous::OutOfProportion;
+  constexpr double at_gravity = 0.01;
+  const auto saturated = [](double torque) {
+    return torque * (1 + at_gravity * std::pow(torque / gravity_Nm, 2));
+  };
+  const auto as_it_is = [](double torque) { return torque; };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto bent = identify_strokes(0, coulomb_Nm, seed, saturated).load.out_of_proportion;
+    ASSERT_TRUE(bent) << seed;
+    EXPECT_EQ(bent->form, OutOfProportion::saturation);
+    EXPECT_NEAR(bent->share.value, at_gravity * (1 + 3 * std::pow(coulomb_Nm / gravity_Nm, 2)),
+                0.002);
+    const Result loaded = identify_strokes(0.01, coulomb_Nm, seed, as_it_is);
+    EXPECT_TRUE(loaded.load.found) << seed;
+    EXPECT_FALSE(loaded.load.out_of_proportion) << seed;
+    const Result plain = identify_strokes(0, coulomb_Nm, seed, as_it_is);
+    EXPECT_FALSE(plain.load.out_of_proportion) << seed;
+  }
+}
+
+TEST(LoadDependence, ADeadZoneShowsWhereTheTorqueChangesItsSign) {
+  using method::viscous::OutOfProportion;
+  constexpr double zone_Nm = 1;
+  const auto beyond_zone = [](double torque) { return torque + (torque < 0 ? -zone_Nm : zone_Nm); };
+  constexpr double more_friction_Nm = 60;  // than gravity at the ends of the strokes
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto dead = identify_strokes(0, more_friction_Nm, seed, beyond_zone).load;
+    ASSERT_TRUE(dead.out_of_proportion) << seed;
+    EXPECT_EQ(dead.out_of_proportion->form, OutOfProportion::dead_zone);
+    EXPECT_NEAR(dead.out_of_proportion->share.value, zone_Nm / gravity_Nm, 0.002);
+    // Where it does not, it is an offset of the torque.
+    EXPECT_FALSE(identify_strokes(0, coulomb_Nm, seed, beyond_zone).load.out_of_proportion) << seed;
+  }
+}
+
 TEST(LoadDependence, LittleChangeOfLoadIsSaid) {
   joint::Recording r = sine(0.06, 0.1, 1, q_peak_rad);
   for (std::size_t i = 0; i < r.size(); ++i) {  // a tenth of the stroke, all near the peak

@@ -25,6 +25,7 @@ constexpr double constant_share = 0.1;
 struct Row {
   std::size_t cell;
   double q_rad, load_Nm, speed_rad_s, friction_Nm;
+  double rising_rad, rising_Nm, falling_rad, falling_Nm;
 };
 
 struct Mean {
@@ -65,7 +66,8 @@ std::vector<Row> paired_rows(const motion::Sweep& sweep, const gravity::CogSweep
       const double q = (u.angle / u.samples + d.angle / d.samples) / 2;
       rows.push_back({cell, q, std::abs(found.gravity_Nm.value * std::cos(q - q_peak)),
                       (u.speed / u.samples + d.speed / d.samples) / 2,
-                      (u.torque / u.samples - d.torque / d.samples) / 2});
+                      (u.torque / u.samples - d.torque / d.samples) / 2, u.angle / u.samples,
+                      u.torque / u.samples, d.angle / d.samples, d.torque / d.samples});
     }
   }
   return rows;
@@ -153,6 +155,95 @@ void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
   }
 }
 
+/// The torques of both directions over the angle, one row each.
+struct BothDirections {
+  Eigen::MatrixXd columns;  ///< Gravity in two parts, offset, friction; and what the angle adds.
+  Eigen::VectorXd torque_Nm;
+  std::vector<std::size_t> blocks;
+};
+
+BothDirections both_directions(const std::vector<Row>& rows, bool more_of_angle) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  BothDirections out{Eigen::MatrixXd(2 * n, more_of_angle ? 6 : 4), Eigen::VectorXd(2 * n), {}};
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    const Row& row = rows[static_cast<std::size_t>(i / 2)];
+    const bool rises = i % 2 == 0;
+    const double q = rises ? row.rising_rad : row.falling_rad;
+    out.columns.row(i).head<4>() << std::cos(q), std::sin(q), 1, rises ? 1 : -1;
+    if (more_of_angle) out.columns.row(i).tail<2>() << std::cos(2 * q), std::sin(2 * q);
+    out.torque_Nm(i) = rises ? row.rising_Nm : row.falling_Nm;
+  }
+  return out;
+}
+
+/// The fit with further columns.
+statistics::BlockRegression with_columns(const BothDirections& all,
+                                         const std::vector<Eigen::VectorXd>& further) {
+  Eigen::MatrixXd columns = all.columns;
+  for (const Eigen::VectorXd& one : further) {
+    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+    columns.rightCols<1>() = one;
+  }
+  return statistics::block_regression(columns, all.torque_Nm, all.blocks);
+}
+
+/// @param blocks of the rows.
+/// @param load_found whether friction seems to grow with the load.
+std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>& rows,
+                                                         const std::vector<std::size_t>& blocks,
+                                                         bool more_of_angle, bool load_found) {
+  BothDirections all = both_directions(rows, more_of_angle);
+  for (const std::size_t block : blocks) all.blocks.insert(all.blocks.end(), 2, block);
+  const statistics::BlockRegression plain = with_columns(all, {});
+  const double gravity = std::hypot(plain.coefficients(0), plain.coefficients(1));
+  const double friction = plain.coefficients(3);
+  const Eigen::VectorXd torque = all.torque_Nm - plain.residuals;
+  const Eigen::VectorXd weight = all.columns.leftCols<2>() * plain.coefficients.head<2>() / gravity;
+  const Eigen::VectorXd load = all.columns.col(3).cwiseProduct(weight.cwiseAbs());
+  const Eigen::VectorXd cube = (torque / gravity).array().cube();
+  constexpr double width = 0.02;  // of the dead zone's edges, of gravity: means of cells are soft
+  const Eigen::VectorXd edge = (torque / (width * gravity)).cwiseMax(-1).cwiseMin(1);
+
+  const double of_load = with_columns(all, {load}).residuals.squaredNorm();
+  const statistics::BlockRegression saturated = with_columns(all, {cube});
+  /// Of the last column, in this unit.
+  const auto share_of = [](const statistics::BlockRegression& fit, double unit_Nm) {
+    const Eigen::Index last = fit.coefficients.size() - 1;
+    return statistics::symmetric_estimate(fit.coefficients(last) / unit_Nm,
+                                          fit.half_width(last) / unit_Nm,
+                                          {"interval.paired_strokes"});
+  };
+  // Seen over the angle only where the torque changes its sign within a direction.
+  const Eigen::VectorXd left = edge - all.columns * all.columns.colPivHouseholderQr().solve(edge);
+  constexpr double least_seen = 0.1;
+  if (left.norm() > least_seen * edge.norm()) {
+    const statistics::BlockRegression dead = with_columns(all, {edge});
+    const statistics::Estimate share = share_of(dead, gravity);
+    if (share.low > 0 &&
+        dead.residuals.squaredNorm() < std::min(of_load, saturated.residuals.squaredNorm())) {
+      return TorqueProportion{OutOfProportion::dead_zone, share};
+    }
+  }
+  // At the peak the mean of G + F and G - F has 1 + 3 (F/G)^2 of the cube.
+  const double unit_Nm = gravity / (1 + 3 * std::pow(friction / gravity, 2));
+  const statistics::Estimate alone = share_of(saturated, unit_Nm);
+  const statistics::BlockRegression both = with_columns(all, {load, cube});
+  const Eigen::Index of_load_in_both = all.columns.cols();
+  constexpr double beyond_doubt = 1.5;  // half widths
+  const bool needs_load =
+      both.coefficients(of_load_in_both) > beyond_doubt * both.half_width(of_load_in_both);
+  if (needs_load) {
+    const statistics::Estimate beside = share_of(both, unit_Nm);
+    return beside.low > 0 ? std::optional(TorqueProportion{OutOfProportion::saturation, beside})
+                          : std::nullopt;
+  }
+  const double certainty = load_found ? 1 : beyond_doubt;  // friction by load is common
+  if (alone.value > certainty * alone.half_width()) {
+    return TorqueProportion{OutOfProportion::saturation, alone};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
@@ -217,6 +308,10 @@ LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
   add_points(rows, fit.residuals, out);
   out.examined = true;
   out.found = out.per_load.low > 0 && pays(errors_without, errors);
+  if (!speed_changes) {
+    const bool more_of_angle = rough.of_angle || rough.twist_rad;
+    out.out_of_proportion = torque_out_of_proportion(rows, blocks, more_of_angle, out.found);
+  }
   if (!out.found) {
     out.sentence = {"load_dependence.does_not_show",
                     {{"share_percent", 100 * out.per_load.value},

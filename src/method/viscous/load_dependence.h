@@ -12,6 +12,13 @@
 // It cannot distinguish load from angle: friction that depends on the angle itself in the same
 // pattern looks the same. In a sine about the angle of no load, speed is a function of the load
 // too; a cubic in speed without any load is therefore fitted as a rival.
+//
+// A torque that is logged out of proportion looks the same as well, but bends the sum of the
+// directions too. At a constant speed the torques of both directions are fitted together,
+//   T = G cos(q - q_peak) + offset +- friction, and one term more:
+//   +- per_load |cos|   friction that grows with the load,
+//   (T/G)^3             a drive whose torque constant falls with its current,
+//   sgn T               a dead zone: what it takes before the output moves.
 
 #include <optional>
 #include <vector>
@@ -31,6 +38,14 @@ struct LoadPoint {
   double fit_Nm{};
 };
 
+enum class OutOfProportion { saturation, dead_zone };
+
+/// A torque that is not in proportion to the joint's.
+struct TorqueProportion {
+  OutOfProportion form{};
+  statistics::Estimate share;  ///< What it adds at the gravity peak, of the gravity torque.
+};
+
 struct LoadDependenceResult {
   bool examined{false};           ///< The numbers below are valid.
   bool found{false};              ///< Friction was found to depend on the load.
@@ -48,6 +63,8 @@ struct LoadDependenceResult {
   double held_out_without_load_Nm{};
   double held_out_speed_alone_Nm{};
   std::vector<LoadPoint> points;  ///< By angle.
+  /// Present where it describes the sweep no worse than friction that grows with the load.
+  std::optional<TorqueProportion> out_of_proportion;
 };
 
 /// @param sweep the rough one. @param rough what was found in it. @param q_peak_rad the angle of
