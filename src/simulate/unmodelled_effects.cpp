@@ -57,7 +57,7 @@ bool JointEffects::any() const {
   return gear_loss != 0 || load_friction != 0 || direction_asymmetry != 0 ||
          torque_offset_Nm != 0 || offset_drift_Nm != 0 || warm_up != 0 || friction_by_angle != 0 ||
          friction_by_motor_angle != 0 || viscous_exponent != 1 || gear_windup_rad != 0 ||
-         second_harmonic != 0 || third_harmonic != 0;
+         taken_off != 0 || second_harmonic != 0 || third_harmonic != 0;
 }
 
 bool LogEffects::any() const {
@@ -85,9 +85,11 @@ void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& move
                             e.load_friction * std::abs(load) * way +
                             e.gear_loss * std::abs(load) * turned;
     const double ddq = moved.ddq_rad_s2[i];
-    r.torque_Nm[i] = s.motor_inertia_kgm2 * n * ddq + friction +
-                     (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / n + e.torque_offset_Nm +
-                     e.offset_drift_Nm * share;
+    r.torque_Nm[i] =
+        s.motor_inertia_kgm2 * n * ddq + friction +
+        (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / n + e.torque_offset_Nm +
+        e.offset_drift_Nm * share -
+        e.taken_off * friction * std::tanh(n * std::abs(r.dq_rad_s[i]) / e.taken_off_from_rad_s);
   }
 }
 

@@ -39,8 +39,12 @@ struct JointEffects {
   /// Twist of the gear under the largest gravity torque [rad, joint side]; the angle is the
   /// motor's.
   double gear_windup_rad{};
-  double second_harmonic{};  ///< Of an oscillation's motion, as a share of its amplitude.
-  double third_harmonic{};   ///< The same.
+  /// Share of the friction that the controller gives by itself and does not log, at speeds well
+  /// beyond the one below, by the hyperbolic tangent.
+  double taken_off{};
+  double taken_off_from_rad_s{1};  ///< Motor side.
+  double second_harmonic{};        ///< Of an oscillation's motion, as a share of its amplitude.
+  double third_harmonic{};         ///< The same.
 
   [[nodiscard]] bool any() const;
 };

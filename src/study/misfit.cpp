@@ -229,6 +229,13 @@ std::vector<Disturbance> all_disturbances() {
          set_lugre(s, p);
        },
        {"cause.damping_falls", "cause.other_contact"}},
+      {"friction_taken_off",
+       {0.1, 0.4, 0.8},
+       [](Scenario& s, double x) {
+         s.effects.taken_off = x;
+         s.effects.taken_off_from_rad_s = 0.1 * lugre_of(s).stribeck_speed_rad_s;
+       },
+       {"cause.runs_against_ramps", "cause.runs_against_loops", "cause.friction_taken_off"}},
       {"convex_viscous",
        {1.2, 1.5, 1.8},
        [](Scenario& s, double x) {

@@ -93,22 +93,66 @@ std::optional<Measured> lag_in_inertia(const Calibration& c) {
                    {{"lag_ms", 1e3 * std::abs(c.torque_lag.lag_s->value)}, {"percent", percent}}}};
 }
 
-/// Friction at rest by the law of the runs, against the ramps: what both intervals do not hold.
-std::optional<Measured> runs_against_ramps(const Calibration& c) {
+/// Friction at rest by the law of the runs; present only where they see the dip.
+std::optional<statistics::Estimate> rest_friction_of_runs(const Calibration& c) {
   const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
-  if (!law.fitted || !law.has_dip || !law.coulomb_Nm.estimate || !ramps || c.viscous.runs.empty()) {
+  if (!law.fitted || !law.has_dip || !law.coulomb_Nm.estimate || c.viscous.runs.empty()) {
     return std::nullopt;
   }
   double slowest = std::numeric_limits<double>::infinity();
   for (const auto& run : c.viscous.runs) slowest = std::min(slowest, std::abs(run.speed_rad_s));
   constexpr double seen_of_dip = 0.5;
   if (slowest > seen_of_dip * law.dip_rad_s) return std::nullopt;
-  const double at_rest = law.level_Nm + law.excess_Nm;
-  const double noise = std::hypot(ramps->half_width(), law.coulomb_Nm.estimate->half_width());
-  const double apart = std::max(0.0, std::abs(at_rest - ramps->value) - noise);
-  return Measured{100 * apart / ramps->value,
-                  {"cause.runs_against_ramps", {{"runs_Nm", at_rest}, {"ramps_Nm", ramps->value}}}};
+  return statistics::symmetric_estimate(law.level_Nm + law.excess_Nm,
+                                        law.coulomb_Nm.estimate->half_width(), {});
+}
+
+/// By how much a difference is larger than both half widths; 0 where it is not.
+double certainly_apart(double difference, const statistics::Estimate& a,
+                       const statistics::Estimate& b) {
+  return std::max(0.0, difference - std::hypot(a.half_width(), b.half_width()));
+}
+
+/// Friction at rest of the loops.
+std::optional<statistics::Estimate> rest_friction_of_loops(const Calibration& c) {
+  if (!c.lugre || !c.lugre->converged) return std::nullopt;
+  return c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
+}
+
+/// Break-away torque over Coulomb torque.
+std::optional<Measured> break_away_over_coulomb(const Calibration& c) {
+  const std::optional<statistics::Estimate>& coulomb =
+      calibration::curve_headline(c).coulomb_Nm.estimate;
+  std::optional<statistics::Estimate> rest = c.break_away.mean_Nm;
+  if (!rest) rest = rest_friction_of_loops(c);
+  if (!coulomb || !rest || !(coulomb->value > 0)) return std::nullopt;
+  const double ratio = rest->low / coulomb->value;
+  return Measured{ratio, {"cause.friction_taken_off", {{"ratio", ratio}}}};
+}
+
+std::optional<Measured> runs_against_ramps(const Calibration& c) {
+  const std::optional<statistics::Estimate> runs = rest_friction_of_runs(c);
+  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
+  if (!runs || !ramps) return std::nullopt;
+  const double apart = certainly_apart(std::abs(runs->value - ramps->value), *runs, *ramps);
+  return Measured{
+      100 * apart / ramps->value,
+      {"cause.runs_against_ramps", {{"runs_Nm", runs->value}, {"ramps_Nm", ramps->value}}}};
+}
+
+/// More friction at rest in the loops than the runs tell of, where ramps do not decide: a
+/// controller that adds torque against friction adds less in them.
+std::optional<Measured> runs_against_loops(const Calibration& c) {
+  const std::optional<statistics::Estimate> runs = rest_friction_of_runs(c);
+  const std::optional<statistics::Estimate> loops = rest_friction_of_loops(c);
+  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
+  constexpr double decides = 0.1;  // half width, of the value
+  const bool ramps_decide = ramps && ramps->half_width() < decides * ramps->value;
+  if (!runs || !loops || ramps_decide) return std::nullopt;
+  const double apart = certainly_apart(loops->value - runs->value, *runs, *loops);
+  return Measured{
+      100 * apart / loops->value,
+      {"cause.runs_against_loops", {{"runs_Nm", runs->value}, {"loops_Nm", loops->value}}}};
 }
 
 /// Inertia of the loops alone, although starts and stops should show it.
@@ -274,6 +318,25 @@ const std::vector<Rule>& rules() {
         Quantity::viscous_curve},
        "record.torque_measured",
        runs_against_ramps},
+      // No dry or greased contact of a joint sticks so much more than it slides.
+      {"break_away_over_coulomb",
+       "",
+       3,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve},
+       "record.torque_measured",
+       break_away_over_coulomb},
+      // Of loops alone it is no better known than to some percent, where their contact is not
+      // LuGre's.
+      {"runs_against_loops",
+       "%",
+       10,
+       Verdict::doubtful,
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve},
+       "record.ramps",
+       runs_against_loops},
       {"inertia_of_loops",
        "",
        0,

@@ -35,6 +35,9 @@ const Messages& verdict_messages() {
       {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
       {"rule.lag_in_inertia", text("Lag between torque and angle, of the time that a start takes")},
       {"rule.runs_against_ramps", text("Friction at rest by the runs' law, against the ramps")},
+      {"rule.runs_against_loops",
+       text("Friction at rest by the runs' law, less than that of the loops")},
+      {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
       {"rule.torque_of_angle_in_angle",
        text("Torque of the angle that is no gravity, where the angle is read")},
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
@@ -170,6 +173,14 @@ const Messages& verdict_messages() {
       {"cause.damping_falls",
        text("the bristle damping falls with speed, to a half at {half_at_rad_s:.2g} rad/s (motor "
             "side): with such a damping the stiffness would be {percent:+.2g} % different")},
+      {"cause.runs_against_loops",
+       text(
+           "friction at rest is {runs_Nm:.3g} N·m by the runs and {loops_Nm:.3g} N·m by the loops: "
+           "the logged torque may lack what the controller adds against friction, or friction "
+           "changed between them")},
+      {"cause.friction_taken_off",
+       text("the break-away torque is {ratio:.2g} times the Coulomb torque, more than a contact "
+            "sticks: the logged torque may lack what the controller adds against friction")},
       {"cause.torque_saturates",
        text("the torque is not in proportion: at the gravity peak {percent:.2g} ± {half_width:.2g} "
             "% "

@@ -93,6 +93,10 @@ const Messages& viscous_messages() {
        text("the Stribeck dip, at {stribeck_rad_s:.3g} rad/s (motor side), lies at the edge of the "
             "recorded speeds: {below} of them lie below it and {beyond} beyond twice that speed; "
             "{needed} of each would show the law on both sides")},
+      {"cause.stray_within_dip",
+       text(
+           "a speed within the Stribeck dip does not belong to the others' curve and was left out; "
+           "of the others only {below} show the dip: which of them are right is not known")},
       {"cause.outliers_of_speeds",
        text("{speeds} of {all} speeds do not belong to the others' curve and were left out; the "
             "farthest, {speed_rad_s:.3g} rad/s (motor side), is off by {off_Nm:.3g} N·m")},

@@ -715,6 +715,9 @@ std::optional<double> bend_instead_of_dip(const Laws& laws, const Choice& choice
   return best->power;
 }
 
+/// Speeds below and beyond the dip that show the law on both sides.
+constexpr std::size_t enough_of_dip = 3;
+
 void add_findings(const Laws& laws, SlidingLaw& law) {
   if (!law.left_out.empty()) {
     double farthest = 0;
@@ -734,14 +737,13 @@ void add_findings(const Laws& laws, SlidingLaw& law) {
     law.findings.push_back({"cause.stribeck_not_shown", {{"slowest_rad_s", laws.slowest()}}});
     return;
   }
-  constexpr std::size_t enough = 3;
   const DipCover cover = cover_of(laws.means(), law.dip_rad_s);
-  if (cover.below < enough || cover.beyond < enough) {
+  if (cover.below < enough_of_dip || cover.beyond < enough_of_dip) {
     law.findings.push_back({"cause.stribeck_at_the_edge",
                             {{"stribeck_rad_s", law.dip_rad_s},
                              {"below", cover.below},
                              {"beyond", cover.beyond},
-                             {"needed", enough}}});
+                             {"needed", enough_of_dip}}});
   }
 }
 
@@ -797,6 +799,15 @@ SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveM
   }
   if (const std::optional<double> power = bend_instead_of_dip(laws, choice)) {
     out.stribeck_speed_rad_s.why_not = {"cause.viscous_bend_or_dip", {{"exponent", *power}}};
+    out.findings.push_back(out.stribeck_speed_rad_s.why_not);
+  }
+  // A speed within the dip that was left out may be the one that tells of it.
+  const DipCover cover = cover_of(laws.means(), out.dip_rad_s);
+  const bool left_out_in_dip =
+      std::any_of(out.left_out.begin(), out.left_out.end(),
+                  [&](const StrayFriction& s) { return s.speed_rad_s < out.dip_rad_s; });
+  if (out.has_dip && left_out_in_dip && cover.below < enough_of_dip) {
+    out.stribeck_speed_rad_s.why_not = {"cause.stray_within_dip", {{"below", cover.below}}};
     out.findings.push_back(out.stribeck_speed_rad_s.why_not);
   }
   if (out.viscous_exponent != 1) {
