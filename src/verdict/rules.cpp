@@ -33,6 +33,22 @@ std::optional<Measured> loop_misfit(const Calibration& c) {
                     {"percent", percent}}}};
 }
 
+/// Amplitude of the smallest loop over the deflection at which the bristle slides: the larger, the
+/// less of the motion is pre-sliding, and the more its course there is guessed from the rest.
+std::optional<Measured> amplitude_over_deflection(const Calibration& c) {
+  using method::hysteresis::LuGreParameterName;
+  if (!c.lugre || !c.lugre->converged || c.hysteresis.oscillations.empty()) return std::nullopt;
+  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
+  const auto level = c.lugre->shown(LuGreParameterName::static_torque);
+  if (!stiffness || !level || !(level->value > 0)) return std::nullopt;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
+    smallest = std::min(smallest, c.manifest.drive.gear_ratio() * o.amplitude_rad);
+  }
+  const double times = smallest * stiffness->value / level->value;
+  return Measured{times, {"cause.loops_too_wide", {{"times", times}}}};
+}
+
 /// By how much the stiffness would be another with a damping that falls with speed.
 std::optional<Measured> fall_of_damping(const Calibration& c) {
   if (!c.lugre || !c.lugre->converged) return std::nullopt;
@@ -390,6 +406,11 @@ const std::vector<Rule>& rules() {
       // softer (tests/identify/other_friction_test.cpp).
       {"loop_misfit", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
        loop_misfit},
+      // Behind a servo that gives way the motion in pre-sliding is not that of the rest: at 600
+      // times
+      // the stiffness was 12 % too large with nothing else to show it.
+      {"amplitude_over_deflection", "", 300, Verdict::doubtful, of_loop_fit, "record.oscillation",
+       amplitude_over_deflection},
       // A term that is there beyond doubt, at the smallest shift that is worth a word.
       {"fall_of_damping", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
        fall_of_damping},

@@ -43,6 +43,8 @@ const Messages& verdict_messages() {
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
+      {"rule.amplitude_over_deflection",
+       text("Amplitude of the smallest loop, over the deflection at which the bristle slides")},
       {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
       {"rule.torque_out_of_proportion",
        text("Torque that is not in proportion to the joint's, at the gravity peak")},
@@ -181,6 +183,10 @@ const Messages& verdict_messages() {
       {"cause.friction_taken_off",
        text("the break-away torque is {ratio:.2g} times the Coulomb torque, more than a contact "
             "sticks: the logged torque may lack what the controller adds against friction")},
+      {"cause.loops_too_wide",
+       text("the smallest loop is {times:.0f} times as wide as the bristle bends: how the joint "
+            "moves "
+            "in the moment of pre-sliding is guessed from the rest of its motion")},
       {"cause.torque_saturates",
        text("the torque is not in proportion: at the gravity peak {percent:.2g} ± {half_width:.2g} "
             "% "
