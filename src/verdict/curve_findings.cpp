@@ -4,7 +4,9 @@ namespace tribolog::verdict {
 
 std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   std::vector<Statement> findings = c.curve_model.sliding.findings;
-  if (c.load_dependence.found) findings.push_back(c.load_dependence.sentence);
+  // The rule on the torque's proportion tells of it otherwise.
+  const bool is_of_load = c.load_dependence.found && !c.load_dependence.out_of_proportion;
+  if (is_of_load) findings.push_back(c.load_dependence.sentence);
   // The rules distinguish an offset from asymmetric friction where the data do.
   if (c.direction_asymmetry.found && !c.torque_balance.asymmetry)
     findings.push_back(c.direction_asymmetry.sentence);

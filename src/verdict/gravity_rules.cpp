@@ -213,7 +213,7 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
        "record.other_joints_at_rest",
        other_joint_on_friction},
-      {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_measured",
+      {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_at_loads",
        torque_out_of_proportion},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},

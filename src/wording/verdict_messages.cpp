@@ -385,6 +385,8 @@ const Messages& verdict_messages() {
             "the gravity peak")},
       {"record.slower_starts",
        text("sweeps or runs that speed up and slow down over fifty samples or more")},
+      {"record.torque_at_loads",
+       text("calibrate the torque at several known loads, or log a sensor's at the joint")},
       {"record.torque_measured",
        text(
            "log the torque that the motor gives, with all that the controller adds; runs and ramps "
