@@ -95,6 +95,20 @@ TEST(MisfitStudy, ABristleDampingThatFallsWithSpeedIsNotTakenForStiffness) {
   }
 }
 
+TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
+  for (const char* const disturbance : {"torque_saturates", "friction_taken_off"}) {
+    for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
+      for (const study::MisfitQuantity& q : c.quantities) {
+        EXPECT_EQ(q.wrong_usable, 0U)
+            << disturbance << " " << c.size << " " << to_string(q.quantity);
+      }
+      if (c.size > 0) {
+        EXPECT_EQ(c.named, c.runs) << disturbance << " " << c.size;
+      }
+    }
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);
