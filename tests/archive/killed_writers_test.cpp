@@ -92,7 +92,7 @@ TEST(KilledWriters, LoseNothingThatWasAcknowledged) {
   std::size_t lost = 0;
   for (const std::string& id : acknowledged) lost += kept.count(id) == 0 ? 1 : 0;
   EXPECT_EQ(lost, 0U);
-  EXPECT_GT(acknowledged.size(), 12U) << "too busy a machine to show anything";
+  EXPECT_GT(acknowledged.size(), test::seeds_of(12, 50)) << "too busy a machine to show anything";
   // Each writer has at most one that was kept and not told any more.
   EXPECT_LE(kept.size(), acknowledged.size() + static_cast<std::size_t>(started));
   std::printf("%d kills, %zu acknowledged, %zu kept\n", kills, acknowledged.size(), kept.size());

@@ -13,7 +13,7 @@ import resource
 import signal
 import sys
 
-from workspace import COMMANDS, Table, Workspace, files_in, leftovers
+from workspace import COMMANDS, Table, Workspace, files_in, leftovers, every_case
 
 DOCUMENTED = {0, 1, 2, 3, 4, 5, 6, 70, 128 + signal.SIGXCPU}
 NOT_LOADED = 127  # the system's loader had no room for the libraries
@@ -23,14 +23,18 @@ def bounded(kind, value, hard=None):
     return lambda: resource.setrlimit(kind, (value, value if hard is None else hard))
 
 
+def some_of(few, more):
+    return few + (more if every_case() else ())
+
+
 def limits(few):
     """Name, value to show, what to do before the program starts, environment."""
     megabyte = 1 << 20
-    for MB in ((100,) if few else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
+    for MB in (some_of((100,), (400,)) if few else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
         yield "memory", f"{MB} MB", bounded(resource.RLIMIT_AS, MB * megabyte), {}
-    for kB in ((64,) if few else (0, 1, 16, 64, 256, 1024)):
+    for kB in (some_of((64,), (0,)) if few else (0, 1, 16, 64, 256, 1024)):
         yield "file size", f"{kB} kB", bounded(resource.RLIMIT_FSIZE, 1024 * kB), {}
-    for files in ((12,) if few else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
+    for files in (some_of((12,), (3,)) if few else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
         yield "open files", files, bounded(resource.RLIMIT_NOFILE, files), {}
     for seconds in ((1,) if few else (1, 2, 3)):
         yield "processor", f"{seconds} s", bounded(resource.RLIMIT_CPU, seconds, seconds + 5), {}

@@ -31,6 +31,11 @@ file = "log.csv"
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "..", "examples")
 
 
+def every_case():
+    """Whether what a change sees in part is looked at whole (tests/nightly.sh cases)."""
+    return bool(os.environ.get("TRIBOLOG_EVERY_CASE"))
+
+
 def sweep_log(offset):
     """There and back over a gravity peak at 0.2 rad."""
     lines = ["t,q,tau"]

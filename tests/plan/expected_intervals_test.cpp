@@ -90,10 +90,11 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
 }
 
 TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
+  const std::size_t runs = test::seeds_of(2, 4);
   const plan::ExpectedIntervals little =
-      plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {2});
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {runs});
   const plan::ExpectedIntervals much =
-      plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {2});
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {runs});
   for (const ReadingName name : {ReadingName::midline, ReadingName::sweep, ReadingName::q_peak,
                                  ReadingName::bristle_stiffness, ReadingName::sweep_friction}) {
     EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << to_string(name);

@@ -16,6 +16,8 @@ $tribolog simulate "$examples/paper/scenario_noise.toml" -o noise
 python3 "$here/vary_dataset.py" noise
 # At every change those that say most; each night, by tests/nightly.sh cases, all.
 every_case=$TRIBOLOG_EVERY_CASE
+factor=cycles
+[ -z "$every_case" ] || factor=torque_noise
 variants='noise/limits_variant.toml noise/no_torque_variant.toml noise/runs_variant.toml'
 [ -z "$every_case" ] || variants=$(echo noise/*_variant.toml)
 for manifest in $variants; do
@@ -37,7 +39,7 @@ for language in en pl; do
     $tribolog models --compare --language $language -o models.$language.html
   fi
   $tribolog paper --language $language -o paper.$language.html
-  $tribolog study --runs 2 --factor cycles --language $language -o study.$language.html
+  $tribolog study --runs 2 --factor $factor --language $language -o study.$language.html
   $tribolog archive trend --archive $language.tribolog --language $language -o trend.$language.html \
     >/dev/null
   $tribolog archive fleet --archive $language.tribolog --language $language -o fleet.$language.html
