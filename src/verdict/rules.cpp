@@ -17,6 +17,8 @@ using calibration::Calibration;
 using calibration::Verdict;
 using joint::Quantity;
 
+const std::vector<Quantity> of_curve{Quantity::coulomb_torque, Quantity::viscous_coefficient,
+                                     Quantity::stribeck_speed, Quantity::viscous_curve};
 const std::vector<Quantity> of_loop_fit{Quantity::bristle_stiffness, Quantity::bristle_damping};
 
 /// A model's parameter is the joint's as far as the model describes the joint: the systematic
@@ -326,32 +328,14 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        lag_in_inertia},
-      {"runs_against_ramps",
-       "%",
-       5,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve},
-       "record.torque_measured",
+      {"runs_against_ramps", "%", 5, Verdict::doubtful, of_curve, "record.torque_measured",
        runs_against_ramps},
       // No dry or greased contact of a joint sticks so much more than it slides.
-      {"break_away_over_coulomb",
-       "",
-       3,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve},
-       "record.torque_measured",
+      {"break_away_over_coulomb", "", 3, Verdict::doubtful, of_curve, "record.torque_measured",
        break_away_over_coulomb},
       // Of loops alone it is no better known than to some percent, where their contact is not
       // LuGre's.
-      {"runs_against_loops",
-       "%",
-       10,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve},
-       "record.ramps",
+      {"runs_against_loops", "%", 10, Verdict::doubtful, of_curve, "record.ramps",
        runs_against_loops},
       {"inertia_of_loops",
        "",
@@ -360,14 +344,7 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        inertia_of_loops},
-      {"strokes_of_sweep",
-       "%",
-       3,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve},
-       "record.runs",
-       strokes_of_sweep},
+      {"strokes_of_sweep", "%", 3, Verdict::doubtful, of_curve, "record.runs", strokes_of_sweep},
       {"inertia_of_sweep",
        "%",
        0.02,

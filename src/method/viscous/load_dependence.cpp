@@ -162,7 +162,9 @@ struct BothDirections {
   std::vector<std::size_t> blocks;
 };
 
-BothDirections both_directions(const std::vector<Row>& rows, bool more_of_angle) {
+/// @param blocks of the rows.
+BothDirections both_directions(const std::vector<Row>& rows, const std::vector<std::size_t>& blocks,
+                               bool more_of_angle) {
   const auto n = static_cast<Eigen::Index>(rows.size());
   BothDirections out{Eigen::MatrixXd(2 * n, more_of_angle ? 6 : 4), Eigen::VectorXd(2 * n), {}};
   for (Eigen::Index i = 0; i < 2 * n; ++i) {
@@ -172,6 +174,7 @@ BothDirections both_directions(const std::vector<Row>& rows, bool more_of_angle)
     out.columns.row(i).head<4>() << std::cos(q), std::sin(q), 1, rises ? 1 : -1;
     if (more_of_angle) out.columns.row(i).tail<2>() << std::cos(2 * q), std::sin(2 * q);
     out.torque_Nm(i) = rises ? row.rising_Nm : row.falling_Nm;
+    out.blocks.push_back(blocks[static_cast<std::size_t>(i / 2)]);
   }
   return out;
 }
@@ -192,8 +195,7 @@ statistics::BlockRegression with_columns(const BothDirections& all,
 std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>& rows,
                                                          const std::vector<std::size_t>& blocks,
                                                          bool more_of_angle, bool load_found) {
-  BothDirections all = both_directions(rows, more_of_angle);
-  for (const std::size_t block : blocks) all.blocks.insert(all.blocks.end(), 2, block);
+  const BothDirections all = both_directions(rows, blocks, more_of_angle);
   const statistics::BlockRegression plain = with_columns(all, {});
   const double gravity = std::hypot(plain.coefficients(0), plain.coefficients(1));
   const double friction = plain.coefficients(3);
@@ -204,7 +206,6 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
   constexpr double width = 0.02;  // of the dead zone's edges, of gravity: means of cells are soft
   const Eigen::VectorXd edge = (torque / (width * gravity)).cwiseMax(-1).cwiseMin(1);
 
-  const double of_load = with_columns(all, {load}).residuals.squaredNorm();
   const statistics::BlockRegression saturated = with_columns(all, {cube});
   /// Of the last column, in this unit.
   const auto share_of = [](const statistics::BlockRegression& fit, double unit_Nm) {
@@ -218,6 +219,7 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
   constexpr double least_seen = 0.1;
   if (left.norm() > least_seen * edge.norm()) {
     const statistics::BlockRegression dead = with_columns(all, {edge});
+    const double of_load = with_columns(all, {load}).residuals.squaredNorm();
     const statistics::Estimate share = share_of(dead, gravity);
     if (share.low > 0 &&
         dead.residuals.squaredNorm() < std::min(of_load, saturated.residuals.squaredNorm())) {
