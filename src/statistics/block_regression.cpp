@@ -6,9 +6,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::statistics {
 namespace {
@@ -37,12 +38,12 @@ WhitenedBlocks whitened_blocks(const Eigen::MatrixXd& scaled, const BlockRegress
     const Eigen::MatrixXd share = r_inverse.transpose() * (x.transpose() * x) * r_inverse;
     const Eigen::VectorXd score =
         r_inverse.transpose() * (x.transpose() * fit.residuals.segment(first, last - first));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(share);
-    const Eigen::MatrixXd& u = eigen.eigenvectors();
+    const EigenSystem eigen = eigen_system(share);
+    const Eigen::MatrixXd& u = eigen.vectors;
     Eigen::VectorXd gain(columns);
     Eigen::VectorXd along = u.transpose() * score;
     for (Eigen::Index k = 0; k < columns; ++k) {
-      const double lambda = eigen.eigenvalues()(k);
+      const double lambda = eigen.values(k);
       gain(k) = 1 / std::sqrt(1 - std::clamp(lambda, 0.0, alone));
       along(k) = lambda > alone ? fit.residual_sd : gain(k) * along(k);
     }
@@ -121,14 +122,12 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   const Eigen::VectorXd norms =
       x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
   Eigen::MatrixXd scaled = x * norms.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(scaled);  // takes its place
-  const Eigen::MatrixXd r = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r);
+  Eigen::MatrixXd r;
+  const Eigen::VectorXd c = least_squares_in_place(scaled, y, r);
+  scaled = x * norms.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd s = singular_values(r).values;
 
   BlockRegression out;
-  const Eigen::VectorXd c = qr.solve(y);
-  scaled = x * norms.cwiseInverse().asDiagonal();
-  const auto& s = svd.singularValues();
   out.condition = s(columns - 1) > 0 ? s(0) / s(columns - 1) : INFINITY;
   out.coefficients = c.cwiseQuotient(norms);
   out.residuals = y - scaled * c;
@@ -136,7 +135,7 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   out.residual_sd = std::sqrt(out.residuals.squaredNorm() / freedom);
 
   const Eigen::MatrixXd r_inverse =
-      r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(columns, columns));
+      solve_transposed_triangle(r, Eigen::MatrixXd::Identity(columns, columns)).transpose();
   const WhitenedBlocks blocks = whitened_blocks(scaled, out, r_inverse, block_of_row);
   const Eigen::MatrixXd to_coefficients = norms.cwiseInverse().asDiagonal() * r_inverse;
   out.block_shifts = to_coefficients * blocks.shifts;

@@ -6,9 +6,10 @@
 #include <numbers>
 #include <optional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/checks/check_list.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::checks {
 
@@ -67,7 +68,7 @@ bool torque_follows_the_cosine(const CheckedDataset& data) {
   }
   if (range_rad < least_range_rad) return false;
   const auto left_by = [&](const Eigen::MatrixXd& n, const Eigen::VectorXd& b) {
-    return squares - b.dot(n.completeOrthogonalDecomposition().solve(b));
+    return squares - b.dot(statistics::least_squares(n, b).col(0));
   };
   const double by_levels = left_by(normal.topLeftCorner<2, 2>(), right.head<2>());
   return left_by(normal, right) <= (1 - least_share) * by_levels;

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "joint/degrees.h"
 #include "method/gravity/run_gravity_rows.h"
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::gravity {
 namespace {
@@ -144,7 +145,7 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
       statistics::symmetric_estimate(q_peak, fitted.half_width(angle_gradient), method);
   const Eigen::Vector2d bc(b, c);
   const auto evidence = [&](const statistics::BlockRegression& r) {
-    return bc.dot(Eigen::Matrix2d(r.covariance).ldlt().solve(bc));
+    return statistics::mahalanobis_square(r.covariance.topLeftCorner(2, 2), bc);
   };
   const double least_shown = std::min(evidence(fitted.by_angle()), evidence(fitted.by_run()));
   if (least_shown < least_evidence || !(out.gravity_Nm.low > 0) ||

@@ -7,10 +7,11 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "base/requirements.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 #include "statistics/sampled_signal.h"
 #include "statistics/wandering_noise.h"
 
@@ -165,8 +166,8 @@ statistics::BlockMeans blocks_in_time(const motion::Sweep& sweep, const SweepDes
   const Eigen::VectorXd scale =
       d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
   const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
-  out.effects =
-      scale.asDiagonal() * normal.ldlt().solve(scale.asDiagonal() * out.columns.transpose());
+  out.effects = scale.asDiagonal() *
+                statistics::solve_normal(normal, scale.asDiagonal() * out.columns.transpose());
   const Eigen::VectorXd share = out.samples.cwiseInverse();
   out.columns = share.asDiagonal() * out.columns;
   out.residuals.array() *= share.array();
@@ -212,8 +213,7 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
   fit.freedom = fit.regression.freedom.head<2>().minCoeff();
   const double t = statistics::student_t_975(fit.freedom);
   const Eigen::Vector2d bc(b, c);
-  const Eigen::Matrix2d v2 = v.topLeftCorner<2, 2>();
-  fit.evidence = bc.dot(v2.ldlt().solve(bc));
+  fit.evidence = statistics::mahalanobis_square(v.topLeftCorner(2, 2), bc);
   const double var_q = (c * c * v(0, 0) - 2 * b * c * v(0, 1) + b * b * v(1, 1)) / std::pow(g, 4);
   const double var_g = (b * b * v(0, 0) + 2 * b * c * v(0, 1) + c * c * v(1, 1)) / (g * g);
   constexpr Code method{"interval.least_squares_blocks"};
@@ -275,7 +275,7 @@ Eigen::VectorXd effect_on_coefficients(const SweepDesign& d, const Eigen::Vector
       d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
   const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
   const Eigen::VectorXd right = scale.asDiagonal() * (d.x.transpose() * extra_Nm);
-  return scale.asDiagonal() * normal.ldlt().solve(right);
+  return scale.asDiagonal() * statistics::solve_normal(normal, right);
 }
 
 GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult& found,
@@ -346,7 +346,8 @@ bool describes_as_well(const SweepGravityFit& simple, const SweepDesign& rich_de
   const Eigen::MatrixXd normal = rich_design.x.transpose() * rich_design.x;
   const Eigen::Index k = rich_design.second;
   const double variance = std::pow(rich.regression.residual_sd, 2);
-  const double white = variance * normal.ldlt().solve(Eigen::VectorXd::Unit(normal.cols(), k))(k);
+  const double white =
+      variance * statistics::solve_normal(normal, Eigen::VectorXd::Unit(normal.cols(), k))(k, 0);
   const double inflation = std::max(1.0, rich.regression.covariance(k, k) / white);
   const double gain =
       simple.regression.residuals.squaredNorm() - rich.regression.residuals.squaredNorm();
@@ -501,9 +502,8 @@ std::vector<double> held_out_strokes(const Eigen::MatrixXd& x, const Eigen::Vect
     const auto from = static_cast<Eigen::Index>(first);
     const auto rows = static_cast<Eigen::Index>(last - first);
     const Eigen::MatrixXd part = scaled.middleRows(from, rows);
-    const Eigen::VectorXd c = (all - part.transpose() * part)
-                                  .ldlt()
-                                  .solve(all_y - part.transpose() * y.segment(from, rows));
+    const Eigen::VectorXd c = statistics::solve_normal(
+        all - part.transpose() * part, all_y - part.transpose() * y.segment(from, rows));
     errors.push_back((y.segment(from, rows) - part * c).squaredNorm() / static_cast<double>(rows));
     first = last;
   }
@@ -547,7 +547,7 @@ SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesig
   line << with.x.col(design.direction), with.x.col(design.speed);
   const Eigen::MatrixXd bent = with.x.rightCols(kinks);
   with.x.rightCols(kinks) =
-      bent - line * (line.transpose() * line).ldlt().solve(line.transpose() * bent);
+      bent - line * statistics::solve_normal(line.transpose() * line, line.transpose() * bent);
   const auto without = held_out_strokes(design.x, design.y, samples.stroke);
   const auto held_out = held_out_strokes(with.x, with.y, samples.stroke);
   if (!pays(without, held_out)) return fit;

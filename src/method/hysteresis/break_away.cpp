@@ -6,12 +6,13 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "base/requirements.h"
 #include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
 #include "statistics/group_mean.h"
+#include "statistics/linear_systems.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 
@@ -280,7 +281,7 @@ double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t be
     normal += x * x.transpose();
     right += x * (r.q_rad[i] - r.q_rad[at]);
   }
-  return 2 * normal.ldlt().solve(right)(2) / (span * span);
+  return 2 * statistics::solve_normal(normal, right)(2, 0) / (span * span);
 }
 
 BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGravity>& gravity,

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 #include "statistics/sampled_signal.h"
 
 namespace tribolog::method::hysteresis {
@@ -242,7 +243,7 @@ TorqueReading TraceReader::torque(double t_s) const {
     x.row(i - begin) << 1, d, d * d;
     y(i - begin) = trace_.torque_Nm[static_cast<std::size_t>(i)];
   }
-  const Eigen::Matrix3d inverse = (x.transpose() * x).inverse();
+  const Eigen::Matrix3d inverse = statistics::inverse_normal(x);
   const double value = (inverse * (x.transpose() * y))(0);
   return {value, statistics::normal_975 * noise_Nm_ * std::sqrt(inverse(0, 0))};
 }

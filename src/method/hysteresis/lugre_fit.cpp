@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "base/requirements.h"
 #include "method/hysteresis/lugre_experiments.h"
@@ -14,6 +14,7 @@
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/distributions.h"
 #include "statistics/levenberg_marquardt.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -264,7 +265,7 @@ Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& probl
     }
     top += model.rows();
   }
-  return climb.linear.fit.jacobian.colPivHouseholderQr().solve(late) / statistics::normal_975;
+  return statistics::least_squares(climb.linear.fit.jacobian, late) / statistics::normal_975;
 }
 
 /// All that resampling needs.

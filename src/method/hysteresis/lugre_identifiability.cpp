@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -39,7 +41,7 @@ class Reader {
   /// Torque due to a change of the reading by its size that no other parameter can imitate.
   [[nodiscard]] double effect_Nm(const Reading& r) const {
     const Eigen::VectorXd row =
-        climb_.linear.r_factor.triangularView<Eigen::Upper>().transpose().solve(r.gradient);
+        statistics::solve_transposed_triangle(climb_.linear.r_factor, r.gradient);
     const double size = r.logarithmic ? 1.0 : std::abs(r.value);
     return size / (row.norm() * std::sqrt(static_cast<double>(climb_.linear.fit.residuals.size())));
   }
@@ -235,20 +237,19 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   Eigen::MatrixXd inverse(n, r.cols());
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    inverse.row(k) = r.triangularView<Eigen::Upper>()
-                         .transpose()
-                         .solve(Eigen::VectorXd::Unit(r.cols(), columns[at]))
-                         .transpose() /
-                     sizes[at];
+    inverse.row(k) =
+        statistics::solve_transposed_triangle(r, Eigen::VectorXd::Unit(r.cols(), columns[at]))
+            .transpose() /
+        sizes[at];
   }
   if (!inverse.allFinite()) return {};  // two columns are the same to the last bit
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(inverse, Eigen::ComputeThinU);
+  const statistics::SingularValues svd = statistics::singular_values(inverse);
   const double root = std::sqrt(static_cast<double>(climb.linear.fit.residuals.size()));
   for (Eigen::Index k = n; k-- > 0;) {
-    out.singular_values_Nm.push_back(1 / (svd.singularValues()(k) * root));
+    out.singular_values_Nm.push_back(1 / (svd.values(k) * root));
   }
-  out.condition = svd.singularValues()(0) / svd.singularValues()(n - 1);
-  for (Eigen::Index k = 0; k < n; ++k) out.weakest.push_back(svd.matrixU()(k, 0));
+  out.condition = svd.values(0) / svd.values(n - 1);
+  for (Eigen::Index k = 0; k < n; ++k) out.weakest.push_back(svd.left(k, 0));
   out.weakest_statement = described_direction(out.names, out.weakest);
   for (Eigen::Index a = 0; a < n; ++a) {
     std::vector<double> row;

@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -234,7 +236,7 @@ LuGreStanding LuGreClimb::standing(Eigen::Index k, double size) const {
   const auto samples = static_cast<double>(linear.fit.residuals.size());
   // Norm of column k less what the other columns explain of it: 1 / |row k of R^-1|.
   const Eigen::VectorXd row =
-      r.triangularView<Eigen::Upper>().transpose().solve(Eigen::VectorXd::Unit(r.cols(), k));
+      statistics::solve_transposed_triangle(r, Eigen::VectorXd::Unit(r.cols(), k));
   LuGreStanding out;
   out.half_width = around.half_width(k);
   out.relative = out.half_width / std::abs(size);

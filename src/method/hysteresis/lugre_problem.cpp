@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 
@@ -103,9 +105,7 @@ Triangle compressed(const LuGreLoopModel::Rows& rows, const Eigen::VectorXd& res
           rows.col(columns[static_cast<std::size_t>(k)]).segment(first, count);
     }
     stack.col(n).segment(n + 1, count) = residuals.segment(first, count);
-    Eigen::Ref<Eigen::MatrixXd> used = stack.topRows(n + 1 + count);
-    const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(used);
-    for (Eigen::Index k = 0; k <= n; ++k) stack.col(k).tail(stack.rows() - k - 1).setZero();
+    statistics::reduce_to_triangle(stack.topRows(n + 1 + count));
   }
   return stack.topRows(n + 1);
 }
@@ -202,8 +202,7 @@ LuGreProblem::Linearisation LuGreProblem::linearise(
   }
   Reduced reduced;
   reduce(models_, layout, at, reduced);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(reduced.jacobian);
-  out.r_factor = qr.matrixQR().topRows(layout.size()).triangularView<Eigen::Upper>();
+  out.r_factor = statistics::OrthogonalColumns(reduced.jacobian).triangle();
   return out;
 }
 

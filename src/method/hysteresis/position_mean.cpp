@@ -7,9 +7,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -93,8 +94,8 @@ Eigen::MatrixXd with_period(const Eigen::MatrixXd& x, const std::vector<double>&
 
 /// Smallest singular value over the largest.
 double evenness(const Eigen::MatrixXd& x) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(x);
-  return svd.singularValues()(x.cols() - 1) / svd.singularValues()(0);
+  const Eigen::VectorXd values = statistics::singular_values(x).values;
+  return values(x.cols() - 1) / values(0);
 }
 
 /// Columns: 1, and cosine and sine of as many lines as the positions can separate; of harmonics
@@ -182,7 +183,7 @@ PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravit
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     y(i) = at.gravity_Nm[static_cast<std::size_t>(i)].value;
   }
-  const Eigen::MatrixXd inverse = (x.transpose() * x).inverse();
+  const Eigen::MatrixXd inverse = statistics::inverse_normal(x);
   const Eigen::VectorXd c = inverse * (x.transpose() * y);
   const Eigen::VectorXd residuals = y - x * c;
   out.residuals_Nm.assign(residuals.begin(), residuals.end());

@@ -5,13 +5,14 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "base/parallel_for.h"
 #include "method/hysteresis/loop_shape.h"
 #include "method/motion/oscillation_motion.h"
 #include "simulate/motion.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 #include "statistics/random_stream.h"
 #include "statistics/sampled_signal.h"
 
@@ -116,7 +117,7 @@ Eigen::VectorXd step_along(const std::vector<LuGreInput>& loops, const LuGreClim
   }
   const statistics::LinearisedFit fit =
       LuGreProblem(std::move(models)).linearise(climb.free, climb.point, {}).fit;
-  return -fit.jacobian.colPivHouseholderQr().solve(fit.residuals);
+  return -statistics::least_squares(fit.jacobian, fit.residuals);
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/block_regression.h"
+#include "statistics/linear_systems.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::method::intervals {
@@ -42,7 +43,7 @@ Eigen::VectorXd refit(std::vector<viscous::CurvePoint> points, const Eigen::Vect
   Eigen::MatrixXd j;
   for (int k = 0; k < steps; ++k) {
     viscous::waiboer_residuals(points, p, r, &j);
-    Eigen::VectorXd step = j.householderQr().solve(-r);
+    Eigen::VectorXd step = statistics::OrthogonalColumns(j).solve(-r);
     const double size = step.cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return Eigen::VectorXd::Constant(p.size(), nan);
     if (size > longest) step *= longest / size;
@@ -93,7 +94,7 @@ ParameterResampler::ParameterResampler(const viscous::ViscousCurvesResult& curve
       x(i - line_first_, 1) = points_[static_cast<std::size_t>(i)].speed_rad_s;
     }
     const Eigen::Vector2d c(line.coulomb_Nm.value, line.viscous_Nms_rad.value);
-    line_solver_ = (x.transpose() * x).inverse() * x.transpose();
+    line_solver_ = statistics::inverse_normal(x) * x.transpose();
     line_residuals_ = prepare(x, x * c, measured.tail(n - line_first_), line_first_);
   }
 }
@@ -108,8 +109,7 @@ ParameterResampler::Residuals ParameterResampler::prepare(const Eigen::MatrixXd&
   out.fitted = fitted;
   const Eigen::Index n = fitted.size();
   const auto projection = [](const Eigen::MatrixXd& x) {
-    return Eigen::MatrixXd(x.householderQr().householderQ() *
-                           Eigen::MatrixXd::Identity(x.rows(), x.cols()));
+    return statistics::OrthogonalColumns(x).basis();
   };
   Eigen::MatrixXd used = columns;
   Eigen::MatrixXd q = projection(columns);

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/motion/encoder_resolution.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::motion {
 namespace {
@@ -112,7 +113,7 @@ class SeriesFit {
     const Eigen::VectorXd scale = squares.cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
     const Eigen::MatrixXd normal = scale.asDiagonal() * xx * scale.asDiagonal();
     const Eigen::VectorXd right = scale.asDiagonal() * xy;
-    solution_ = scale.asDiagonal() * normal.ldlt().solve(right);
+    solution_ = scale.asDiagonal() * statistics::solve_normal(normal, right);
     last_omega_ = omega_;
     last_c_ = c_;
   }
@@ -285,7 +286,7 @@ class HigherOrders {
       right += x.transpose() * left;
       squares += left.squaredNorm();
     }
-    const Eigen::Vector2d shares = normal.ldlt().solve(right);
+    const Eigen::Vector2d shares = statistics::solve_normal(normal, right);
     // By chance, noise looks like the torque by so much in one of twenty recordings.
     constexpr double least_gain = 3;
     const double gain = shares.dot(right);
@@ -378,7 +379,7 @@ HarmonicRefit::HarmonicRefit(const std::vector<double>& t_s, OscillationMotion m
   }
   const Eigen::VectorXd scale = x.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
   x = x * scale.asDiagonal();
-  solved_ = scale.asDiagonal() * (x.transpose() * x).ldlt().solve(x.transpose());
+  solved_ = scale.asDiagonal() * statistics::solve_normal(x.transpose() * x, x.transpose());
 }
 
 OscillationMotion HarmonicRefit::operator()(const std::vector<double>& q_rad) const {

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/motion/encoder_resolution.h"
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 #include "statistics/smoothed_derivatives.h"
@@ -321,10 +322,10 @@ class TransientRegression {
           weights.row(0) * forces.middleRows(static_cast<Eigen::Index>(first), weights.cols());
     }
     norms_ = x_.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
-    solved_.compute(x_ * norms_.cwiseInverse().asDiagonal());
+    solved_ = statistics::OrthogonalColumns(x_ * norms_.cwiseInverse().asDiagonal());
   }
   [[nodiscard]] Eigen::VectorXd coefficients(double lag_s) const {
-    return solved_.solve(torque(lag_s)).cwiseQuotient(norms_);
+    return solved_.solve(torque(lag_s)).col(0).cwiseQuotient(norms_);
   }
   [[nodiscard]] statistics::BlockRegression with_intervals(double lag_s) const {
     std::vector<std::size_t> blocks;
@@ -351,7 +352,7 @@ class TransientRegression {
   const std::vector<Row>& rows_;
   Eigen::MatrixXd x_;
   Eigen::VectorXd norms_;
-  Eigen::HouseholderQR<Eigen::MatrixXd> solved_;
+  statistics::OrthogonalColumns solved_;
 };
 
 /// 95 % half width of a ratio of two coefficients.

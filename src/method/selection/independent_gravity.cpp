@@ -5,10 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 #include "statistics/sampled_signal.h"
 
 namespace tribolog::method::selection {
@@ -124,7 +125,7 @@ std::optional<ClassicalFit> classical_regression(
   c.q_peak_rad = statistics::symmetric_estimate(
       middle_rad + std::atan2(bc(1), bc(0)),
       statistics::student_t_975(freedom) * angle_shifts.norm(), method);
-  const Eigen::Matrix2d inverse = (x.transpose() * x).inverse().topLeftCorner<2, 2>();
+  const Eigen::Matrix2d inverse = statistics::inverse_normal(x).topLeftCorner<2, 2>();
   c.textbook_gravity_Nm = statistics::symmetric_estimate(
       g, 1.959963984540054 * fit.residual_sd * std::sqrt(along.dot(inverse * along)),
       {"interval.classical_textbook"});

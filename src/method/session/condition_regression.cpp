@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::session {
 namespace {
@@ -44,7 +45,7 @@ double ConditionFit::chance_of(Eigen::Index first, Eigen::Index count) const {
   if (first < 0) return 1;
   const Eigen::VectorXd c = regression.coefficients.segment(first, count);
   const Eigen::MatrixXd v = regression.covariance.block(first, first, count, count);
-  const double wald = c.dot(v.ldlt().solve(c));
+  const double wald = statistics::mahalanobis_square(v, c);
   // After Pan and Wall (2002): of Hotelling's kind, with the freedom of the covariance.
   const double freedom = regression.freedom.segment(first, count).minCoeff();
   const double below = std::max(1.0, freedom - static_cast<double>(count) + 1);

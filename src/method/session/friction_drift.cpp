@@ -7,9 +7,10 @@
 #include <map>
 #include <optional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::session {
 namespace {
@@ -197,7 +198,7 @@ class Fitter {
   [[nodiscard]] std::pair<double, Eigen::VectorXd> solve(const Eigen::MatrixXd& x) const {
     const Eigen::MatrixXd weighted = weight_.asDiagonal() * x;
     const Eigen::VectorXd y = weight_.cwiseProduct(y_);
-    const Eigen::VectorXd c = weighted.colPivHouseholderQr().solve(y);
+    const Eigen::VectorXd c = statistics::least_squares(weighted, y);
     return {(y - weighted * c).squaredNorm(), c};
   }
 
@@ -206,8 +207,7 @@ class Fitter {
     const Eigen::MatrixXd weighted = weight_.asDiagonal() * x;
     const Eigen::Index last = x.cols() - 1;
     const Eigen::VectorXd column = weighted.col(last);
-    const Eigen::MatrixXd others = weighted.leftCols(last);
-    const Eigen::VectorXd rest = column - others * others.colPivHouseholderQr().solve(column);
+    const Eigen::VectorXd rest = statistics::left_by_columns(weighted.leftCols(last), column);
     return 1 / std::max(rest.norm(), 1e-300);
   }
 

@@ -14,6 +14,7 @@
 #include "method/session/session_times.h"
 #include "method/session/stroke_pairs.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::session {
 namespace {
@@ -88,7 +89,7 @@ class AnglePattern {
     }
     // Where the load hardly changes it is equivalent to the constant.
     if (range.largest_load - range.least_load < least_change_of_load) other.col(1).setZero();
-    rows_ -= other * other.completeOrthogonalDecomposition().solve(rows_);
+    rows_ = statistics::left_by_columns(other, rows_);
   }
 
   void read(const ConditionFit& fit, AngleEffect& out) const {

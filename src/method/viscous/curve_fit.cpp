@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/viscous/curve_model.h"
 #include "statistics/levenberg_marquardt.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::viscous {
 
@@ -62,7 +63,7 @@ Eigen::VectorXd clamped(const CurveModel& model, Eigen::VectorXd shape, double s
 struct Projection {
   Eigen::MatrixXd columns;
   std::vector<Eigen::MatrixXd> slopes;  // by each shape parameter
-  Eigen::HouseholderQR<Eigen::MatrixXd> qr;
+  statistics::OrthogonalColumns qr;
   Eigen::VectorXd linear;
   Eigen::VectorXd residual;
 
@@ -81,7 +82,7 @@ struct Projection {
       columns.row(i) = row;
       for (std::size_t k = 0; k < slopes.size(); ++k) slopes[k].row(i) = row_slopes[k];
     }
-    qr.compute(columns);
+    qr = statistics::OrthogonalColumns(columns);
     linear = qr.solve(data.friction);
     residual = columns * linear - data.friction;
   }
@@ -105,8 +106,7 @@ bool are_distinct(const Eigen::MatrixXd& columns) {
     unit.col(k) /= norm;
   }
   const Eigen::MatrixXd gram = unit.transpose() * unit;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()(0) > worst_condition;
+  return statistics::eigen_system(gram).values(0) > worst_condition;
 }
 
 std::vector<Eigen::VectorXd> grid(const CurveModel& model, double slowest) {

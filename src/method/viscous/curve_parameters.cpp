@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "base/statement.h"
 #include "method/viscous/model_choice.h"

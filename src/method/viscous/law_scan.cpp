@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 namespace tribolog::method::viscous {
 namespace {
@@ -23,41 +23,32 @@ struct WeightedFit {
 };
 
 /// By the normal equations of columns scaled to length 1; tens of thousands of laws are tried for
-/// one answer, so the number of terms is fixed at compile time and nothing is allocated.
-template <int Terms>
-WeightedFit fit_of(const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Terms>>& columns,
-                   const Eigen::VectorXd& y) {
-  using Vector = Eigen::Matrix<double, Terms, 1>;
-  using Products = Eigen::Matrix<double, Terms, Terms>;
+/// one answer, so nothing is allocated: terms that a law does not have are equations of their own.
+WeightedFit weighted_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
+  using Vector = Eigen::Matrix<double, most_terms, 1>;
+  using Products = Eigen::Matrix<double, most_terms, most_terms>;
+  const Eigen::Index terms = columns.cols();
   WeightedFit out;
-  const Products products = columns.transpose().lazyProduct(columns);
+  Products products = Products::Identity();
+  products.topLeftCorner(terms, terms) = columns.transpose().lazyProduct(columns);
   const Vector norms = products.diagonal().cwiseSqrt();
-  if (!(norms.minCoeff() > 1e-6 * norms.maxCoeff())) return out;
+  const auto own = norms.head(terms);
+  if (!(own.minCoeff() > 1e-6 * own.maxCoeff())) return out;
   const Vector scale = norms.cwiseInverse();
   const Eigen::LDLT<Products> gram(scale.asDiagonal() * products * scale.asDiagonal());
   if (!(gram.vectorD().minCoeff() > worst_normal_condition)) return out;
-  const Vector seen = columns.transpose().lazyProduct(y);
+  Vector seen = Vector::Zero();
+  seen.head(terms) = columns.transpose().lazyProduct(y);
   const Vector x = gram.solve(scale.cwiseProduct(seen)).cwiseProduct(scale);
   const Products inverse = gram.solve(Products::Identity());
-  for (Eigen::Index i = 0; i < Terms; ++i) {
+  for (Eigen::Index i = 0; i < terms; ++i) {
     const auto k = static_cast<std::size_t>(i);
     out.x[k] = x(i);
     out.error[k] = std::sqrt(inverse(i, i)) * scale(i);
   }
   out.is_distinct = true;
-  out.chi2 = (y - columns.lazyProduct(x)).squaredNorm();
+  out.chi2 = (y - columns.lazyProduct(x.head(terms))).squaredNorm();
   return out;
-}
-
-WeightedFit weighted_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
-  switch (columns.cols()) {
-    case 2:
-      return fit_of<2>(columns, y);
-    case 3:
-      return fit_of<3>(columns, y);
-    default:
-      return fit_of<4>(columns, y);
-  }
 }
 
 /// Rows scaled by their weights: constant, viscous term, load.

@@ -5,11 +5,12 @@
 #include <limits>
 #include <map>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/motion/sweep_samples.h"
 #include "method/viscous/curve_fit.h"
 #include "statistics/block_regression.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -112,7 +113,7 @@ std::vector<double> held_out_errors(const std::vector<Row>& rows, Terms terms) {
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       y(i) = kept[static_cast<std::size_t>(i)].friction_Nm;
     }
-    const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
+    const Eigen::VectorXd c = statistics::least_squares(x, y);
     const Eigen::VectorXd predicted = columns_of(held, terms) * c;
     double squares = 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -215,7 +216,7 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
                                           {"interval.paired_strokes"});
   };
   // Seen over the angle only where the torque changes its sign within a direction.
-  const Eigen::VectorXd left = edge - all.columns * all.columns.colPivHouseholderQr().solve(edge);
+  const Eigen::VectorXd left = statistics::left_by_columns(all.columns, edge);
   constexpr double least_seen = 0.1;
   if (left.norm() > least_seen * edge.norm()) {
     const statistics::BlockRegression dead = with_columns(all, {edge});

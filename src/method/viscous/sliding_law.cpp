@@ -5,10 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/viscous/law_scan.h"
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -212,7 +213,7 @@ double direction_scatter2(const std::vector<Speed>& speeds, double scatter2,
       x.row(i) << weight, weight * s.mean.friction_Nm / largest, weight * s.mean.speed_rad_s;
       y(i) = weight * s.half_difference;
     }
-    const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
+    const Eigen::VectorXd c = statistics::least_squares(x, y);
     return (y - x * c).squaredNorm();
   };
   // Of an error that the runs' own scatter tells, and of one that was found beside the law.

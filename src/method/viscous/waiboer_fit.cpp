@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/viscous/viscous_curves.h"
 #include "statistics/block_regression.h"
