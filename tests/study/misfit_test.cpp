@@ -9,6 +9,7 @@
 
 #include "identify/identify.h"
 #include "simulate/simulate_joint.h"
+#include "support/breadth.h"
 
 namespace tribolog::misfit_test {
 namespace {
@@ -61,6 +62,7 @@ TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
 }
 
 TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRight) {
+  TRIBOLOG_EACH_NIGHT();
   for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("convex_viscous"))) {
     for (const study::MisfitQuantity& q : c.quantities) {
       EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
@@ -72,6 +74,7 @@ TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRigh
 }
 
 TEST(MisfitStudy, ADipOfAnotherShapeIsNamedAndItsCurveIsKnown) {
+  TRIBOLOG_EACH_NIGHT();
   for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("stribeck_power"))) {
     for (const study::MisfitQuantity& q : c.quantities) {
       EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
@@ -88,6 +91,7 @@ TEST(MisfitStudy, ADipOfAnotherShapeIsNamedAndItsCurveIsKnown) {
 }
 
 TEST(MisfitStudy, ABristleDampingThatFallsWithSpeedIsNotTakenForStiffness) {
+  TRIBOLOG_EACH_NIGHT();
   for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("damping_fall"))) {
     for (const study::MisfitQuantity& q : c.quantities) {
       EXPECT_EQ(q.wrong_usable, 0U) << c.size << " " << to_string(q.quantity);
@@ -96,7 +100,8 @@ TEST(MisfitStudy, ABristleDampingThatFallsWithSpeedIsNotTakenForStiffness) {
 }
 
 TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
-  for (const char* const disturbance : {"torque_saturates", "friction_taken_off"}) {
+  for (const char* const disturbance :
+       test::some_of<const char*>({"torque_saturates", "friction_taken_off"}, 2)) {
     for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
       for (const study::MisfitQuantity& q : c.quantities) {
         EXPECT_EQ(q.wrong_usable, 0U)
