@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calibration/calibration.h"
+#include "calibration/headline.h"
 #include "method/checks/data_checks.h"
 #include "method/hysteresis/break_away.h"
 #include "method/hysteresis/loop_widening.h"
@@ -133,6 +134,13 @@ std::optional<statistics::Estimate> motor_peak(const Calibration& c) {
 
 std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
   return p.loop.lugre ? p.loop.lugre->fit.gravity_Nm : std::nullopt;
+}
+
+/// The inertia as it will be stated: of motion, else of the loops.
+std::optional<statistics::Estimate> inertia_for_ramps(const Progress& p) {
+  const calibration::InertiaHeadline of_motion = calibration::inertia_headline(p.c);
+  if (of_motion.kgm2 || !p.loop.lugre) return of_motion.kgm2;
+  return p.loop.lugre->fit.shown(method::hysteresis::LuGreParameterName::inertia);
 }
 
 /// The loop fit as it is stated once curve and ramps are known: with the experiments that would
@@ -308,7 +316,7 @@ constexpr Step further_steps[] = {
      }},
     {"break-away ramps and loop shapes",
      [](Progress& p) {
-       const std::optional<statistics::Estimate>& inertia = p.c.torque_lag.inertia_kgm2;
+       const std::optional<statistics::Estimate> inertia = inertia_for_ramps(p);
        p.c.break_away = method::hysteresis::identify_break_away(
            p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
            p.n, p.c.rough);

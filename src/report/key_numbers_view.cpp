@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/curve_headline.h"
+#include "calibration/headline.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "calibration/curve_headline.h"
+#include "calibration/headline.h"
 
 namespace tribolog::truth {
 namespace {

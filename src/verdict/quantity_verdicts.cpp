@@ -2,7 +2,7 @@
 #include <cmath>
 #include <variant>
 
-#include "calibration/curve_headline.h"
+#include "calibration/headline.h"
 #include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"
 
@@ -147,15 +147,6 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   return q;
 }
 
-/// Inertia shows best where the whole joint accelerates: from starts and stops or from a sweep of
-/// varying speed, whichever interval is narrower. Slow small loops hardly show it.
-std::optional<statistics::Estimate> inertia_of_motion(const calibration::Calibration& c) {
-  const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
-  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
-  if (!sweep || !starts) return sweep ? sweep : starts;
-  return starts->half_width() < sweep->half_width() ? starts : sweep;
-}
-
 }  // namespace
 
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
@@ -180,7 +171,8 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
                  why_no_fit(c)),
       of_fit(Quantity::bristle_stiffness, "N·m/rad", LuGreParameterName::bristle_stiffness, {}),
       of_fit(Quantity::bristle_damping, "N·m·s/rad", LuGreParameterName::bristle_damping, {}),
-      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia, inertia_of_motion(c))};
+      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia,
+             calibration::inertia_headline(c).kgm2)};
   // The method does not rest on these two, and slow loops hardly show them.
   verdict_on(Quantity::bristle_damping, all).decides = false;
   verdict_on(Quantity::inertia, all).decides = false;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "calibration/curve_headline.h"
+#include "calibration/headline.h"
 #include "method/hysteresis/lugre_fit.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
@@ -14,6 +14,7 @@ namespace tribolog::verdict {
 namespace {
 
 using calibration::Calibration;
+using calibration::InertiaSource;
 using calibration::Verdict;
 using joint::Quantity;
 
@@ -87,23 +88,20 @@ std::optional<Measured> lag_in_damping(const Calibration& c) {
   return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
 }
 
-/// Whether the inertia is that of starts and stops, and not of a sweep that shows it better.
-bool is_inertia_of_starts(const Calibration& c) {
-  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
-  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
-  return starts && !(of_sweep && of_sweep->half_width() < starts->half_width());
+bool has_inertia_of(calibration::InertiaSource source, const Calibration& c) {
+  return calibration::inertia_headline(c).source == source;
 }
 
 /// Inertia from starts alone or from stops alone, compared with that from both.
 std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
-  if (!is_inertia_of_starts(c)) return std::nullopt;
+  if (!has_inertia_of(InertiaSource::starts, c)) return std::nullopt;
   const double percent = 100 * c.torque_lag.inertia_apart;
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
 /// How far a filter that is as late would bend the inertia; nothing of a lag that may be none.
 std::optional<Measured> lag_in_inertia(const Calibration& c) {
-  if (!is_inertia_of_starts(c)) return std::nullopt;
+  if (!has_inertia_of(InertiaSource::starts, c)) return std::nullopt;
   if (!c.torque_lag.is_clear()) return Measured{0, {}};
   const double percent = 100 * c.torque_lag.lag_over_transients;
   return Measured{percent,
@@ -175,11 +173,16 @@ std::optional<Measured> runs_against_loops(const Calibration& c) {
 
 /// Inertia of the loops alone, although starts and stops should show it.
 std::optional<Measured> inertia_of_loops(const Calibration& c) {
-  using method::hysteresis::LuGreParameterName;
-  const bool is_of_loops = c.lugre && c.lugre->shown(LuGreParameterName::inertia) &&
-                           !c.torque_lag.inertia_kgm2 && !c.rough.inertia_kgm2;
-  if (!is_of_loops) return std::nullopt;
+  if (!has_inertia_of(InertiaSource::loops, c)) return std::nullopt;
   return Measured{c.torque_lag.hides_inertia ? 1.0 : 0.0, {"cause.inertia_of_loops"}};
+}
+
+/// Ramps are read where the joint moves on, that is where it accelerates already: without the
+/// inertia, that torque counts as friction.
+std::optional<Measured> ramps_without_inertia(const Calibration& c) {
+  if (!c.break_away.mean_Nm || c.break_away.is_level) return std::nullopt;
+  return Measured{has_inertia_of(InertiaSource::none, c) ? 1.0 : 0.0,
+                  {"cause.ramps_without_inertia"}};
 }
 
 /// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
@@ -344,6 +347,13 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        inertia_of_loops},
+      {"inertia_at_break_away",
+       "",
+       0,
+       Verdict::doubtful,
+       {Quantity::break_away_torque},
+       "record.slower_starts",
+       ramps_without_inertia},
       {"strokes_of_sweep", "%", 3, Verdict::doubtful, of_curve, "record.runs", strokes_of_sweep},
       {"inertia_of_sweep",
        "%",

@@ -40,6 +40,7 @@ const Messages& verdict_messages() {
       {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
       {"rule.torque_of_angle_in_angle",
        text("Torque of the angle that is no gravity, where the angle is read")},
+      {"rule.inertia_at_break_away", text("Ramps read without the inertia that accelerates")},
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
@@ -223,6 +224,9 @@ const Messages& verdict_messages() {
       {"cause.inertia_of_loops",
        text("starts and stops do not show this inertia: in the loops a lag, or a spring, looks the "
             "same")},
+      {"cause.ramps_without_inertia",
+       text("ramps are read where the joint accelerates already, and nothing shows its inertia: "
+            "that torque counts as friction")},
       {"cause.inertia_apart",
        text("inertia by the starts or by the stops alone differs by {percent:.0f} % from that by "
             "both: something other than inertia acts in them, or they are too short for the "

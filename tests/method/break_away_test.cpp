@@ -141,6 +141,21 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   EXPECT_LT(result.ramps.front().friction_Nm, bare.ramps.front().friction_Nm);
 }
 
+/// The joint bends by some ten steps of the encoder, wherever within a step it starts.
+TEST(BreakAway, AnEncoderOfFewStepsDoesNotShiftTheLevel) {
+  const joint::Recording fine = ramp_of({0.1, 12});
+  const double bend = static_Nm / 465 / gear_ratio;
+  const double step = bend / 8;
+  for (const double phase : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+    joint::Recording r = fine;
+    for (double& q : r.q_rad) q = step * std::round((q - fine.q_rad.front()) / step + phase);
+    for (double& q : r.q_rad) q += fine.q_rad.front();
+    const auto result = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
+    ASSERT_TRUE(result.is_level) << phase;
+    EXPECT_NEAR(result.ramps.front().level_Nm.value_or(0), static_Nm, 0.01 * static_Nm) << phase;
+  }
+}
+
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {
   const joint::Recording r = ramp_of({0.1, 8});
   const method::hysteresis::BreakAwayResult result =

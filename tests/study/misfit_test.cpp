@@ -114,6 +114,15 @@ TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
   }
 }
 
+// The joint is read where it accelerates already; starts and stops do not show by what inertia.
+TEST(MisfitStudy, ACoarseEncoderLeavesTheBreakAwayTorqueRight) {
+  study::MisfitOptions options = on_the_arm("coarse_encoder");
+  options.joints = {"direct_drive"};
+  for (const study::MisfitCase& c : study::run_misfit_study(options)) {
+    EXPECT_EQ(quantity(c, joint::Quantity::break_away_torque).wrong_usable, 0U) << c.size;
+  }
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

@@ -228,10 +228,13 @@ std::optional<double> level_at_rest(const std::vector<double>& travel,
     if (friction[i] > passed) first = std::min(first, i);
     if (friction[i] < passed) last = i;
   }
-  const std::size_t rests = std::min((first + last) / 2, friction.size());
-  const std::vector<double> x(travel.begin(), travel.begin() + static_cast<std::ptrdiff_t>(rests));
-  const std::vector<double> y(friction.begin(),
-                              friction.begin() + static_cast<std::ptrdiff_t>(rests));
+  const auto rests = static_cast<std::ptrdiff_t>(std::min((first + last) / 2, friction.size()));
+  // On the encoder's first step it has moved by an unknown part of it; behind that, rounding
+  // changes only the height of the exponential.
+  std::ptrdiff_t moves = 0;
+  while (moves < rests && travel[static_cast<std::size_t>(moves)] == travel.front()) ++moves;
+  const std::vector<double> x(travel.begin() + moves, travel.begin() + rests);
+  const std::vector<double> y(friction.begin() + moves, friction.begin() + rests);
   std::size_t angles = 0;
   for (std::size_t i = 1; i < x.size(); ++i) angles += x[i] != x[i - 1] ? 1 : 0;
   if (angles < fewest_angles) return std::nullopt;

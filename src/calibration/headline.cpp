@@ -1,4 +1,4 @@
-#include "calibration/curve_headline.h"
+#include "calibration/headline.h"
 
 namespace tribolog::calibration {
 
@@ -48,6 +48,20 @@ CurveHeadline curve_headline(const Calibration& c) {
     out.viscous_Nms_rad.estimate = c.rough.viscous_Nms_rad;
   }
   return out;
+}
+
+InertiaHeadline inertia_headline(const Calibration& c) {
+  const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
+  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
+  if (starts && !(sweep && sweep->half_width() <= starts->half_width())) {
+    return {InertiaSource::starts, starts};
+  }
+  if (sweep) return {InertiaSource::sweep, sweep};
+  if (c.lugre) {
+    const auto of_loops = c.lugre->shown(LuGreParameterName::inertia);
+    if (of_loops) return {InertiaSource::loops, of_loops};
+  }
+  return {};
 }
 
 }  // namespace tribolog::calibration
