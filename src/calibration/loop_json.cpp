@@ -209,6 +209,7 @@ Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_r
                      {"q_start_rad", number(r.q_start_rad)},
                      {"travel_rad", number(r.travel_rad)},
                      {"first_slip_rad", number(r.first_slip_rad)},
+                     {"even_slide_rad_s", number(r.even_slide_rad_s)},
                      {"largest_yield", number(r.largest_yield)},
                      {"samples_used", r.samples_used},
                      {"samples_left_out", r.samples_left_out}});

@@ -244,6 +244,7 @@ Table results_table(const method::hysteresis::BreakAwayResult& r, double n,
 std::string outcome_words(const method::hysteresis::BreakAwayRamp& ramp,
                           const wording::Scale& travel) {
   if (!ramp.broke_away) return tr("censored: did not break away");
+  if (ramp.even_slide_rad_s) return tr("slid on at an even speed");
   if (!ramp.first_slip_rad) return tr("broke away and slid on");
   return tr(
       "broke away, stopped again after {travel}",

@@ -146,6 +146,27 @@ std::optional<Measured> break_away_over_coulomb(const Calibration& c) {
   return Measured{ratio, {"cause.friction_taken_off", {{"ratio", ratio}}}};
 }
 
+/// How much less friction is at the speed of ramps that slid evenly than at rest, in percent of it,
+/// by the dip of the curve; all of it where no curve is known.
+std::optional<Measured> ramps_that_slide(const Calibration& c) {
+  const double gear_ratio = c.manifest.drive.gear_ratio();
+  double fastest_rad_s = 0;
+  for (const method::hysteresis::BreakAwayRamp& ramp : c.break_away.ramps) {
+    fastest_rad_s = std::max(fastest_rad_s, gear_ratio * ramp.even_slide_rad_s.value_or(0));
+  }
+  if (!c.break_away.mean_Nm || !(fastest_rad_s > 0)) return std::nullopt;
+  const double rest_Nm = c.break_away.mean_Nm->value;
+  const calibration::CurveHeadline curve = calibration::curve_headline(c);
+  const std::optional<statistics::Estimate>& coulomb = curve.coulomb_Nm.estimate;
+  const std::optional<statistics::Estimate>& dip = curve.stribeck_speed_rad_s.estimate;
+  double percent = 100;
+  if (coulomb && dip && dip->low > 0) {
+    const double excess = std::max(0.0, 1 - coulomb->value / rest_Nm);
+    percent = 100 * excess * (1 - std::exp(-std::pow(fastest_rad_s / dip->low, 2)));
+  }
+  return Measured{percent, {"cause.ramps_slide", {{"speed_rad_s", fastest_rad_s}}}};
+}
+
 std::optional<Measured> runs_against_ramps(const Calibration& c) {
   const std::optional<statistics::Estimate> runs = rest_friction_of_runs(c);
   const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
@@ -347,6 +368,13 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        inertia_of_loops},
+      {"ramps_that_slide",
+       "%",
+       1,
+       Verdict::doubtful,
+       {Quantity::break_away_torque},
+       "record.ramps",
+       ramps_that_slide},
       {"inertia_at_break_away",
        "",
        0,

@@ -40,6 +40,7 @@ const Messages& verdict_messages() {
       {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
       {"rule.torque_of_angle_in_angle",
        text("Torque of the angle that is no gravity, where the angle is read")},
+      {"rule.ramps_that_slide", text("Friction less at the speed of ramps that slid than at rest")},
       {"rule.inertia_at_break_away", text("Ramps read without the inertia that accelerates")},
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
@@ -224,6 +225,9 @@ const Messages& verdict_messages() {
       {"cause.inertia_of_loops",
        text("starts and stops do not show this inertia: in the loops a lag, or a spring, looks the "
             "same")},
+      {"cause.ramps_slide",
+       text("in the ramps the joint slid at an even speed, {speed_rad_s:.2g} rad/s at the motor: "
+            "what holds it there is friction at that speed, not at rest")},
       {"cause.ramps_without_inertia",
        text("ramps are read where the joint accelerates already, and nothing shows its inertia: "
             "that torque counts as friction")},

@@ -181,6 +181,43 @@ TEST(BreakAway, CensoredRampsDoNotPullTheMeanDown) {
   EXPECT_EQ(result.stage.state, statistics::StageState::partial);
 }
 
+/// A position loop moves the joint on at an even speed, from where friction held it the other way:
+/// LuGre without inertia, its exact solution.
+joint::Recording position_ramp(double sign, double ways) {
+  constexpr double rest_s = 0.5;
+  constexpr double slide_s = 6;
+  const double way = static_Nm / 465 / gear_ratio;
+  joint::Recording r;
+  r.name = "position_ramp.csv";
+  for (double t = 0; t < rest_s + slide_s; t += 0.002) {
+    const double travel = std::max(0.0, t - rest_s) / slide_s * ways * way;
+    const double q = test::true_q_peak_rad() + sign * travel;
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.torque_Nm.push_back(test::true_gravity_Nm * std::cos(q - test::true_q_peak_rad()) +
+                          sign * static_Nm * (1 - 2 * std::exp(-travel / way)));
+  }
+  return r;
+}
+
+TEST(BreakAway, AJointThatIsMovedOnByItsPositionSlides) {
+  for (const double ways : {12.0, 100.0}) {
+    const joint::Recording up = position_ramp(1, ways);
+    const joint::Recording down = position_ramp(-1, ways);
+    const auto result = method::hysteresis::identify_break_away({&up, &up, &down, &down},
+                                                                true_gravity, 0, gear_ratio);
+    EXPECT_EQ(result.censored, 0U) << ways;
+    ASSERT_TRUE(result.mean_Nm) << ways;
+    EXPECT_NEAR(result.mean_Nm->value, static_Nm, 0.002 * static_Nm) << ways;
+    const method::hysteresis::BreakAwayRamp& ramp = result.ramps.front();
+    EXPECT_FALSE(ramp.first_slip_rad);
+    EXPECT_NEAR(ramp.even_slide_rad_s.value_or(0), ways * static_Nm / 465 / gear_ratio / 6,
+                0.1 * ways * static_Nm / 465 / gear_ratio / 6);
+  }
+  const joint::Recording ends_early = position_ramp(1, 3);
+  EXPECT_EQ(method::hysteresis::identify_break_away({&ends_early}, true_gravity).censored, 1U);
+}
+
 TEST(BreakAway, BothDirectionsTogetherNeedNoGravity) {
   // Off the peak, where gravity differs between the directions' ends by next to nothing.
   std::deque<joint::Recording> ramps;

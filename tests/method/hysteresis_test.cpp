@@ -72,6 +72,29 @@ TEST(Hysteresis, MidlineAndPairMeansAreFreeOfFriction) {
   EXPECT_LT(m.find(Estimator::B)->mass_kg.value, test::true_surrogate_mass_kg - 0.3);
 }
 
+// Friction then cancels in their mean, however noise shifts the flat top at which they lie.
+TEST(Hysteresis, PointsEAndFOfTheSteadyLoopAreHalfAPeriodApart) {
+  simulate::Scenario s = test::paper_joint();
+  s.noise.torque_white_Nm = 0.02;
+  s.noise.encoder_counts_per_turn = 65536;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    s.noise.seed = seed;
+    joint::Dataset d = simulate::simulated_dataset(s);
+    for (joint::Recording& r : d.recordings) {  // found by the fit, as of a real joint
+      r.z_rad.clear();
+      r.dz_rad_s.clear();
+    }
+    const method::hysteresis::HysteresisResult h = hysteresis_of(d).result;
+    ASSERT_EQ(h.steady_points.size(), 6U);
+    const method::hysteresis::LoopPoint& e = h.steady_points[4];
+    const method::hysteresis::LoopPoint& f = h.steady_points[5];
+    const double period_s = 1 / h.oscillations.front().frequency_Hz;
+    EXPECT_NEAR(e.t_s - f.t_s, period_s / 2, 1e-9);
+    EXPECT_NEAR((e.torque_Nm + f.torque_Nm) / 2, test::true_gravity_Nm,
+                std::hypot(e.torque_high_Nm - e.torque_Nm, f.torque_high_Nm - f.torque_Nm));
+  }
+}
+
 TEST(Hysteresis, MidlineHoldsForAnyAmplitudeAndFrequency) {
   for (const double amplitude : {2e-5, 1e-4, 1e-3}) {
     for (const double frequency : {0.3, 1.0, 7.3}) {

@@ -216,6 +216,72 @@ BentFit fit_bent(const std::vector<double>& x, const std::vector<double>& fricti
   return {level, fall, ff - level * f1 + fall * fe};
 }
 
+/// How friction bends over with travel.
+struct Bend {
+  double level{};
+  double ways{};  ///< How many times the way of the exponential the joint travelled.
+};
+
+/// @param shortest way that is looked for, as a share of the travel.
+std::optional<Bend> bend_of(const std::vector<double>& x, const std::vector<double>& friction,
+                            double shortest) {
+  std::size_t angles = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) angles += x[i] != x[i - 1] ? 1 : 0;
+  if (angles < fewest_angles) return std::nullopt;
+  const double far = *std::max_element(x.begin(), x.end());
+  // The best way on a grid, then between its neighbours.
+  constexpr double straightest = 4;  // ways longer than this many travels: it does not bend
+  constexpr int steps = 40;
+  const auto way_at = [&](double k) {
+    return far * straightest * std::pow(shortest / straightest, k / steps);
+  };
+  double best = 0;
+  BentFit fit;
+  for (int k = 0; k <= steps; ++k) {
+    const BentFit one = fit_bent(x, friction, way_at(k));
+    if (one.squares < fit.squares) {
+      fit = one;
+      best = k;
+    }
+  }
+  double low = best - 1;
+  double high = best + 1;
+  for (int k = 0; k < 30; ++k) {
+    const double a = low + (high - low) / 3;
+    const double b = high - (high - low) / 3;
+    if (fit_bent(x, friction, way_at(a)).squares < fit_bent(x, friction, way_at(b)).squares) {
+      high = b;
+    } else {
+      low = a;
+    }
+  }
+  const double way = way_at((low + high) / 2);
+  return Bend{fit_bent(x, friction, way).level, far / way};
+}
+
+/// The level at which friction stays while the joint is moved on at an even speed, as by a slow
+/// ramp of the position: it slides, and never runs away. Absent where friction still rises.
+std::optional<double> level_of_even_slide(const std::vector<double>& travel,
+                                          const std::vector<double>& friction) {
+  constexpr double fewest_ways = 6;  // all but a four-hundredth of the level
+  constexpr double largest_misfit = 0.005;
+  std::size_t moves = 0;
+  while (moves < travel.size() && travel[moves] == travel.front()) ++moves;
+  const auto from = static_cast<std::ptrdiff_t>(moves);
+  const std::vector<double> x(travel.begin() + from, travel.end());
+  const std::vector<double> y(friction.begin() + from, friction.end());
+  const std::optional<Bend> bend = bend_of(x, y, 1.0 / 1000);
+  if (!bend || bend->ways < fewest_ways || !(bend->level > 0)) return std::nullopt;
+  // Friction that falls with the speed or changes with the angle has no level.
+  for (const std::size_t quarter : {2U, 3U}) {
+    const auto begin = y.begin() + static_cast<std::ptrdiff_t>(y.size() * quarter / 4);
+    const auto end = y.begin() + static_cast<std::ptrdiff_t>(y.size() * (quarter + 1) / 4);
+    const double mean = std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+    if (std::abs(mean - bend->level) > largest_misfit * bend->level) return std::nullopt;
+  }
+  return bend->level;
+}
+
 /// The level to which friction tends while the joint rests.
 /// @param friction less gravity, a magnitude; `travel` from rest; both up to break-away.
 std::optional<double> level_at_rest(const std::vector<double>& travel,
@@ -235,40 +301,11 @@ std::optional<double> level_at_rest(const std::vector<double>& travel,
   while (moves < rests && travel[static_cast<std::size_t>(moves)] == travel.front()) ++moves;
   const std::vector<double> x(travel.begin() + moves, travel.begin() + rests);
   const std::vector<double> y(friction.begin() + moves, friction.begin() + rests);
-  std::size_t angles = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) angles += x[i] != x[i - 1] ? 1 : 0;
-  if (angles < fewest_angles) return std::nullopt;
-  const double far = *std::max_element(x.begin(), x.end());
-  // The best way on a grid, then between its neighbours.
-  constexpr double straightest = 4;  // ways longer than this many travels: it does not bend
-  constexpr int steps = 40;
-  const auto way_at = [&](double k) { return far * straightest * std::pow(64.0, -k / steps); };
-  double best = 0;
-  BentFit fit;
-  for (int k = 0; k <= steps; ++k) {
-    const BentFit one = fit_bent(x, y, way_at(k));
-    if (one.squares < fit.squares) {
-      fit = one;
-      best = k;
-    }
-  }
-  double low = best - 1;
-  double high = best + 1;
-  for (int k = 0; k < 30; ++k) {
-    const double a = low + (high - low) / 3;
-    const double b = high - (high - low) / 3;
-    if (fit_bent(x, y, way_at(a)).squares < fit_bent(x, y, way_at(b)).squares) {
-      high = b;
-    } else {
-      low = a;
-    }
-  }
-  const double way = way_at((low + high) / 2);
-  fit = fit_bent(x, y, way);
   constexpr double farthest = 0.3;  // share of the reading by which a level may lie off it
-  const bool bends_over = far > way;
-  if (!bends_over || !(std::abs(fit.level - reading) < farthest * reading)) return std::nullopt;
-  return fit.level;
+  const std::optional<Bend> bend = bend_of(x, y, 1.0 / 16);
+  const bool bends_over = bend && bend->ways > 1;
+  if (!bends_over || !(std::abs(bend->level - reading) < farthest * reading)) return std::nullopt;
+  return bend->level;
 }
 
 /// Acceleration about a sample: of a parabola through `beside` samples on either side.
@@ -286,6 +323,9 @@ double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t be
   }
   return 2 * statistics::solve_normal(normal, right)(2, 0) / (span * span);
 }
+
+/// A LuGre contact is seen to yield at this share of its static torque.
+constexpr double share_at_reading = 0.993;
 
 BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGravity>& gravity,
                         double inertia_at_joint) {
@@ -325,9 +365,22 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   }
   constexpr std::size_t fewest_beside = 3;
   constexpr std::size_t beside_the_end = 10;
+  const auto friction_until = [&](std::size_t end) {
+    std::vector<double> friction;
+    for (std::size_t i = 0; i < end; ++i) {
+      friction.push_back(sign * (r.torque_Nm[i] - gravity_torque(gravity, r.q_rad[i])));
+    }
+    return friction;
+  };
   if (!ramp.broke_away) {
     at = furthest_at_rest;
     beside = beside_the_end;
+    if (const auto level = level_of_even_slide(travel, friction_until(r.size()))) {
+      ramp.broke_away = true;
+      ramp.level_Nm = level;
+      ramp.even_slide_rad_s = travel.back() / (r.t_s.back() - r.t_s[begin]);
+      beside = 0;
+    }
   }
   ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, largest, sign);
   if (beside >= fewest_beside) {
@@ -336,24 +389,20 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   }
   ramp.friction_Nm =
       sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at])) - ramp.inertia_Nm;
-  if (ramp.broke_away) {
-    std::vector<double> friction;
-    for (std::size_t i = 0; i < at; ++i) {
-      friction.push_back(sign * (r.torque_Nm[i] - gravity_torque(gravity, r.q_rad[i])));
-    }
-    ramp.level_Nm = level_at_rest(travel, friction, ramp.friction_Nm);
+  if (ramp.level_Nm) {
+    ramp.friction_Nm = share_at_reading * *ramp.level_Nm;
+  } else if (ramp.broke_away) {
+    ramp.level_Nm = level_at_rest(travel, friction_until(at), ramp.friction_Nm);
   }
   ramp.travel_rad = travel[at];
-  if (ramp.broke_away) ramp.first_slip_rad = slip_until_stop(r, summits, at, furthest, least);
+  if (ramp.broke_away && !ramp.even_slide_rad_s)
+    ramp.first_slip_rad = slip_until_stop(r, summits, at, furthest, least);
   const double duration = r.t_s[at] - r.t_s.front();
   ramp.rate_Nm_s = duration > 0 ? sign * (ramp.torque_Nm - r.torque_Nm.front()) / duration : 0.0;
   ramp.samples_used = at + 1;
   ramp.samples_left_out = r.size() - ramp.samples_used;
   return ramp;
 }
-
-/// A LuGre contact is seen to yield at this share of its static torque.
-constexpr double share_at_reading = 0.993;
 
 /// Of the ramps of one direction that broke away; absent with fewer than two.
 struct RampMean {

@@ -45,10 +45,15 @@ LoopTrace make_trace(const joint::Recording& r) {
 using Turns = std::vector<std::vector<LoopPoint>>;
 
 /// The points of all whole turns of the trace from `first` on.
-Turns read_turns(const LoopTrace& trace, const TraceReader& reader, std::size_t first) {
+/// @param period_s of a motion that is half-wave symmetric; 0 of another.
+Turns read_turns(const LoopTrace& trace, const TraceReader& reader, std::size_t first,
+                 double period_s) {
   Turns turns;
   std::size_t next = first;
-  while (auto points = find_loop_points(trace, reader, next, next)) turns.push_back(*points);
+  while (auto points = find_loop_points(trace, reader, next, next)) {
+    if (period_s > 0) put_half_a_period_apart(trace, reader, period_s, *points);
+    turns.push_back(*points);
+  }
   return turns;
 }
 
@@ -293,7 +298,9 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
     std::size_t next = 0;
     if (auto points = find_loop_points(first.trace, reader, 0, next)) {
       out.points = *points;
-      const Turns turns = read_turns(first.trace, reader, next);
+      const bool is_symmetric = first.motion && !first.motion->has_even_harmonics();
+      const Turns turns =
+          read_turns(first.trace, reader, next, is_symmetric ? 1 / first.motion->frequency_Hz : 0);
       out.steady_points = average_turns(turns);
       widen_by_scatter(out.steady_points, turns.size(), out.points);
       for (const std::vector<LoopPoint>& turn : turns) {

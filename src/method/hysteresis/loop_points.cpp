@@ -180,6 +180,19 @@ double cubic_crossing(const std::vector<double>& t, const std::vector<double>& z
   return z[i] == 0 ? t[i] : t[i] + h * (low + high) / 2;
 }
 
+LoopPoint loop_point(const LoopTrace& trace, const TraceReader& reader, Estimator name,
+                     double time_s) {
+  const TorqueReading torque = reader.torque(time_s);
+  return {name,
+          time_s,
+          reader.interpolate(trace.q_rad, time_s),
+          torque.value_Nm,
+          torque.value_Nm - torque.half_width_Nm,
+          torque.value_Nm + torque.half_width_Nm,
+          reader.interpolate(trace.z_rad, time_s),
+          reader.interpolate(trace.dz_rad_s, time_s)};
+}
+
 /// Time of the extremum around sample i, by the parabola through it and its neighbours.
 double extremum_time(const std::vector<double>& t, const std::vector<double>& y, std::size_t i) {
   if (i == 0 || i + 1 >= y.size()) return t[i];
@@ -287,15 +300,7 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
     return t[i];
   };
   const auto point = [&](Estimator name, double time) {
-    const TorqueReading torque = reader.torque(time);
-    return LoopPoint{name,
-                     time,
-                     reader.interpolate(trace.q_rad, time),
-                     torque.value_Nm,
-                     torque.value_Nm - torque.half_width_Nm,
-                     torque.value_Nm + torque.half_width_Nm,
-                     reader.interpolate(z, time),
-                     reader.interpolate(dz, time)};
+    return loop_point(trace, reader, name, time);
   };
   return std::vector<LoopPoint>{point(Estimator::A, cubic_crossing(t, z, dz, a)),
                                 point(Estimator::B, cubic_crossing(t, z, dz, b)),
@@ -303,6 +308,19 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
                                 point(Estimator::D, turning_time(d)),
                                 point(Estimator::E, extremum_time(t, dz, e)),
                                 point(Estimator::F, extremum_time(t, dz, f))};
+}
+
+void put_half_a_period_apart(const LoopTrace& trace, const TraceReader& reader, double period_s,
+                             std::vector<LoopPoint>& points) {
+  const auto named = [&](Estimator name) {
+    return std::find_if(points.begin(), points.end(),
+                        [&](const LoopPoint& point) { return point.name == name; });
+  };
+  const auto e = named(Estimator::E);
+  const auto f = named(Estimator::F);
+  const double middle_s = (e->t_s + f->t_s) / 2;
+  *f = loop_point(trace, reader, Estimator::F, middle_s - period_s / 4);
+  *e = loop_point(trace, reader, Estimator::E, middle_s + period_s / 4);
 }
 
 }  // namespace tribolog::method::hysteresis

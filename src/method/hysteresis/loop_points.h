@@ -72,6 +72,12 @@ class TraceReader {
   bool is_clean_;  ///< The noise is negligible relative to the torque's range.
 };
 
+/// Reads E and F of a turn again, half a period apart about their middle: under a motion that is
+/// half-wave symmetric friction is then the same in both, and their mean is gravity's. Where the
+/// bristle's speed is largest it is flat, and every error of the motion shifts the two apart.
+void put_half_a_period_apart(const LoopTrace& trace, const TraceReader& reader, double period_s,
+                             std::vector<LoopPoint>& points);
+
 /// The six points of the turn that begins at the first upward zero of z at or after `first`, in the
 /// order A..F; `next` receives the index at which the following turn may be looked for. Absent if
 /// the trace ends before the turn is complete.
