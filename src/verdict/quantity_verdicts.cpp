@@ -52,17 +52,15 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   return q;
 }
 
-/// Whether pairs of runs give the sweep's gravity torque, with about the same certainty.
+/// Whether pairs of runs give the gravity torque of sweep or loops, with about the same certainty.
 bool runs_confirm_gravity(const calibration::Calibration& c) {
   constexpr double widest_percent = 2;
   const auto& checks = c.cross_checks.checks;
-  return c.rough.found &&
-         std::any_of(checks.begin(), checks.end(), [](const method::intervals::CrossCheck& check) {
-           const auto* method = std::get_if<method::selection::IndependentMethod>(&check.method);
-           return method != nullptr &&
-                  *method == method::selection::IndependentMethod::run_directions &&
-                  !check.disagrees && check.difference_half_width_percent < widest_percent;
-         });
+  return std::any_of(checks.begin(), checks.end(), [](const method::intervals::CrossCheck& check) {
+    const auto* method = std::get_if<method::selection::IndependentMethod>(&check.method);
+    return method != nullptr && *method == method::selection::IndependentMethod::run_directions &&
+           !check.disagrees && check.difference_half_width_percent < widest_percent;
+  });
 }
 
 }  // namespace
@@ -81,10 +79,13 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
       angle(c), by_estimate(Quantity::gravity_torque, "N·m", gravity_Nm, why, both),
       by_estimate(Quantity::surrogate_mass, "kg", mass_kg, why, both)};
   // Each independent way to gravity has to be present, or the mass rests on one alone. Runs in both
-  // directions can replace loops.
+  // directions can replace either.
+  const bool no_sweep = c.rough.stage.state == statistics::StageState::skipped;
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
-    if (stage == &c.hysteresis.stage && runs_confirm_gravity(c)) continue;
+    const bool is_beside_another =
+        stage == &c.hysteresis.stage ? c.rough.found : no_sweep && c.hysteresis.found;
+    if (is_beside_another && runs_confirm_gravity(c)) continue;
     for (const Quantity quantity : {Quantity::gravity_torque, Quantity::surrogate_mass}) {
       calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful,
                          {"verdict.nothing_independent", {{"why", stage->reason}}}, both);

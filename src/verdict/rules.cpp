@@ -199,11 +199,18 @@ std::optional<Measured> inertia_of_loops(const Calibration& c) {
 }
 
 /// Ramps are read where the joint moves on, that is where it accelerates already: without the
-/// inertia, that torque counts as friction.
+/// inertia, that torque counts as friction. Where their resting parts show the level, as those of
+/// most do on an encoder fine enough, they show this, too.
 std::optional<Measured> ramps_without_inertia(const Calibration& c) {
   if (!c.break_away.mean_Nm || c.break_away.is_level) return std::nullopt;
-  return Measured{has_inertia_of(InertiaSource::none, c) ? 1.0 : 0.0,
-                  {"cause.ramps_without_inertia"}};
+  std::size_t broke_away = 0;
+  std::size_t levels = 0;
+  for (const method::hysteresis::BreakAwayRamp& ramp : c.break_away.ramps) {
+    broke_away += ramp.broke_away ? 1 : 0;
+    levels += ramp.level_Nm ? 1 : 0;
+  }
+  const bool is_unknown = has_inertia_of(InertiaSource::none, c) && 2 * levels < broke_away;
+  return Measured{is_unknown ? 1.0 : 0.0, {"cause.ramps_without_inertia"}};
 }
 
 /// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
