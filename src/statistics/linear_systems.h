@@ -59,8 +59,8 @@ class OrthogonalColumns {
   Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
 };
 
-/// Least squares by Householder QR of independent columns, which are overwritten; `triangle` becomes
-/// their R. For long matrices: nothing is copied.
+/// Least squares by Householder QR of independent columns, which are overwritten; `triangle`
+/// becomes their R. For long matrices: nothing is copied.
 Eigen::MatrixXd least_squares_in_place(Eigen::Ref<Eigen::MatrixXd> columns,
                                        const Eigen::MatrixXd& right, Eigen::MatrixXd& triangle);
 

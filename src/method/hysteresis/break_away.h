@@ -66,8 +66,8 @@ struct BreakAwayRamp {
   /// Travel of the first slip, if the joint stopped again under a torque that still rose: caught by
   /// gravity, or by friction that changes with the angle. Absent: it slid on to the ramp's end.
   std::optional<double> first_slip_rad;
-  /// Mean joint speed, if the joint never ran away but slid on at an even speed, as by a ramp of the
-  /// position: level_Nm is then friction at that speed.
+  /// Mean joint speed, if the joint never ran away but slid on at an even speed, as by a ramp of
+  /// the position: level_Nm is then friction at that speed.
   std::optional<double> even_slide_rad_s;
   std::size_t samples_used{};  ///< Up to break-away.
   std::size_t samples_left_out{};
