@@ -375,7 +375,11 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGrav
   if (!ramp.broke_away) {
     at = furthest_at_rest;
     beside = beside_the_end;
-    if (const auto level = level_of_even_slide(travel, friction_until(r.size()))) {
+    // An angle that flickers by a step while a torque is held does not slide.
+    const auto level = travel.back() >= least
+                           ? level_of_even_slide(travel, friction_until(r.size()))
+                           : std::nullopt;
+    if (level) {
       ramp.broke_away = true;
       ramp.level_Nm = level;
       ramp.even_slide_rad_s = travel.back() / (r.t_s.back() - r.t_s[begin]);
