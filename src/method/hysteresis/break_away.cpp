@@ -222,9 +222,26 @@ struct Bend {
   double ways{};  ///< How many times the way of the exponential the joint travelled.
 };
 
+/// Travel and friction up to `end`, without the encoder's first step: there the joint has moved by
+/// an unknown part of it; behind that, rounding changes only the height of the exponential.
+struct Climb {
+  std::vector<double> x, friction;
+
+  Climb(const std::vector<double>& travel, const std::vector<double>& all, std::size_t end) {
+    std::size_t moves = 0;
+    while (moves < end && travel[moves] == travel.front()) ++moves;
+    const auto part = [&](const std::vector<double>& of) {
+      return std::vector<double>(of.begin() + static_cast<std::ptrdiff_t>(moves),
+                                 of.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    x = part(travel);
+    friction = part(all);
+  }
+};
+
 /// @param shortest way that is looked for, as a share of the travel.
-std::optional<Bend> bend_of(const std::vector<double>& x, const std::vector<double>& friction,
-                            double shortest) {
+std::optional<Bend> bend_of(const Climb& climb, double shortest) {
+  const auto& [x, friction] = climb;
   std::size_t angles = 0;
   for (std::size_t i = 1; i < x.size(); ++i) angles += x[i] != x[i - 1] ? 1 : 0;
   if (angles < fewest_angles) return std::nullopt;
@@ -265,14 +282,11 @@ std::optional<double> level_of_even_slide(const std::vector<double>& travel,
                                           const std::vector<double>& friction) {
   constexpr double fewest_ways = 6;  // all but a four-hundredth of the level
   constexpr double largest_misfit = 0.005;
-  std::size_t moves = 0;
-  while (moves < travel.size() && travel[moves] == travel.front()) ++moves;
-  const auto from = static_cast<std::ptrdiff_t>(moves);
-  const std::vector<double> x(travel.begin() + from, travel.end());
-  const std::vector<double> y(friction.begin() + from, friction.end());
-  const std::optional<Bend> bend = bend_of(x, y, 1.0 / 1000);
+  const Climb climb(travel, friction, travel.size());
+  const std::optional<Bend> bend = bend_of(climb, 1.0 / 1000);
   if (!bend || bend->ways < fewest_ways || !(bend->level > 0)) return std::nullopt;
   // Friction that falls with the speed or changes with the angle has no level.
+  const std::vector<double>& y = climb.friction;
   for (const std::size_t quarter : {2U, 3U}) {
     const auto begin = y.begin() + static_cast<std::ptrdiff_t>(y.size() * quarter / 4);
     const auto end = y.begin() + static_cast<std::ptrdiff_t>(y.size() * (quarter + 1) / 4);
@@ -294,15 +308,9 @@ std::optional<double> level_at_rest(const std::vector<double>& travel,
     if (friction[i] > passed) first = std::min(first, i);
     if (friction[i] < passed) last = i;
   }
-  const auto rests = static_cast<std::ptrdiff_t>(std::min((first + last) / 2, friction.size()));
-  // On the encoder's first step it has moved by an unknown part of it; behind that, rounding
-  // changes only the height of the exponential.
-  std::ptrdiff_t moves = 0;
-  while (moves < rests && travel[static_cast<std::size_t>(moves)] == travel.front()) ++moves;
-  const std::vector<double> x(travel.begin() + moves, travel.begin() + rests);
-  const std::vector<double> y(friction.begin() + moves, friction.begin() + rests);
+  const std::size_t rests = std::min((first + last) / 2, friction.size());
   constexpr double farthest = 0.3;  // share of the reading by which a level may lie off it
-  const std::optional<Bend> bend = bend_of(x, y, 1.0 / 16);
+  const std::optional<Bend> bend = bend_of(Climb(travel, friction, rests), 1.0 / 16);
   const bool bends_over = bend && bend->ways > 1;
   if (!bends_over || !(std::abs(bend->level - reading) < farthest * reading)) return std::nullopt;
   return bend->level;
