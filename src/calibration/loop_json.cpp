@@ -217,7 +217,7 @@ Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_r
   const auto on_both_sides = [&](const std::optional<statistics::Estimate>& e) {
     return e ? both_sides(*e, gear_ratio) : Json(nullptr);
   };
-  return {{"gravity_taken_off", result.gravity_taken_off},
+  return {{"gravity_taken_off", result.gravity.has_value()},
           {"censored", result.censored},
           {"rising_Nm", on_both_sides(result.rising_Nm)},
           {"falling_Nm", on_both_sides(result.falling_Nm)},

@@ -193,44 +193,26 @@ struct TravelCurve {
   std::vector<double> travel_rad;
 };
 
-/// Gravity torque that was taken off the ramps; zero where none was, or none is known.
-class TakenOff {
- public:
-  explicit TakenOff(const calibration::Calibration& c) {
-    const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
-    if (!c.break_away.gravity_taken_off || mass == nullptr || !c.q_peak_rad) return;
-    amplitude_Nm_ = mass->gravity_Nm.value;
-    q_peak_rad_ = c.q_peak_rad->value;
-  }
-  [[nodiscard]] double at(double q_rad) const {
-    return amplitude_Nm_ * std::cos(q_rad - q_peak_rad_);
-  }
-
- private:
-  double amplitude_Nm_{};
-  double q_peak_rad_{};
-};
-
-TravelCurve curve_of(const joint::Recording& r, double sign, const TakenOff& gravity,
-                     double floor_rad) {
+TravelCurve curve_of(const joint::Recording& r, bool is_rising,
+                     const method::hysteresis::BreakAwayResult& result, double floor_rad) {
+  const double sign = is_rising ? 1 : -1;
   TravelCurve curve;
   for (std::size_t i = 0; i < ramp_end(r, sign); ++i) {
     const double travel = sign * (r.q_rad[i] - r.q_rad.front());
     if (!(travel > floor_rad)) continue;  // standing still has no place on a logarithmic axis
-    curve.torque_Nm.push_back(sign * (r.torque_Nm[i] - gravity.at(r.q_rad[i])));
+    curve.torque_Nm.push_back(result.torque_along(is_rising, r.torque_Nm[i], r.q_rad[i]));
     curve.travel_rad.push_back(travel);
   }
   return curve;
 }
 
 void add_curves(const joint::Dataset& dataset, const method::hysteresis::BreakAwayResult& result,
-                const TakenOff& gravity, const Direction& direction, double floor_rad,
-                render::figure::Panel& panel) {
+                const Direction& direction, double floor_rad, render::figure::Panel& panel) {
   std::string label = tr(direction.words);
   for (const method::hysteresis::BreakAwayRamp& ramp : result.ramps) {
     const joint::Recording* r = find_recording(dataset, ramp.recording);
     if (r == nullptr || ramp.is_rising != direction.is_rising) continue;
-    TravelCurve curve = curve_of(*r, ramp.is_rising ? 1 : -1, gravity, floor_rad);
+    TravelCurve curve = curve_of(*r, ramp.is_rising, result, floor_rad);
     if (add_visible(panel, line(label, std::move(curve.torque_Nm), std::move(curve.travel_rad),
                                 lightened(direction.colour, 0.35), 2.0, direction.style))) {
       label.clear();
@@ -238,9 +220,8 @@ void add_curves(const joint::Dataset& dataset, const method::hysteresis::BreakAw
   }
 }
 
-void add_marks(const method::hysteresis::BreakAwayResult& result, const TakenOff& gravity,
-               const Direction& direction, bool broke_away, double floor_rad,
-               render::figure::Panel& panel) {
+void add_marks(const method::hysteresis::BreakAwayResult& result, const Direction& direction,
+               bool broke_away, double floor_rad, render::figure::Panel& panel) {
   render::figure::Series marks =
       line(tr(broke_away ? direction.break_away_words : direction.censored_words), {}, {},
            direction.colour, 1.0, render::figure::LineStyle::none);
@@ -250,7 +231,7 @@ void add_marks(const method::hysteresis::BreakAwayResult& result, const TakenOff
     if (ramp.is_rising != direction.is_rising || ramp.broke_away != broke_away) continue;
     const double sign = ramp.is_rising ? 1 : -1;
     const double q_rad = ramp.q_start_rad + sign * ramp.travel_rad;
-    marks.x.push_back(sign * (ramp.torque_Nm - gravity.at(q_rad)));
+    marks.x.push_back(result.torque_along(ramp.is_rising, ramp.torque_Nm, q_rad));
     marks.y.push_back(std::max(ramp.travel_rad, floor_rad));
   }
   add_visible(panel, std::move(marks));
@@ -296,17 +277,15 @@ std::optional<ReportFigure> break_away_figure(const joint::Dataset& dataset,
   out.title = tr("Break-away ramps");
   out.stage = "break_away";
   render::figure::Panel panel;
-  panel.x.title = result.gravity_taken_off
-                      ? tr("torque less gravity, in the ramp's direction [N·m]")
-                      : tr("torque in the ramp's direction [N·m]");
+  panel.x.title = result.gravity ? tr("torque less gravity, in the ramp's direction [N·m]")
+                                 : tr("torque in the ramp's direction [N·m]");
   panel.y.title = tr("travel of the joint from rest [rad]");
   panel.y.logarithmic = true;
   const double floor = smallest_share * furthest;
-  const TakenOff gravity(calibration);
-  for (const Direction& d : directions) add_curves(dataset, result, gravity, d, floor, panel);
+  for (const Direction& d : directions) add_curves(dataset, result, d, floor, panel);
   for (const Direction& d : directions) {
-    add_marks(result, gravity, d, true, floor, panel);
-    add_marks(result, gravity, d, false, floor, panel);
+    add_marks(result, d, true, floor, panel);
+    add_marks(result, d, false, floor, panel);
   }
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));

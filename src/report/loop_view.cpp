@@ -231,11 +231,11 @@ Table results_table(const method::hysteresis::BreakAwayResult& r, double n,
                        const std::optional<statistics::Estimate>& motor) {
     if (motor) add_both_sides(quantity, *motor, {n, n}, wording::torque_scale, table);
   };
-  add(r.gravity_taken_off ? tr("Towards positive torque")
-                          : tr("Towards positive torque (gravity not subtracted)"),
+  add(r.gravity ? tr("Towards positive torque")
+                : tr("Towards positive torque (gravity not subtracted)"),
       r.rising_Nm);
-  add(r.gravity_taken_off ? tr("Towards negative torque")
-                          : tr("Towards negative torque (gravity not subtracted)"),
+  add(r.gravity ? tr("Towards negative torque")
+                : tr("Towards negative torque (gravity not subtracted)"),
       r.falling_Nm);
   add(tr("Mean of both directions"), r.mean_Nm);
   return table;
@@ -287,8 +287,7 @@ void describe_break_away(const calibration::Calibration& c, Section& section) {
   if (r.ramps.empty()) return;
   section.facts.push_back({tr("Ramps"), wording::count(r.ramps.size())});
   section.facts.push_back({tr("Of these censored"), wording::count(r.censored)});
-  section.facts.push_back(
-      {tr("Gravity"), r.gravity_taken_off ? tr("subtracted") : tr("not known here")});
+  section.facts.push_back({tr("Gravity"), r.gravity ? tr("subtracted") : tr("not known here")});
   Table results = results_table(r, c.manifest.drive.gear_ratio(), section);
   if (!results.rows.empty()) section.tables.push_back(std::move(results));
   section.tables.push_back(ramps_table(r, section));

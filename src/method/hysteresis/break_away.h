@@ -30,6 +30,7 @@
 // A ramp that ends before that shows only that friction is larger than what was reached: a censored
 // value. It bounds the break-away torque from below and is not part of the mean.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,10 @@ inline constexpr double speed_up_at_break_away = 100;
 struct KnownGravity {
   statistics::Estimate amplitude_Nm;
   double q_peak_rad{};
+
+  [[nodiscard]] double torque_Nm(double q_rad) const {
+    return amplitude_Nm.value * std::cos(q_rad - q_peak_rad);
+  }
 };
 
 struct BreakAwayRamp {
@@ -75,7 +80,7 @@ struct BreakAwayRamp {
 
 struct BreakAwayResult {
   statistics::StageReport stage;
-  bool gravity_taken_off{};
+  std::optional<KnownGravity> gravity;  ///< What was taken off the driving torque.
   std::vector<BreakAwayRamp> ramps;
   std::size_t censored{};
   bool is_level{};  ///< The values are the ramps' levels, not their readings.
@@ -92,6 +97,12 @@ struct BreakAwayResult {
   std::optional<statistics::Estimate> falling_Nm;
   /// Mean of the two directions, in which gravity cancels where it was not subtracted.
   std::optional<statistics::Estimate> mean_Nm;
+
+  /// A driving torque at q_rad less the gravity taken off, in the ramp's direction [N·m].
+  [[nodiscard]] double torque_along(bool is_rising, double torque_Nm, double q_rad) const {
+    const double rest_Nm = torque_Nm - (gravity ? gravity->torque_Nm(q_rad) : 0.0);
+    return is_rising ? rest_Nm : -rest_Nm;
+  }
 };
 
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
