@@ -41,6 +41,6 @@ case $what in
     fi
     commands=$(python3 tests/style/single_units.py "$build")
     [ ${#units[@]} -eq 0 ] || printf '%s\n' "${units[@]}" |
-      xargs -P "$(nproc)" -n 4 clang-tidy-19 -p "$commands" --quiet --extra-arg=-stdlib=libc++
+      xargs -P "$(nproc)" -n 1 clang-tidy-19 -p "$commands" --quiet --extra-arg=-stdlib=libc++
     ;;
 esac

@@ -11,6 +11,7 @@
 #include "archive/archive_place.h"
 #include "archive/sample_calibration.h"
 #include "base/error.h"
+#include "support/breadth.h"
 
 namespace tribolog::archive::altered_columns_test {
 namespace {
@@ -141,7 +142,7 @@ TEST_P(AnyArchive, VerifyCoversEveryColumnOfEveryRow) {
   const sql::Dialect dialect = archive.dialect();
   const std::string differs = dialect == sql::Dialect::sqlite ? "IS NOT" : "IS DISTINCT FROM";
   // A server takes its time to bring the tables back.
-  const std::size_t most_of_cell = dialect == sql::Dialect::sqlite ? 100 : 2;
+  const std::size_t most_of_cell = dialect == sql::Dialect::sqlite && test::every_case() ? 100 : 2;
   std::size_t alterations = 0;
   for (const Column& column : columns_of(dialect)) {
     std::size_t of_column = 0;
@@ -159,6 +160,7 @@ TEST_P(AnyArchive, VerifyCoversEveryColumnOfEveryRow) {
         EXPECT_TRUE(archive.is_noticed()) << statement;
         archive.restore();
       }
+      if (of_column > 0 && !test::every_case()) break;
     }
     EXPECT_GT(of_column, 0U) << column.table << '.' << column.name << " was never altered";
     alterations += of_column;

@@ -34,7 +34,17 @@ simulate::Scenario good_joint() {
   return s;
 }
 
-joint::Dataset good_dataset() { return simulate::simulated_dataset(good_joint()); }
+joint::Dataset good_dataset() {
+  static const joint::Dataset good = simulate::simulated_dataset(good_joint());
+  return good;
+}
+
+/// With intervals as good as a verdict needs them.
+calibration::Calibration identified(const joint::Dataset& d) {
+  identify::IdentifyOptions options;
+  options.resamples = 200;
+  return identify::identify(d, options);
+}
 
 void each(joint::Dataset& d, const std::function<void(joint::Recording&)>& change) {
   for (joint::Recording& r : d.recordings) change(r);
@@ -110,7 +120,7 @@ class BrokenDataset : public testing::TestWithParam<Breach> {};
 TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
   joint::Dataset d = good_dataset();
   GetParam().make(d);
-  const calibration::Calibration c = identify::identify(d);
+  const calibration::Calibration c = identified(d);
   const method::checks::DataCheck* check = c.data_checks.find(GetParam().check);
   ASSERT_NE(check, nullptr);
   EXPECT_EQ(check->state, method::checks::CheckState::fails) << wording::words(check->found);
@@ -435,7 +445,7 @@ TEST(BrokenDatasets, AreTwentyAndMore) { EXPECT_GE(breaches().size(), 20U); }
 
 TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
   const joint::Dataset d = good_dataset();
-  const calibration::Calibration c = identify::identify(d);
+  const calibration::Calibration c = identified(d);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
       << wording::words(c.judgement.sentence);
   for (const method::checks::DataCheck& check : c.data_checks.checks) {
@@ -448,7 +458,7 @@ TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
 TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
   joint::Dataset d = good_dataset();
   d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
-  for (const calibration::QuantityVerdict& q : identify::identify(d).judgement.quantities) {
+  for (const calibration::QuantityVerdict& q : identified(d).judgement.quantities) {
     EXPECT_NE(q.verdict, calibration::Verdict::usable) << to_string(q.quantity);
   }
 }
@@ -456,7 +466,7 @@ TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
 TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
   joint::Dataset d = good_dataset();
   d.manifest.effort_is_confirmed = false;
-  const calibration::Calibration c = identify::identify(d);
+  const calibration::Calibration c = identified(d);
   EXPECT_EQ(c.data_checks.find(CheckName::effort_provenance)->state,
             method::checks::CheckState::warns);
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
@@ -474,7 +484,7 @@ TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
   each(d, [](joint::Recording& r) {
     for (std::size_t i = 0; i < r.size(); ++i) r.torque_Nm[i] -= 0.99 * friction_of(r, i);
   });
-  const calibration::Calibration c = identify::identify(d);
+  const calibration::Calibration c = identified(d);
   const method::checks::DataCheck* check = c.data_checks.find(CheckName::link_side_torque);
   EXPECT_EQ(check->state, method::checks::CheckState::warns) << wording::words(check->found);
   EXPECT_NE(wording::words(check->found).find("little gear friction"), std::string::npos)
@@ -486,7 +496,7 @@ TEST(BrokenDatasets, RippleAtEightPositionsIsToldButFailsNothing) {
   simulate::Scenario s = good_joint();
   s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
   const joint::Dataset d = simulate::simulated_dataset(s);
-  const calibration::Calibration c = identify::identify(d);
+  const calibration::Calibration c = identified(d);
   const method::checks::DataCheck* check = c.data_checks.find(CheckName::torque_ripple);
   EXPECT_EQ(check->state, method::checks::CheckState::passed) << wording::words(check->found);
   EXPECT_NE(wording::words(check->found).find("6.00 periods"), std::string::npos)
@@ -503,7 +513,7 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
   s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
   joint::Dataset rippled = simulate::simulated_dataset(s);
   rippled.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
-  const method::checks::DataChecksResult seen = identify::identify(rippled).data_checks;
+  const method::checks::DataChecksResult seen = identified(rippled).data_checks;
   const method::checks::DataCheck* period = seen.find(CheckName::ripple_period);
   EXPECT_EQ(period->state, method::checks::CheckState::warns);
   // 6 periods in 1/100 of a joint's turn are 7.5 in 1/80.
@@ -511,9 +521,9 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
       << wording::words(period->found);
 
   joint::Dataset smooth = good_dataset();
-  const calibration::Calibration right = identify::identify(smooth);
+  const calibration::Calibration right = identified(smooth);
   smooth.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
-  const calibration::Calibration wrong = identify::identify(smooth);
+  const calibration::Calibration wrong = identified(smooth);
   EXPECT_EQ(wrong.data_checks.find(CheckName::ripple_period)->state,
             method::checks::CheckState::not_applicable);
   EXPECT_NE(wording::words(wrong.data_checks.find(CheckName::ripple_period)->found)

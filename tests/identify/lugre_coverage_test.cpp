@@ -89,6 +89,7 @@ TEST(LuGreCoverage, OfTheWholeModelFromALargeLoop) {
 }
 
 TEST(LuGreCoverage, WithRippleFromEightPositions) {
+  TRIBOLOG_EACH_NIGHT();
   const std::size_t seeds = test::seeds_of(50, 200);
   auto all = tally(seeds, [](std::size_t seed) {
     simulate::Scenario s = test::noisy_paper_joint(seed);

@@ -8,6 +8,7 @@
 
 #include "friction/catalogue.h"
 #include "identify/identify.h"
+#include "support/breadth.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::other_friction_test {
@@ -50,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, OtherFriction, testing::ValuesIn(presliding_m
 
 TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
   for (const bool noisy : {false, true}) {
+    if (!noisy && !test::every_case()) continue;
     simulate::Scenario scenario = noisy ? test::noisy_paper_joint(7) : test::paper_joint();
     scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
     const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));

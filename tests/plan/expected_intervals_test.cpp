@@ -90,6 +90,7 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
 }
 
 TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
+  TRIBOLOG_EACH_NIGHT();
   const std::size_t runs = test::seeds_of(2, 4);
   const plan::ExpectedIntervals little =
       plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {runs});

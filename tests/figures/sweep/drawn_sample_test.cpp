@@ -11,6 +11,7 @@
 #include "render/legibility/picture_border.h"
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
+#include "support/breadth.h"
 #include "wording/words.h"
 
 namespace tribolog::test::drawn_sample_test {
@@ -20,7 +21,7 @@ namespace legibility = render::legibility;
 
 class DrawnSample : public testing::TestWithParam<std::string> {};
 
-/// One reading for each figure.
+/// One reading for each figure; at a change of every third figure.
 struct Sample {
   std::vector<render::figure::Figure> figures;
   std::vector<std::string> names;
@@ -30,7 +31,8 @@ Sample sample_of(std::string_view example) {
   const render::text::Font font;
   const std::vector<Reading> readings = all_readings();
   Sample out;
-  for (std::size_t i = 0; i < figures_of(example).size(); ++i) {
+  const std::size_t step = every_case() ? 1 : 3;
+  for (std::size_t i = 0; i < figures_of(example).size(); i += step) {
     const Reading& reading = readings[i % readings.size()];
     const figures::ReportFigure& figure = figures_of(example, reading.language)[i];
     out.figures.push_back(read_as(reading, figure, font).figure);
