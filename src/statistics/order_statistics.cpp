@@ -20,6 +20,16 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double range_without_ends(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t share = 200;
+  const auto out = static_cast<std::ptrdiff_t>(values.size() / share);
+  std::nth_element(values.begin(), values.begin() + out, values.end());
+  const double low = values[static_cast<std::size_t>(out)];
+  std::nth_element(values.begin(), values.end() - 1 - out, values.end());
+  return *(values.end() - 1 - out) - low;
+}
+
 double median_interval(const std::vector<double>& rising) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < rising.size(); ++i) intervals.push_back(rising[i] - rising[i - 1]);

@@ -1,11 +1,13 @@
 // The verdict on each quantity, and the manifest's limits.
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
+#include "base/requirements.h"
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 #include "verdict/acceptance.h"
@@ -181,6 +183,35 @@ TEST(Verdicts, WithoutTorqueNothingThatNeedsItIsIdentifiable) {
             method::checks::CheckState::passed);
   EXPECT_EQ(c.data_checks.find(CheckName::torque_noise)->state,
             method::checks::CheckState::not_applicable);
+}
+
+// Nothing but a loop hundreds of times as wide as the bristle bends. The drive jumps to its speed
+// at once, and the first sample holds four times the torque of the loop.
+calibration::Calibration of_wide_loop_alone(double amplitude_rad) {
+  simulate::Scenario s = test::paper_joint();
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.constant_speed.reset();
+  s.oscillation->amplitude_rad = amplitude_rad;
+  s.oscillation->record_bristle = false;
+  return identify::identify(test::simulated_dataset(s));
+}
+
+TEST(Verdicts, AModelThatMissesAWideLoopGivesNoUsableBreakAwayTorque) {
+  const calibration::QuantityVerdict q =
+      quantity(of_wide_loop_alone(0.03), joint::Quantity::break_away_torque);
+  const double truth = test::paper_contact().parameters().static_Nm;
+  if (!q.estimate || std::abs(q.estimate->value / truth - 1) < 0.02) return;
+  EXPECT_NE(q.verdict, calibration::Verdict::usable) << q.estimate->value;
+}
+
+TEST(Verdicts, AWideLoopReachesSliding) {
+  const calibration::Calibration c = of_wide_loop_alone(0.01);
+  EXPECT_EQ(c.data_checks.find(CheckName::oscillation_slides)->state,
+            method::checks::CheckState::passed);
+  const calibration::QuantityVerdict q = quantity(c, joint::Quantity::break_away_torque);
+  EXPECT_EQ(q.verdict, calibration::Verdict::usable);
+  EXPECT_NEAR(present(q.estimate).value, test::paper_contact().parameters().static_Nm, 1e-3);
 }
 
 }  // namespace

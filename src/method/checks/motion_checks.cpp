@@ -145,10 +145,13 @@ std::optional<double> stiffness_left_percent(const CheckedRecording& r) {
             sum[1][k] / static_cast<double>(count[1][k])) /
            2;
   };
-  const double behind_turn = mean(2) - mean(0);
-  const double at_end = mean(bins - 2) - mean(bins - 6);
+  // Per bin. In a wide loop friction has risen from the level before the turn within half of the
+  // first one.
+  const double behind_turn =
+      mean(0) > 0 ? (mean(0) + mean(bins - 1)) / 0.5 : (mean(2) - mean(0)) / 2;
+  const double at_end = (mean(bins - 2) - mean(bins - 6)) / 4;
   if (!(behind_turn > 0)) return std::nullopt;
-  return std::max(0.0, 100 * (at_end / 4) / (behind_turn / 2));
+  return std::max(0.0, 100 * at_end / behind_turn);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ struct LuGreLoop {
   double residual_Nm{};  ///< Standard deviation of T - model.
   LoopMisfit misfit;
   CycleMisfit cycle_misfit;  ///< Only of a periodic loop.
-  double height_Nm{};        ///< Largest minus smallest torque.
+  double height_Nm{};        ///< Largest minus smallest torque, without the jump of a start.
   /// Root mean square of the residual that noise does not explain.
   double systematic_Nm{};
   LoopMotion motion{};               ///< What drove the model.

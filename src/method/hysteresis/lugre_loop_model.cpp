@@ -8,6 +8,7 @@
 #include "friction/exponential_step.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/motion.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -383,10 +384,7 @@ double LuGreLoopModel::motor_amplitude_rad() const {
   return (*high - *low) / 2;
 }
 
-double LuGreLoopModel::height_Nm() const {
-  const auto [low, high] = std::minmax_element(measured_Nm_.begin(), measured_Nm_.end());
-  return *high - *low;
-}
+double LuGreLoopModel::height_Nm() const { return statistics::range_without_ends(measured_Nm_); }
 
 double LuGreLoopModel::mean_torque_Nm() const {
   double sum = 0;

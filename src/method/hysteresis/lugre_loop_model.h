@@ -81,7 +81,7 @@ class LuGreLoopModel {
   [[nodiscard]] double peak_speed_rad_s() const;
   /// Half the distance between the extremes of the motion [rad, motor].
   [[nodiscard]] double motor_amplitude_rad() const;
-  /// Largest minus smallest torque [N·m].
+  /// Largest minus smallest torque, without its jump where a drive starts at once [N·m].
   [[nodiscard]] double height_Nm() const;
   [[nodiscard]] double mean_torque_Nm() const;
 
