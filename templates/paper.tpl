@@ -25,8 +25,8 @@
 <li><a href="#tick-off">Checklist</a></li>
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}} {{TITLE}}</a></li>
 {{/CONTENTS_ENTRY}}
-<li><a href="#golden">Golden numbers</a></li>
-<li><a href="#errata">Errata of the paper</a></li>
+{{#WRONG_JOINTS}}<li><a href="#wrong-joints">Wrong joints</a></li>
+{{/WRONG_JOINTS}}<li><a href="#errata">Errata of the paper</a></li>
 <li><a href="#scenario">The joint that is simulated</a></li>
 <li><a href="#provenance">Provenance</a></li>
 </ol>
@@ -42,8 +42,8 @@
 {{/ENTRY}}</ul>
 {{/KIND}}
 <h3 id="how-to-read">How to read the checks</h3>
-<p>“Expected” comes from <b>print</b>: it is in the paper; from <b>method</b>: it is not in the paper but belongs to the LuGre joint that reproduces the paper's table 2; or from <b>law</b>: it follows from the equation or from mechanics. “Allowed” is the largest difference that counts as agreement, with its reason. Nothing is compared with a number that this program itself has stored.</p>
-<p>The paper prints no parameter of its joint. What is simulated here is a joint whose six torques agree with table 2; which numbers are printed, reconstructed or chosen is stated <a href="#scenario">at the end</a>.</p>
+<p>A check of kind <b>print</b> compares what the paper prints, a number, a sign or an order, with what is computed for its joint: these alone show that the paper is reproduced, and each printed number is counted once. A check of kind <b>independent</b> compares the program with another way to the same: the equation written out, a closed form, another solver, a balance of the log. What is so by definition, or was taken from print, is told below the checks and counted with neither. “Allowed” is the largest difference that counts as agreement; it follows from the digits printed or from the cause that is stated.</p>
+<p>The paper prints no parameter of its joint. What is simulated here is a joint whose six torques agree with table 2; which numbers are printed, reconstructed or chosen is stated <a href="#scenario">at the end</a>. Whether the checks of print can fail is shown by <code>tribolog paper --wrong-joints</code>.</p>
 </section>
 {{#PAPER_SECTION}}<section id="{{SECTION_ID}}" class="stage" aria-labelledby="{{SECTION_ID}}-title">
 <h2 id="{{SECTION_ID}}-title"><span class="number">{{NUMBER}}</span> {{TITLE}} <a class="self" href="#{{SECTION_ID}}" aria-label="Link to this section">#</a></h2>
@@ -51,11 +51,12 @@
 {{>TABLE}}
 </section>
 {{/PAPER_SECTION}}
-<section id="golden" class="stage" aria-labelledby="golden-title">
-<h2 id="golden-title">Golden numbers <a class="self" href="#golden" aria-label="Link to this section">#</a></h2>
-<p>Every number that the description of the method gives for the paper and for its reconstructed joint. The torques given without inertia and Stribeck effect were read up to 0.2 ms late at B, E and F, where torque changes by 15 N·m/s; the same torques in closed form are listed above them.</p>
-{{>GOLDEN}}
+{{#WRONG_JOINTS}}<section id="wrong-joints" class="stage" aria-labelledby="wrong-joints-title">
+<h2 id="wrong-joints-title">Wrong joints <a class="self" href="#wrong-joints" aria-label="Link to this section">#</a></h2>
+<p>Each check of print was made again on joints that are grossly not the paper's, with one thing wrong in each. A check that fails on none of them says nothing about the joint.</p>
+{{>TABLE}}
 </section>
+{{/WRONG_JOINTS}}
 {{>ERRATA}}
 <section id="scenario" class="stage" aria-labelledby="scenario-title">
 <h2 id="scenario-title">The joint that is simulated <a class="self" href="#scenario" aria-label="Link to this section">#</a></h2>

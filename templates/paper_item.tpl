@@ -5,4 +5,7 @@
 {{>FIGURE}}
 {{#REMARK_IF}}<p class="remark partial">{{REMARK:x-symbols}}</p>{{/REMARK_IF}}
 {{>CHECKS}}
-</div>
+{{#TOLD}}<ul class="told" aria-label="Told, not checked">
+{{#ENTRY}}<li>{{TEXT:x-symbols}}</li>
+{{/ENTRY}}</ul>
+{{/TOLD}}</div>

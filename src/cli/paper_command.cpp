@@ -2,18 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "api/drawing.h"
 #include "base/atomic_file.h"
+#include "base/input_file.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "cli/shared_options.h"
 #include "figures/figure_csv.h"
+#include "figures/figure_set.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
-#include "paper/checks/golden_numbers.h"
 #include "paper/checks/paper_items.h"
+#include "paper/page/claims_page.h"
 #include "paper/page/paper_page.h"
 #include "wording/language.h"
 
@@ -28,13 +31,12 @@ paper::page::PaperSource source(const char* name) {
   return {std::string(directory) + name, std::string(text_of(embedded_examples(), name))};
 }
 
-/// Figures, items and golden numbers, in words of that language.
+/// Figures and items, in words of that language.
 void describe(const paper::checks::PapersJoint& joint, const wording::Language& language,
               paper::page::RegeneratedPaper& paper) {
   const wording::WordsIn words(language);
   paper.figures = paper::checks::paper_figures(joint);
   paper.sections = paper::checks::paper_items(joint, paper.figures);
-  paper.golden_numbers = paper::checks::golden_numbers(joint);
 }
 
 std::string page_in(const wording::Language& language, const paper::page::RegeneratedPaper& paper,
@@ -48,14 +50,32 @@ std::string page_in(const wording::Language& language, const paper::page::Regene
 void tell_outcome(const paper::page::RegeneratedPaper& paper,
                   const std::vector<paper::page::PaperTally>& tallies, Console& console) {
   for (const paper::page::PaperTally& tally : tallies) {
-    console.say(fmt::format("  {}s: {} of {} regenerated, every check holds in {}",
+    console.say(fmt::format("  {}s: {} of {} regenerated, no check fails in {}",
                             paper::checks::key_of(tally.kind), tally.here, tally.printed,
                             tally.well));
   }
-  const paper::checks::Tally checks = paper::checks::tally_checks(paper.sections);
-  const paper::checks::Tally golden = paper::checks::tally_checks(paper.golden_numbers);
-  console.say(fmt::format("  checks: {} of {} hold; golden numbers: {} of {}", checks.hold,
-                          checks.there, golden.hold, golden.there));
+  const auto tally = [&](paper::checks::Kind kind) {
+    const paper::checks::Tally checks = paper::checks::tally_checks(paper.sections, kind);
+    return fmt::format("{} of {}", checks.hold, checks.there);
+  };
+  console.say(
+      fmt::format("  print against computation: {} hold; independent computations: {}; "
+                  "definitions told: {}",
+                  tally(paper::checks::Kind::print), tally(paper::checks::Kind::independent),
+                  paper::checks::count_told(paper.sections)));
+}
+
+void tell_wrong_joints(const paper::checks::WrongJointsResult& tried, Console& console) {
+  for (const paper::checks::FailedBy& one : tried.checks) {
+    console.say(fmt::format("  {}: {}\n    {}", one.item, one.check,
+                            one.joints.empty()
+                                ? "fails with none of the wrong joints"
+                                : fmt::format("fails with {}", fmt::join(one.joints, "; "))));
+  }
+  if (!tried.unnoticed.empty()) {
+    console.say(fmt::format("  print cannot tell from the paper's joint: {}",
+                            fmt::join(tried.unnoticed, "; ")));
+  }
 }
 
 }  // namespace
@@ -63,19 +83,90 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
 CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
   CLI::App& command =
       *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
+  command.add_option("SCENARIO", paper.scenario,
+                     "another joint (TOML): what of the paper's argument holds there");
   command.add_option("-o,--output", paper.output, "page (HTML) to write")->required();
+  command
+      .add_flag("--wrong-joints", paper.wrong_joints,
+                "make the checks of print on wrong joints as well, and list which fail them")
+      ->excludes("SCENARIO");
   add_processes(command, paper.processes);
   add_language(command, paper.language);
   command.footer(
       "\nSimulates the paper's joint, identifies it, draws all figures, and compares every "
-      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.");
+      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.\n"
+      "With SCENARIO the paper's claims are hypotheses about that joint: which hold there is\nno "
+      "failure.");
   return command;
 }
+
+namespace {
+
+simulate::Scenario papers_scenario() {
+  const paper::page::PaperSource file = source(scenario_file);
+  return ingest::manifest::parse_scenario(file.text, file.name);
+}
+
+/// Claims and figures, in words of that language.
+void describe(const paper::claims::ArguedJoint& papers, const paper::claims::ArguedJoint& joint,
+              const wording::Language& language, paper::page::ArguedPaper& paper) {
+  const wording::WordsIn words(language);
+  paper.claims = paper::claims::put_claims(papers, joint);
+  paper.figures = figures::figure_set(joint.dataset, joint.calibration);
+  std::erase_if(paper.figures, [](const figures::ReportFigure& figure) {
+    constexpr int first = 11;  // of the identification
+    constexpr int last = 22;
+    return figure.number < first || figure.number > last;
+  });
+}
+
+std::string found_on(const paper::claims::Finding& finding) {
+  const char* outcome = !finding.holds ? "not asked" : *finding.holds ? "holds" : "does not hold";
+  return fmt::format("{} ({})", outcome, finding.found);
+}
+
+/// The paper's argument on the scenario's joint.
+ExitStatus run_claims(const PaperOptions& options, const std::vector<std::string>& arguments,
+                      Console& console) {
+  paper::page::ArguedPaper paper;
+  paper.provenance = calibration::make_provenance(arguments);
+  paper.source = {options.scenario, read_file(options.scenario)};
+  const simulate::Scenario scenario =
+      ingest::manifest::parse_scenario(paper.source.text, options.scenario);
+  paper.joint = scenario.name;
+  render::workers::FigureRenderer renderer(options.processes,
+                                           render::workers::Prepared::charts_and_scenes);
+  console.progress("simulating and identifying the paper's joint", 0, 2);
+  const paper::claims::ArguedJoint papers(papers_scenario());
+  console.progress("simulating and identifying " + scenario.name, 1, 2);
+  const paper::claims::ArguedJoint joint(scenario);
+  describe(papers, joint, wording::Language{}, paper);
+  for (const paper::claims::Claim& claim : paper.claims) {
+    console.say(fmt::format("  {}\n    here: {}\n    on the paper's joint: {}", claim.what,
+                            found_on(claim.on_this_joint), found_on(claim.on_papers_joint)));
+  }
+  const std::string json = paper::page::claims_json(paper);
+  if (!options.language.is_english()) {
+    const std::vector<figures::ReportFigure> english = std::move(paper.figures);
+    describe(papers, joint, options.language, paper);
+    figures::take_english_data(english, paper.figures);
+  }
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, paper.figures, console);
+  paper.provenance.drawing = api::software_that_drew(drawn);
+  const wording::WordsIn words(options.language);
+  write_file_atomically(options.output, paper::page::claims_page(paper, joint.calibration, drawn,
+                                                                 json, options.language));
+  console.say("paper: " + options.output);
+  return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+}  // namespace
 
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console) {
   check_output_can_be_written(options.output);
   console.make_way_for(options.output);
+  if (!options.scenario.empty()) return run_claims(options, arguments, console);
   paper::page::RegeneratedPaper paper;
   paper.provenance = calibration::make_provenance(arguments);
   paper.sources = {source(scenario_file), source(robot_file)};
@@ -86,8 +177,15 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   const paper::checks::PapersJoint joint(
       ingest::manifest::parse_scenario(paper.sources[0].text, paper.sources[0].name),
       ingest::manifest::parse_robot(paper.sources[1].text, paper.sources[1].name));
+  paper.presliding = joint.presliding;
   console.progress("checking it", 0, 1);
   describe(joint, wording::Language{}, paper);
+  if (options.wrong_joints) {
+    paper.wrong_joints = paper::checks::try_wrong_joints(
+        joint, paper::checks::wrong_joints(joint), [&](std::size_t done, std::size_t all) {
+          console.progress("checking wrong joints", done, all);
+        });
+  }
   const std::string json = paper::page::paper_json(paper);
   if (!options.language.is_english()) {
     const std::vector<figures::ReportFigure> english = std::move(paper.figures);
@@ -101,13 +199,10 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   write_file_atomically(options.output,
                         page_in(options.language, paper, joint.calibration, drawn, json));
   tell_outcome(paper, tallies, console);
+  if (paper.wrong_joints) tell_wrong_joints(*paper.wrong_joints, console);
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
-  const bool all_well =
-      std::all_of(tallies.begin(), tallies.end(),
-                  [](const paper::page::PaperTally& tally) { return tally.well == tally.printed; });
-  const paper::checks::Tally golden = paper::checks::tally_checks(paper.golden_numbers);
-  return all_well && golden.hold == golden.there ? ExitStatus::done : ExitStatus::verdict_failed;
+  return paper::page::is_all_well(paper, tallies) ? ExitStatus::done : ExitStatus::verdict_failed;
 }
 
 }  // namespace tribolog::cli

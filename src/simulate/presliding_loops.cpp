@@ -8,6 +8,7 @@
 
 #include "base/requirements.h"
 #include "base/statement.h"
+#include "friction/lugre.h"
 #include "simulate/periodic_orbit.h"
 
 namespace tribolog::simulate {
@@ -89,6 +90,43 @@ std::vector<PreslidingLoop> presliding_loops(const friction::ContactParameters& 
   const auto friction = lugre(contact);
   std::vector<PreslidingLoop> out;
   for (const SinusoidalForce& force : forces) out.push_back(loop_of(*friction, contact, force));
+  return out;
+}
+
+PresetLoop preset_loop(const friction::ContactParameters& contact, double travel_m,
+                       double frequency_Hz) {
+  require_positive(travel_m, Code{"parameter.loop_travel"}, "m");
+  require_positive(frequency_Hz, Code{"parameter.force_frequency"}, "Hz");
+  const friction::LuGreFriction friction({contact.stiffness_Nm_rad, contact.damping_Nms_rad,
+                                          contact.viscous_Nms_rad, contact.coulomb_Nm,
+                                          contact.static_Nm, contact.stribeck_speed_rad_s});
+  constexpr std::size_t steps = 4000;  // a reversal falls on one
+  constexpr int periods = 6;           // a pre-sliding loop forgets its start within two or three
+  const double omega = 2 * std::numbers::pi * frequency_Hz;
+  const double dt = 1 / (frequency_Hz * steps);
+  const auto speed = [&](double t) { return travel_m / 2 * omega * std::cos(omega * t); };
+  const auto rate = [&](double t, double z) { return friction.deflection_rate_rad_s(z, speed(t)); };
+  PresetLoop out;
+  out.travel_m = travel_m;
+  out.frequency_Hz = frequency_Hz;
+  double z = 0;
+  for (int period = 1; period <= periods; ++period) {
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) * dt;
+      if (period == periods) {
+        out.displacement_m.push_back(travel_m / 2 * std::sin(omega * t));
+        out.friction_N.push_back(friction.torque_Nm(z, rate(t, z), speed(t)));
+      }
+      if (i == steps) break;
+      const double k1 = rate(t, z);
+      const double k2 = rate(t + dt / 2, z + dt / 2 * k1);
+      const double k3 = rate(t + dt / 2, z + dt / 2 * k2);
+      const double k4 = rate(t + dt, z + dt * k3);
+      z += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+  }
+  out.largest_friction_N = Range(out.friction_N).largest_size();
+  out.gap = std::abs(out.friction_N.back() - out.friction_N.front()) / out.largest_friction_N;
   return out;
 }
 

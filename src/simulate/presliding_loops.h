@@ -1,5 +1,6 @@
 #pragma once
-// Hysteresis of a unit mass that a sinusoidal force moves against LuGre friction: figure 5.
+// Hysteresis of LuGre friction in pre-sliding: figure 5. Of a unit mass that a sinusoidal force
+// moves, and of a displacement that is set.
 //
 // Whether such a force only bends the bristles or makes the mass slide depends on its rate as well
 // as on its size. A force so slow that g(w) = Ts/s0 and inertia does not count gives, with
@@ -52,6 +53,22 @@ struct PreslidingLoop {
 std::vector<PreslidingLoop> presliding_loops(
     const friction::ContactParameters& contact,
     const std::vector<SinusoidalForce>& forces = forces_of_figure_5());
+
+/// Friction under a sinusoidal displacement that is set, whatever it takes.
+struct PresetLoop {
+  double travel_m{};  ///< From one reversal to the other.
+  double frequency_Hz{};
+  /// One period once it repeats, from the middle upwards; its last point is its first.
+  std::vector<double> displacement_m;
+  std::vector<double> friction_N;
+  double largest_friction_N{};
+  double gap{};  ///< Between the friction of last and first point, as a share of its largest.
+};
+
+/// The bristle's equation (4) along the displacement, by the classical Runge-Kutta method.
+/// @throw Refusal for a value that is not allowed.
+PresetLoop preset_loop(const friction::ContactParameters& contact, double travel_m,
+                       double frequency_Hz);
 
 /// The largest amplitude at a frequency whose orbit stays slower than the Stribeck velocity: up to
 /// it the mass does not run away. To half a thousandth, from below; not more than the static force.

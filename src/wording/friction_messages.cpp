@@ -35,6 +35,7 @@ const Messages& friction_messages() {
       {"parameter.largest_closed_gap", text("largest gap that counts as closed")},
       {"parameter.force_amplitude", text("amplitude of the force")},
       {"parameter.force_frequency", text("frequency of the force")},
+      {"parameter.loop_travel", text("travel of the loop")},
 
       // Friction models, and their parameters together.
       {"friction.no_such_model", text("there is no friction model '{model}'; known are {known}")},

@@ -72,18 +72,37 @@ TEST(Commands, ThePaperIsRegeneratedAndEveryCheckHolds) {
   const ProgramRun run = run_shell(program + "paper -o '" + directory.file("paper.html") + "'");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err.find("note:"), std::string::npos) << run.err;
-  for (const char* line : {"figures: 22 of 22 regenerated, every check holds in 22",
-                           "tables: 2 of 2 regenerated, every check holds in 2",
-                           "equations: 14 of 14 regenerated, every check holds in 14"}) {
+  for (const char* line : {"figures: 22 of 22 regenerated, no check fails in 22",
+                           "tables: 2 of 2 regenerated, no check fails in 2",
+                           "equations: 14 of 14 regenerated, no check fails in 14",
+                           "print against computation: 28 of 28 hold"}) {
     EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
   }
   const std::string page = read_text(directory.file("paper.html"));
-  EXPECT_NE(page.find("THE PAPER IS REPRODUCED"), std::string::npos);
+  EXPECT_NE(page.find("WHAT THE PAPER PRINTS IS FOUND AGAIN"), std::string::npos);
   EXPECT_EQ(page.find("is missing"), std::string::npos);
   EXPECT_EQ(page.find("class=\"fails\""), std::string::npos);
   EXPECT_LT(page.size(), 10U << 20);
   EXPECT_EQ(run_shell(program + "paper").status, 2);
   EXPECT_EQ(run_shell(program + "paper -o /no/such/directory/paper.html").status, 4);
+}
+
+TEST(Commands, ThePapersClaimsArePutToAnotherJoint) {
+  const SmallDataset directory;
+  const std::string page = directory.file("claims.html");
+  const ProgramRun run = run_shell(
+      program + "paper '" TRIBOLOG_SOURCE_DIR "/examples/paper/scenario_noise.toml' -o '" + page +
+      "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("here: holds (B, off by"), std::string::npos) << run.out;
+  const std::string text = read_text(page);
+  EXPECT_NE(text.find("claims hold on this joint"), std::string::npos);
+  EXPECT_NE(text.find("\"schema\":\"tribolog-claims-1\""), std::string::npos);
+  EXPECT_EQ(text.find("is missing"), std::string::npos);
+  EXPECT_EQ(text.find("://"), std::string::npos);
+  EXPECT_EQ(run_shell(program + "paper none.toml -o '" + page + "'").status, 3);
+  EXPECT_EQ(run_shell(program + "paper none.toml --wrong-joints -o '" + page + "'").status, 2);
+  EXPECT_EQ(read_text(page), text);
 }
 
 TEST(Commands, AStudyIsOnePageAndItsNumbers) {

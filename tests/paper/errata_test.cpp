@@ -30,7 +30,8 @@ TEST(PaperTable, HasTheMassesOfTheDatasetBesideThePrintedOnes) {
 }
 
 TEST(Errata, EvidenceComesFromTable2) {
-  const paper::page::ErrataNumbers e = paper::page::errata_numbers();
+  const paper::page::ErrataNumbers e =
+      paper::page::errata_numbers(paper::charts::loops_of_figure_5({}));
   EXPECT_EQ(e.mass_A_with_500_m, "0.080");
   EXPECT_EQ(e.mass_A_with_500_mm, "80.000");
   EXPECT_EQ(e.mass_A_with_cos_q_c, "86.42");
@@ -38,6 +39,11 @@ TEST(Errata, EvidenceComesFromTable2) {
   EXPECT_EQ(e.rad_of_precise, "0.388019");
   EXPECT_EQ(e.cut_of_22, "cut");
   EXPECT_EQ(e.cut_of_precise, "cut");
+  EXPECT_EQ(e.linear_branch_speed, "−0.50\u00a0mrad/s");
+  EXPECT_EQ(e.linear_branch_printed, "+0.442\u00a0N·m");
+  EXPECT_EQ(e.linear_branch_meant, "−0.442\u00a0N·m");
+  EXPECT_EQ(e.mass_B_mirrored_in_bars, "78.818");
+  EXPECT_EQ(e.figure_5_travel, "54.95 µm");
   EXPECT_LE(std::stod(e.largest_deviation), std::stod(e.allowed_deviation));
 }
 

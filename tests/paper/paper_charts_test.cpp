@@ -17,7 +17,7 @@ const std::vector<figures::ReportFigure>& charts() {
   static const std::vector<figures::ReportFigure> all{
       charts::static_friction_figure(charts::stribeck_at_joint_scale()),
       charts::linear_zone_figure(charts::linear_zone_at_joint_scale()),
-      charts::presliding_hysteresis_figure(simulate::presliding_loops({}))};
+      charts::presliding_hysteresis_figure(charts::loops_of_figure_5({}))};
   return all;
 }
 
@@ -180,12 +180,36 @@ TEST(JointScale, HasTheSameContactInBothLaws) {
   EXPECT_NEAR(two.torque_Nm(2 * two.parameters().threshold_rad_s), 0.884, 1e-3);
 }
 
-TEST(PreslidingFigure, ShowsOneClosedLoopAPanelOnOneAxisOfForce) {
+// As printed: three loops of friction on one pair of axes, the travel that table 1 gives each.
+TEST(PreslidingFigure, ShowsThePrintedLoopsOfFrictionOnOnePairOfAxes) {
+  const render::figure::Panel& panel = charts().at(2).figure.panels.at(0);
+  ASSERT_EQ(panel.series.size(), 3U);
+  const double amplitudes_N[] = {1.425, 1.3, 1};
+  const double travels_um[] = {54.95, 39.59, 24.14};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const render::figure::Series& loop = panel.series[i];
+    const auto [left, right] = std::minmax_element(loop.x.begin(), loop.x.end());
+    const auto [low, high] = std::minmax_element(loop.y.begin(), loop.y.end());
+    EXPECT_NEAR(*right - *left, travels_um[i], 0.005);
+    EXPECT_NEAR(*high, amplitudes_N[i], 1e-6);
+    EXPECT_NEAR(*low, -amplitudes_N[i], 1e-6);
+    EXPECT_NEAR(loop.y.front(), loop.y.back(), 1e-6);
+    EXPECT_FALSE(loop.direction_arrows_at.empty());
+  }
+}
+
+TEST(PreslidingFigure, SaysWhatThePrintedFrequenciesWouldAskOfThoseLoops) {
+  const std::string& text = charts().at(2).how_to_read;
+  EXPECT_NE(text.find("reaches only 1.419 N at 1 Hz"), std::string::npos) << text;
+}
+
+TEST(PreslidingFigure, ShowsOneClosedLoopOfForceAPanelOnOneAxis) {
   const render::figure::Figure& figure = charts().at(2).figure;
-  ASSERT_EQ(figure.panels.size(), 3U);
-  for (const render::figure::Panel& panel : figure.panels) {
-    EXPECT_EQ(panel.y.minimum, figure.panels[0].y.minimum);
-    EXPECT_EQ(panel.y.maximum, figure.panels[0].y.maximum);
+  ASSERT_EQ(figure.panels.size(), 4U);
+  for (std::size_t i = 1; i < figure.panels.size(); ++i) {
+    const render::figure::Panel& panel = figure.panels[i];
+    EXPECT_EQ(panel.y.minimum, figure.panels[1].y.minimum);
+    EXPECT_EQ(panel.y.maximum, figure.panels[1].y.maximum);
     const render::figure::Series& loop = styled(panel, render::figure::LineStyle::solid);
     const auto [left, right] = std::minmax_element(loop.x.begin(), loop.x.end());
     EXPECT_NEAR(loop.x.front(), loop.x.back(), 1e-6 * (*right - *left));
@@ -201,18 +225,20 @@ TEST(PreslidingFigure, HasThePrefixOfEachWidth) {
   const double widths[] = {8.18, 172.6, 34.5};
   const char* units[] = {"[mm]", "[µm]", "[µm]"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const render::figure::Panel& panel = figure.panels[i];
+    const render::figure::Panel& panel = figure.panels[i + 1];
     const render::figure::Series& loop = styled(panel, render::figure::LineStyle::solid);
     const auto [left, right] = std::minmax_element(loop.x.begin(), loop.x.end());
     EXPECT_NEAR(*right - *left, widths[i], 1e-3 * widths[i]);
     EXPECT_NE(panel.x.title.find(units[i]), std::string::npos) << panel.x.title;
   }
-  EXPECT_EQ(figure.panels[0].title, "1.425 N at 1 Hz: 8.18 mm wide, up to 47.2 mm/s");
+  EXPECT_EQ(figure.panels[1].title, "1.425 N at 1 Hz: 8.18 mm wide, up to 47.2 mm/s");
 }
 
 TEST(PreslidingFigure, SaysWhetherItIsPreSliding) {
   const auto caption = [](const std::vector<simulate::SinusoidalForce>& forces) {
-    return charts::presliding_hysteresis_figure(simulate::presliding_loops({}, forces)).caption;
+    charts::PreslidingLoops loops = charts::loops_of_figure_5({});
+    loops.by_force = simulate::presliding_loops({}, forces);
+    return charts::presliding_hysteresis_figure(loops).caption;
   };
   const auto says = [](const std::string& text, const char* what) {
     return text.find(what) != std::string::npos;

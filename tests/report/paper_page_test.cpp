@@ -18,13 +18,16 @@ struct SmallPaper {
   std::vector<render::workers::DrawnFigure> drawn;
 
   SmallPaper() {
-    const paper::checks::Check holds = paper::checks::law_value("two and two", 4, 4, 0, "N·m", "");
-    paper.sections = {{"3.3",
-                       "Loops",
-                       {{paper::checks::ItemKind::figure, 15, "Loop", "", {holds}},
-                        {paper::checks::ItemKind::equation, 4, "Rate", "", {holds}},
-                        {paper::checks::ItemKind::statement, 0, "Words", "", {holds}}}}};
-    paper.golden_numbers = {holds};
+    const paper::checks::Check holds = paper::checks::other_way("two and two", 4, 4, 0, "N·m", "");
+    const paper::checks::Check as_printed =
+        paper::checks::printed_value("four", 4, 0, 4, 0.5, "N·m", "whole numbers");
+    paper.sections = {
+        {"3.3",
+         "Loops",
+         {{paper::checks::ItemKind::figure, 15, "Loop", "", {holds}, {}},
+          {paper::checks::ItemKind::equation, 4, "Rate", "", {holds}, {"by definition"}},
+          {paper::checks::ItemKind::statement, 0, "Words", "", {as_printed}, {}}}}};
+    paper.presliding = paper::charts::loops_of_figure_5({});
     figures::ReportFigure figure;
     figure.number = 15;
     figure.id = "fig-15-loop";
@@ -62,9 +65,26 @@ TEST(PaperPage, CountsWhatIsThereAgainstWhatThePaperHas) {
   EXPECT_EQ(small.tally(ItemKind::table).well, 0);
   EXPECT_EQ(small.tally(ItemKind::equation).well, 1);
   const std::string page = small.page();
-  EXPECT_NE(page.find("NOT ALL OF IT IS REPRODUCED"), std::string::npos);
-  EXPECT_NE(page.find("1 of 22 figures, 0 of 2 tables, 1 of 14 equations"), std::string::npos);
-  EXPECT_NE(page.find("3 of 3 checks hold, and 1 of 1 golden numbers"), std::string::npos);
+  EXPECT_NE(page.find("NOT ALL THAT THE PAPER PRINTS IS FOUND AGAIN"), std::string::npos);
+  EXPECT_NE(page.find("1 of 22 figures, 0 of 2 tables and 1 of 14 equations"), std::string::npos);
+  EXPECT_NE(page.find("1 of 1 numbers, signs and orders that the paper prints"), std::string::npos);
+  EXPECT_NE(page.find("1 of them to the last printed place"), std::string::npos);
+  EXPECT_NE(page.find("2 of 2 independent computations"), std::string::npos);
+  EXPECT_NE(page.find("1 definitions and values"), std::string::npos);
+  EXPECT_NE(page.find("<li>by definition</li>"), std::string::npos);
+  EXPECT_EQ(page.find("wrong-joints-title"), std::string::npos);
+}
+
+TEST(PaperPage, ListsTheWrongJointsThatFailAndThoseThatNobodyNotices) {
+  SmallPaper small;
+  small.paper.wrong_joints = paper::checks::WrongJointsResult{
+      {{"Table 2", "T at A", {"n = 80", "m × 2"}}, {"Figure 14", "angle", {}}}, {"σ₂ × 100"}};
+  const std::string page = small.page();
+  EXPECT_NE(page.find("wrong-joints-title"), std::string::npos);
+  EXPECT_NE(page.find("n = 80 and m × 2"), std::string::npos);
+  EXPECT_NE(page.find("none: this check says nothing about the joint"), std::string::npos);
+  EXPECT_NE(page.find("the paper&#39;s joint: σ₂ × 100."), std::string::npos);
+  EXPECT_NE(page.find("\"unnoticed\":[\"σ₂ × 100\"]"), std::string::npos);
 }
 
 TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
@@ -107,9 +127,15 @@ TEST(CheckTexts, ShowAsMuchAsTheBoundLetsMean) {
   const paper::page::CheckTexts texts = paper::page::check_texts(mass);
   EXPECT_EQ(texts.expected, "78.811");
   EXPECT_EQ(texts.ours, "78.8175");
-  EXPECT_EQ(texts.difference, "0.0065");
-  EXPECT_EQ(texts.allowed, "0.011");
-  EXPECT_EQ(texts.origin, "print");
+  EXPECT_EQ(texts.difference, "0.0065, 6.5 last places");
+  EXPECT_EQ(texts.allowed, "0.0107");  // as it is applied
+  EXPECT_EQ(mass.bound, 0.0107);
+  EXPECT_EQ(texts.kind, "print");
+}
+
+TEST(CheckTexts, CountLastPlacesWherePrintIsMissed) {
+  const auto torque = paper::checks::printed_value("", 3.703, 3, 3.69474, 0.029, "N·m", "");
+  EXPECT_EQ(paper::page::check_texts(torque).difference, "−0.0083, 8.3 last places");
 }
 
 TEST(CheckTexts, RaiseExponentsAndKeepZero) {
@@ -117,9 +143,9 @@ TEST(CheckTexts, RaiseExponentsAndKeepZero) {
       paper::page::check_texts(paper::checks::vanishing("", -1.25e-12, 1e-9, "rad", ""));
   EXPECT_EQ(texts.expected, "0");
   EXPECT_EQ(texts.ours, "−1.2×10⁻¹²");
-  EXPECT_EQ(texts.allowed, "1.0×10⁻⁹");
+  EXPECT_EQ(texts.allowed, "1×10⁻⁹");
   const paper::page::CheckTexts exact =
-      paper::page::check_texts(paper::checks::law_value("", 0.5, 0.5, 0, "", ""));
+      paper::page::check_texts(paper::checks::other_way("", 0.5, 0.5, 0, "", ""));
   EXPECT_EQ(exact.expected, "0.5");
   EXPECT_EQ(exact.difference, "0");
 }
@@ -127,7 +153,10 @@ TEST(CheckTexts, RaiseExponentsAndKeepZero) {
 TEST(Check, ANumberThatIsNoneDoesNotHold) {
   EXPECT_FALSE(paper::checks::vanishing("", NAN, 1, "", "").holds());
   EXPECT_TRUE(paper::checks::vanishing("", -1, 1, "", "").holds());
-  EXPECT_FALSE(paper::checks::by_name("", paper::checks::Origin::printed, "B", "A").holds());
+  const auto one_is_none = [](double x) { return x > 1 ? NAN : x; };
+  EXPECT_TRUE(std::isnan(paper::checks::largest_over({1, 2, 1}, one_is_none)));
+  EXPECT_EQ(paper::checks::largest_over({1, -1}, one_is_none), 1);
+  EXPECT_FALSE(paper::checks::by_name("", paper::checks::Kind::print, "B", "A").holds());
 }
 
 }  // namespace

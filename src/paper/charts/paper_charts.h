@@ -23,12 +23,21 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
 
 // Figure 5: hysteresis of friction under an oscillating force.
 
-/// One panel for each loop, friction over displacement, all with the same axis of force; their
-/// widths may differ by orders of magnitude, so that each has its own axis of displacement.
-/// @param loops at least one.
-/// @throw std::invalid_argument if there is none.
-figures::ReportFigure presliding_hysteresis_figure(
-    const std::vector<simulate::PreslidingLoop>& loops);
+/// The three loops in two readings of the caption.
+struct PreslidingLoops {
+  /// Friction has the printed amplitudes, in a motion so slow that its rate does not count.
+  std::vector<simulate::PresetLoop> by_friction;
+  std::vector<simulate::PresetLoop> at_printed_rate;  ///< The same motion at the printed frequency.
+  std::vector<simulate::PreslidingLoop> by_force;     ///< The force has them, at that frequency.
+};
+
+PreslidingLoops loops_of_figure_5(const friction::ContactParameters& contact);
+
+/// As printed on one pair of axes, friction over displacement, by friction; below them one panel
+/// for each loop by force, all with the same axis of force: their widths differ by orders of
+/// magnitude, so that each has its own axis of displacement.
+/// @throw std::invalid_argument if a reading has no loop.
+figures::ReportFigure presliding_hysteresis_figure(const PreslidingLoops& loops);
 
 // Parameters for the paper's static laws, of which it prints none.
 //

@@ -101,10 +101,10 @@ Checks check_equation_3(const PapersJoint& joint) {
     const double ours = friction.torque_Nm(z, rate, w);
     const double printed =
         p.bristle_stiffness_Nm_rad * z + p.bristle_damping_Nms_rad * rate + p.viscous_Nms_rad * w;
-    from_equation = std::max(from_equation, std::abs(ours - printed));
+    from_equation = larger_size(from_equation, ours - printed);
     const double drawn =
         drawings::evaluate(graph, {{"speed", w}}, {{"deflection", z}}).at("friction");
-    from_diagram = std::max(from_diagram, std::abs(ours - drawn));
+    from_diagram = larger_size(from_diagram, ours - drawn);
   }
   const friction::LuGreFriction table_1 = *dynamic_cast<const friction::LuGreFriction*>(
       friction::dynamic_friction_model("lugre").matched({}).get());
@@ -113,7 +113,7 @@ Checks check_equation_3(const PapersJoint& joint) {
                     from_equation, law_rounding_Nm, "N·m", tr(law_rounding)),
           vanishing(tr("Block diagram of figure 4 against the program, at the same states"),
                     from_diagram, 1e-10, "N·m", tr("rounding, where σ₁ dz/dt reaches 1000 N·m")),
-          law_value(tr("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω"),
+          other_way(tr("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω"),
                     1.0 + 0.4 * steady, table_1.steady_torque_Nm(steady), law_rounding_Nm, "N",
                     tr(law_rounding))};
 }
@@ -126,7 +126,7 @@ Checks check_equation_4(const PapersJoint& joint) {
   double apart = 0;
   for (std::size_t i = 0; i < solved.size(); ++i) {
     largest = std::max(largest, std::abs(solved[i]));
-    apart = std::max(apart, std::abs(solved[i] - log.z_rad.at(i)));
+    apart = larger_size(apart, solved[i] - log.z_rad.at(i));
   }
   return {
       vanishing(
@@ -172,37 +172,30 @@ Checks check_equation_5(const PapersJoint& joint) {
                                    return level(w) - printed;
                                  }),
                     law_rounding_Nm, "N·m", tr(law_rounding)),
-          law_value(tr("At rest: T_s"), p.static_Nm, level(0), law_rounding_Nm, "N·m",
+          other_way(tr("At rest: T_s"), p.static_Nm, level(0), law_rounding_Nm, "N·m",
                     tr(law_rounding)),
-          law_value(tr("Far beyond ω_s: T_c"), p.coulomb_Nm, level(10 * ws), law_rounding_Nm, "N·m",
+          other_way(tr("Far beyond ω_s: T_c"), p.coulomb_Nm, level(10 * ws), law_rounding_Nm, "N·m",
                     tr(law_rounding))};
 }
 
 // Equations (12) and (14): surrogate mass, and the corrected angle.
 
 Checks check_equation_12(const PapersJoint& joint) {
-  double apart = 0;
-  for (const drawings::TorqueRow& row : drawings::table_2) {
-    apart = std::max(apart, std::abs(drawings::mass_of_torque_kg(row.torque_Nm) - row.mass_kg));
-  }
   const joint::GravityLoad& load = joint.scenario.load;
   const double truth = load.mass_kg() * load.distance_m() / drawings::distance_m;
   const method::hysteresis::SurrogateMass* midline =
       joint.calibration.masses.find(method::hysteresis::Estimator::midline);
   Checks out{
-      vanishing(tr("All six rows of table 2, mass from torque: largest difference from print"),
-                apart, drawings::rounding_kg(), "kg", tr("rounding of printed torque and mass")),
-      reconstructed_value(
-          tr("Surrogate mass of the joint's gravity torque"), 79.1679, 4,
-          joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
-                                   drawings::distance_m, load.gravity_m_s2(), 1.0),
-          5e-5, "kg", tr("digits of the method's number")),
-      law_value(tr("The same torque at every angle: its m r relative to that of the arm"), 1.0,
+      known_value(tr("Surrogate mass of the joint's gravity torque"), 79.1679, 4,
+                  joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
+                                           drawings::distance_m, load.gravity_m_s2(), 1.0),
+                  5e-5, "kg", tr("digits of the method's number")),
+      other_way(tr("The same torque at every angle: its m r relative to that of the arm"), 1.0,
                 present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
                     drawings::distance_m / (load.mass_kg() * load.distance_m()),
                 1e-12, "", tr("rounding"))};
   if (midline != nullptr) {
-    out.push_back(law_value(tr("Mid-line of the loop, an estimate free of friction"), truth,
+    out.push_back(other_way(tr("Mid-line of the loop, an estimate free of friction"), truth,
                             midline->mass_kg.value, 1e-4 * truth, "kg",
                             tr("what the program promises")));
   }
@@ -216,12 +209,12 @@ Checks check_equation_14(const PapersJoint& joint) {
   const double q_c = -joint.scenario.load.q_peak_rad();
   const method::selection::SelectionResult& selection = joint.calibration.selection;
   const double found = selection.q_c_corrected_rad.value_or(std::nan(""));
-  return {law_value(tr("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops"),
+  return {other_way(tr("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops"),
                     q_c - q_3, found, 1e-7, "rad", tr("q_peak is identified to 10⁻⁷ rad")),
-          law_value(tr("The angle q₃ that is subtracted"), q_3,
+          other_way(tr("The angle q₃ that is subtracted"), q_3,
                     selection.q_c_rad ? selection.q_c_rad->value - found : std::nan(""), 1e-8,
                     "rad", tr("read between samples 1 ms apart")),
-          in_words(tr("Sign: less than q_c, “less of the value”"), Origin::printed, found < q_c,
+          in_words(tr("Sign: less than q_c, “less of the value”"), Kind::print, found < q_c,
                    tr("less"), tr("not less"))};
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,21 +16,21 @@
 
 namespace tribolog::paper::checks {
 
-/// Where the expected value comes from.
-enum class Origin {
-  printed,        ///< It stands in the paper.
-  reconstructed,  ///< Not printed; of the LuGre joint that reproduces the paper's table 2.
-  law,            ///< It follows from the equation, or from mechanics.
+/// What a check compares. Only the first shows that the paper is reproduced.
+enum class Kind {
+  print,        ///< What the paper prints, against what is computed for its joint.
+  independent,  ///< The program against another way to the same: the equation written out, a closed
+                ///< form, CVODE, a balance of the log.
 };
 
 struct Check {
   std::string what;
-  Origin origin{Origin::law};
+  Kind kind{Kind::independent};
   double expected{};
   double ours{};
-  double bound{};          ///< Largest |ours - expected| that counts as agreement.
+  double bound{};          ///< Largest |ours - expected| that counts as agreement, as it is shown.
   std::string unit;        ///< Of all three.
-  std::string reason;      ///< Why the bound is what it is; empty where it is 0.
+  std::string reason;      ///< Where the bound comes from; empty where it is 0.
   int printed_places{-1};  ///< Decimals that the paper prints `expected` with; -1: it does not.
   /// Where what is found is no number: as words, and whether it is what is expected.
   std::string expected_words;
@@ -37,6 +39,8 @@ struct Check {
 
   [[nodiscard]] bool is_words() const { return !expected_words.empty(); }
   [[nodiscard]] double difference() const { return ours - expected; }
+  /// The difference in units of the last printed place; nothing where none is printed.
+  [[nodiscard]] std::optional<double> in_last_places() const;
   /// False also where `ours` is not a number.
   [[nodiscard]] bool holds() const {
     if (is_words()) return is_as_expected;
@@ -46,59 +50,34 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
+/// A bound as a page shows it, three digits: what is allowed and what is applied are one number.
+double as_shown(double bound);
+
 /// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
 inline constexpr double log_rounding_Nm = 1e-9;
 inline constexpr const char* rounding_of_log = wording::to_translate("rounding of the log");
 
-/// A check whose expected value the paper prints with so many decimals.
-inline Check printed_value(std::string what, double expected, int places, double ours, double bound,
-                           std::string unit, std::string reason) {
-  return {std::move(what),   Origin::printed, expected, ours, bound, std::move(unit),
-          std::move(reason), places,          "",       "",   false};
-}
+/// What the paper prints with so many decimals.
+Check printed_value(std::string what, double expected, int places, double ours, double bound,
+                    std::string unit, std::string reason);
 
-/// A difference that the law says is zero.
-inline Check vanishing(std::string what, double ours, double bound, std::string unit,
-                       std::string reason) {
-  return {std::move(what),   Origin::law, 0.0, ours, bound, std::move(unit),
-          std::move(reason), -1,          "",  "",   false};
-}
+/// A difference that is zero if the program is right.
+Check vanishing(std::string what, double ours, double bound, std::string unit, std::string reason);
 
-inline Check law_value(std::string what, double expected, double ours, double bound,
-                       std::string unit, std::string reason) {
-  return {std::move(what),   Origin::law, expected, ours, bound, std::move(unit),
-          std::move(reason), -1,          "",       "",   false};
-}
+/// The same quantity by another way.
+Check other_way(std::string what, double expected, double ours, double bound, std::string unit,
+                std::string reason);
 
-inline Check reconstructed_value(std::string what, double expected, int places, double ours,
-                                 double bound, std::string unit, std::string reason) {
-  return {std::move(what),
-          Origin::reconstructed,
-          expected,
-          ours,
-          bound,
-          std::move(unit),
-          std::move(reason),
-          places,
-          "",
-          "",
-          false};
-}
+/// A number of the method's description that is known to so many decimals.
+Check known_value(std::string what, double expected, int places, double ours, double bound,
+                  std::string unit, std::string reason);
 
 /// Names and signs, the same in every language: they must be equal.
-inline Check by_name(std::string what, Origin origin, std::string expected, std::string ours) {
-  const bool is_same = expected == ours;
-  return {std::move(what),     origin,          0,      0, 0, "", "", -1,
-          std::move(expected), std::move(ours), is_same};
-}
+Check by_name(std::string what, Kind kind, std::string expected, std::string ours);
 
 /// What is so, or is not: in words for either.
-inline Check in_words(std::string what, Origin origin, bool is_so, std::string expected,
-                      std::string otherwise) {
-  std::string ours = is_so ? expected : std::move(otherwise);
-  return {std::move(what),     origin,          0,    0, 0, "", "", -1,
-          std::move(expected), std::move(ours), is_so};
-}
+Check in_words(std::string what, Kind kind, bool is_so, std::string expected,
+               std::string otherwise);
 
 // The paper's twenty-two figures: what can be read off the printed one, or has to hold in it.
 
@@ -132,6 +111,13 @@ Checks check_quality_errors(const PapersJoint& joint);
 Checks check_selected_curve(const PapersJoint& joint);
 Checks check_torque_choice(const PapersJoint& joint);
 
+/// The larger of `largest` and |value|; not a number where either is not, so that no comparison
+/// takes what could not be computed for agreement.
+inline double larger_size(double largest, double value) {
+  return std::isnan(largest) || std::isnan(value) ? std::numeric_limits<double>::quiet_NaN()
+                                                  : std::max(largest, std::abs(value));
+}
+
 // Speeds at which two laws are compared.
 
 /// A handful of operations on torques of about 1 N·m, each rounded once.
@@ -151,11 +137,11 @@ inline std::vector<double> speeds_of_both_signs(double slowest_rad_s, double fas
   return speeds;
 }
 
-/// Largest |deviation(x)|.
+/// Largest |deviation(x)|; not a number where one of them is not.
 template <class Deviation>
 double largest_over(const std::vector<double>& at, Deviation deviation) {
   double largest = 0;
-  for (const double x : at) largest = std::max(largest, std::abs(deviation(x)));
+  for (const double x : at) largest = larger_size(largest, deviation(x));
   return largest;
 }
 

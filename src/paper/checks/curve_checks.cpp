@@ -47,10 +47,10 @@ Checks check_candidate_curves(const PapersJoint& joint) {
     for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
       const double gravity_apart = first_mass->gravity_Nm.value - mass->gravity_Nm.value;
       const double shifted = first->friction_Nm[i] + gravity_apart * viscous.runs[i].mean_cos;
-      apart = std::max(apart, std::abs(curve->friction_Nm[i] - shifted));
+      apart = larger_size(apart, curve->friction_Nm[i] - shifted);
     }
   }
-  return {law_value(tr("Runs with a plateau: every speed in both directions"),
+  return {other_way(tr("Runs with a plateau: every speed in both directions"),
                     2.0 * static_cast<double>(speeds.size()),
                     static_cast<double>(viscous.runs.size()), 0, "", ""),
           vanishing(tr("A candidate's mass only shifts its curve: six curves minus curve A, minus "
@@ -65,8 +65,8 @@ Checks check_reference_curve(const PapersJoint& joint) {
   for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
     const method::viscous::ConstantSpeedRun& run = viscous.runs[i];
     const double analytic = joint.scenario.sliding->torque_Nm(run.speed_rad_s);
-    apart = std::max(apart, std::abs(joint.calibration.quality.reference_Nm.at(i) - analytic));
-    two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
+    apart = larger_size(apart, joint.calibration.quality.reference_Nm.at(i) - analytic);
+    two_ways = larger_size(two_ways, run.direction_difference_Nm - analytic);
   }
   return {vanishing(tr("The reference is eq. (6), (7) at the motor's speed: largest difference"),
                     apart, curve_rounding_Nm, "N·m", tr("rounding")),
@@ -77,7 +77,7 @@ Checks check_reference_curve(const PapersJoint& joint) {
 
 Checks check_quality_errors(const PapersJoint& joint) {
   const method::selection::QualityErrorsResult& quality = joint.calibration.quality;
-  Checks out{by_name(tr("Point with the smallest error"), Origin::printed, "B",
+  Checks out{by_name(tr("Selected: the point with the smallest error"), Kind::print, "B",
                      to_string(joint.calibration.selection.paper_rule))};
   // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
   const double truth = joint.true_gravity_Nm();
@@ -92,7 +92,7 @@ Checks check_quality_errors(const PapersJoint& joint) {
       squares += expected * expected;
       ++counted;
     }
-    out.push_back(law_value(
+    out.push_back(other_way(
         tr("Error of {point}, root mean square over the runs", {{"point", to_string(name)}}),
         std::sqrt(squares / static_cast<double>(counted)), error->rms_percent, 1e-6, tr("% of T"),
         tr(rounding_of_log)));
@@ -101,40 +101,23 @@ Checks check_quality_errors(const PapersJoint& joint) {
 }
 
 Checks check_selected_curve(const PapersJoint& joint) {
-  const drawings::TorqueRow& row = drawings::table_2[1];
-  const method::hysteresis::SurrogateMass* chosen =
-      joint.calibration.masses.find(joint.calibration.selection.paper_rule);
-  const method::hysteresis::SurrogateMass* midline =
-      joint.calibration.masses.find(Estimator::midline);
   const method::viscous::ViscousCurve* best = joint.calibration.viscous.find(Estimator::midline);
   double apart = NAN;
   if (best != nullptr) {
     apart = 0;
     for (std::size_t i = 0; i < best->friction_Nm.size(); ++i) {
-      apart = std::max(
-          apart, std::abs(best->friction_Nm[i] - joint.calibration.quality.reference_Nm.at(i)));
+      apart =
+          larger_size(apart, best->friction_Nm[i] - joint.calibration.quality.reference_Nm.at(i));
     }
   }
-  const double truth = joint.true_mass_kg();
-  return {printed_value(tr("Selected surrogate mass"), row.mass_kg, 3,
-                        chosen != nullptr ? chosen->mass_kg.value : NAN,
-                        reconstruction_share * row.mass_kg, "kg", tr(reconstruction)),
-          law_value(tr("The mid-line's mass, which this program recommends"), truth,
-                    midline != nullptr ? midline->mass_kg.value : NAN, 1e-4 * truth, "kg",
-                    tr("what the program promises")),
-          vanishing(tr("Its curve against the analytic one: largest difference"), apart, 1e-6,
-                    "N·m", tr("a millionth of friction"))};
+  return {vanishing(tr("Curve by the mid-line's mass against the analytic one: largest difference"),
+                    apart, 1e-6, "N·m", tr("a millionth of friction"))};
 }
 
 Checks check_torque_choice(const PapersJoint& joint) {
-  const drawings::TorqueRow& row = drawings::table_2[1];
-  const method::hysteresis::LoopPoint& chosen = joint.point(Estimator::B);
-  return {printed_value(tr("Selected torque"), row.torque_Nm, 3, chosen.torque_Nm,
-                        reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)),
-          by_name(tr("Which point that is"), Origin::printed, "B",
-                  to_string(joint.calibration.selection.paper_rule)),
-          by_name(tr("Of the six, the nearest to the true mass"), Origin::printed, "B",
-                  nearest_to_the_truth(joint))};
+  return {by_name(tr("The rule's choice against the nearest of the six to the true mass"),
+                  Kind::independent, nearest_to_the_truth(joint),
+                  to_string(joint.calibration.selection.paper_rule))};
 }
 
 }  // namespace tribolog::paper::checks

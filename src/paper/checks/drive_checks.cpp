@@ -20,7 +20,7 @@ template <class Deviation>
 double largest_over_runs(const PapersJoint& joint, Deviation deviation) {
   double largest = 0;
   for (const method::viscous::ConstantSpeedRun& run : joint.calibration.viscous.runs) {
-    largest = std::max(largest, std::abs(deviation(run)));
+    largest = larger_size(largest, deviation(run));
   }
   return largest;
 }
@@ -43,17 +43,16 @@ Checks check_equation_8(const PapersJoint& joint) {
     const double friction = bristles_of(s).torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
     const double arm = s.arm_inertia_kgm2 * acceleration / n + s.load.torque_Nm(log.q_rad[i]);
     const double left = n * (log.torque_Nm[i] - s.motor_inertia_kgm2 * acceleration - friction);
-    apart = std::max(apart, std::abs(left - arm));
+    apart = larger_size(apart, left - arm);
     const drawings::SignalGraph graph =
         drawings::drive_graph({n, s.motor_inertia_kgm2, [friction](double) { return friction; }});
     const double drawn = drawings::evaluate(graph, {{"motor torque", log.torque_Nm[i]},
                                                     {"motor speed", speed},
                                                     {"motor acceleration", acceleration}})
                              .at("arm torque");
-    drawn_apart = std::max(drawn_apart, std::abs(drawn - arm));
+    drawn_apart = larger_size(drawn_apart, drawn - arm);
   }
-  return {printed_value(tr("Gear ratio n₃ of the scenario"), drawings::gear_ratio, 0, n, 0, "", ""),
-          vanishing(
+  return {vanishing(
               tr("n (T − J φ̈ − T_f) minus I q̈ + m g r cos(q + q_c), over the oscillation: largest"),
               apart, n * log_rounding_Nm, "N·m", tr(rounding_of_log)),
           vanishing(tr("The same through the block diagram of figure 6"), drawn_apart,
@@ -69,14 +68,13 @@ Checks check_equation_9(const PapersJoint& joint) {
   for (double q = range.lowest_rad; q <= range.highest_rad; q += joint::rad_per_degree / 4) {
     const double printed =
         load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
-    apart =
-        std::max(apart, std::abs(arm.holding_torque_Nm(q, present(joint.robot.load)) - printed));
+    apart = larger_size(apart, arm.holding_torque_Nm(q, present(joint.robot.load)) - printed);
   }
   return {vanishing(tr("Equation against lever and weight of the arm in space (figure 12), "
                        "over its range of motion: largest difference"),
                     apart, 1e-9, "N·m", tr("rounding")),
-          reconstructed_value(tr("Largest torque at the arm, m g r"), 388.318571, 6,
-                              load.amplitude_Nm(), 1e-5, "N·m", tr("digits of G/n"))};
+          known_value(tr("Largest torque at the arm, m g r"), 388.318571, 6, load.amplitude_Nm(),
+                      1e-5, "N·m", tr("digits of G/n"))};
 }
 
 Checks check_equation_10(const PapersJoint& joint) {
@@ -121,9 +119,9 @@ Checks check_equation_13(const PapersJoint& joint) {
   const method::gravity::CogSweepResult& rough = joint.calibration.rough;
   const double speed = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
   const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
-  return {law_value(tr("Largest torque of the rough sweep: T_f + m g r / n"), expected,
+  return {other_way(tr("Largest torque of the rough sweep: T_f + m g r / n"), expected,
                     rough.argmax_torque_Nm, 1e-7, "N·m", tr("the peak lies between two samples")),
-          law_value(tr("Its part m g r / n, separated from friction by the two directions"),
+          other_way(tr("Its part m g r / n, separated from friction by the two directions"),
                     joint.true_gravity_Nm(), rough.gravity_Nm.value, 1e-5, "N·m",
                     tr("what the program promises"))};
 }

@@ -5,6 +5,7 @@
 #include "base/requirements.h"
 #include "joint/degrees.h"
 #include "paper/checks/check.h"
+#include "paper/checks/loop_torques.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/scene_words.h"
 #include "wording/tr.h"
@@ -36,25 +37,28 @@ Checks check_sweep_motion(const PapersJoint& joint) {
     most_friction = std::max(most_friction, friction);
   }
   const double planned = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
-  return {law_value(tr("Motor speed of the samples used: n times 2°/s"), planned,
+  return {other_way(tr("Motor speed of the samples used: n times 2°/s"), planned,
                     std::abs(fastest - planned) > std::abs(slowest - planned) ? fastest : slowest,
                     1e-9 * planned, "rad/s", tr("the one farthest off")),
-          vanishing(
+          printed_value(
               tr("“In uniform motion friction takes a constant value”: its change over the sweep"),
-              most_friction - least_friction, 1e-9, "N·m", tr("rounding"))};
+              0, 3, most_friction - least_friction, drawings::last_place / 2, "N·m",
+              tr("half of the last place of the printed torques"))};
 }
 
 Checks check_rough_peak(const PapersJoint& joint) {
   const method::gravity::CogSweepResult& rough = joint.calibration.rough;
-  return {printed_value(tr("Angle of the largest torque"), -drawings::rough_angle_deg, 0,
-                        rough.argmax_rad * joint::degrees_per_rad, 1, "°",
-                        tr("print gives whole degrees, cut")),
-          printed_value(tr("The same against the precise angle"), -drawings::precise_angle_deg, 5,
-                        rough.argmax_rad * joint::degrees_per_rad, 0.001, "°",
-                        tr("half a sample at 2°/s and 1 kHz")),
-          printed_value(tr("By least squares over the whole sweep"), -drawings::precise_angle_deg,
-                        5, rough.q_peak_rad.value * joint::degrees_per_rad, 0.006, "°",
-                        tr("10⁻⁴ rad, what the program promises of a rough sweep"))};
+  const double found_deg = rough.argmax_rad * joint::degrees_per_rad;
+  const double truth_deg = joint.scenario.load.q_peak_rad() * joint::degrees_per_rad;
+  return {printed_value(tr("Angle of the largest torque"), -drawings::rough_angle_deg, 0, found_deg,
+                        1, "°", tr("print gives whole degrees, cut")),
+          printed_value(tr("The same as q_c"), drawings::rough_angle_rad, 3, -rough.argmax_rad,
+                        joint::rad_per_degree, "rad", tr("one degree, as above")),
+          other_way(tr("Angle of the largest torque against that of the simulated load"), truth_deg,
+                    found_deg, 0.001, "°", tr("half a sample at 2°/s and 1 kHz")),
+          other_way(tr("By least squares over the whole sweep against the same"), truth_deg,
+                    rough.q_peak_rad.value * joint::degrees_per_rad, 0.006, "°",
+                    tr("10⁻⁴ rad, what the program promises of a rough sweep"))};
 }
 
 Checks check_precise_peak(const PapersJoint& joint) {
@@ -62,11 +66,12 @@ Checks check_precise_peak(const PapersJoint& joint) {
   return {printed_value(tr("Angle of the largest torque"), -drawings::precise_angle_deg, 5,
                         precise.argmax_rad * joint::degrees_per_rad, 1e-4, "°",
                         tr("a sample at 0.1°/s and 1 kHz")),
-          printed_value(tr("By least squares"), -drawings::precise_angle_deg, 5,
-                        precise.q_peak_rad.value * joint::degrees_per_rad, 1e-5, "°",
-                        tr("the last printed place")),
-          printed_value("q_c = −q_peak", drawings::precise_angle_rad, 5, -precise.q_peak_rad.value,
-                        1e-5, "rad", tr("print cuts after five decimals"))};
+          printed_value(tr("The same as q_c"), drawings::precise_angle_rad, 5, -precise.argmax_rad,
+                        1e-5, "rad", tr("print cuts after five decimals")),
+          other_way(tr("By least squares against the angle of the simulated load"),
+                    joint.scenario.load.q_peak_rad() * joint::degrees_per_rad,
+                    precise.q_peak_rad.value * joint::degrees_per_rad, 1e-5, "°",
+                    tr("10⁻⁷ rad, what the program promises of a precise sweep"))};
 }
 
 // Figures 15 to 17: hysteresis of torque, deflection and its rate.
@@ -94,21 +99,14 @@ Check is_extreme(const PapersJoint& joint, const std::vector<double>& signal, Wi
     extreme = is_largest ? std::max(extreme, signal[i]) : std::min(extreme, signal[i]);
   }
   constexpr double share = 1e-4;
-  return law_value(std::move(what), extreme, read, share * std::abs(extreme), unit,
+  return other_way(std::move(what), extreme, read, share * std::abs(extreme), unit,
                    tr("the extreme may lie between two samples"));
 }
 
 }  // namespace
 
 Checks check_torque_loop(const PapersJoint& joint) {
-  Checks out;
-  for (const drawings::TorqueRow& row : drawings::table_2) {
-    const std::string point(1, row.point);
-    out.push_back(
-        printed_value(tr("Torque at {point}", {{"point", point}}), row.torque_Nm, 3,
-                      joint.point(present(method::hysteresis::estimator_of(point))).torque_Nm,
-                      reconstruction_share * row.torque_Nm, "N·m", tr(reconstruction)));
-  }
+  Checks out = check_loop_torques(joint);
   const auto mean_of = [&](Estimator one, Estimator other) {
     const auto& steady = joint.calibration.hysteresis.steady_points;
     double sum = 0;
@@ -119,7 +117,7 @@ Checks check_torque_loop(const PapersJoint& joint) {
   const double truth = joint.true_gravity_Nm();
   for (const Estimator pair : method::hysteresis::pair_means) {
     const auto [first, second] = present(points_of_pair(pair));
-    out.push_back(law_value(tr("Steady loop, mean of {first} and {second}: gravity alone",
+    out.push_back(other_way(tr("Steady loop, mean of {first} and {second}: gravity alone",
                                {{"first", to_string(first)}, {"second", to_string(second)}}),
                             truth, mean_of(first, second), 1e-4 * truth, "N·m",
                             tr("what the program promises")));
@@ -129,19 +127,11 @@ Checks check_torque_loop(const PapersJoint& joint) {
 
 Checks check_deflection_loop(const PapersJoint& joint) {
   const method::hysteresis::LoopTrace& trace = trace_of(joint);
-  const double largest = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
-  /// On a straight line between samples 1 ms apart.
-  const double zero = 2e-5 * largest;
-  const std::string between = tr("read on a straight line between samples");
-  return {vanishing(tr("A: z = 0 while the arm rises"), joint.point(Estimator::A).z_rad, zero,
-                    "rad", between),
-          vanishing(tr("B: z = 0 while the arm drops"), joint.point(Estimator::B).z_rad, zero,
-                    "rad", between),
-          is_extreme(joint, trace.z_rad, {0, 0.5}, true, joint.point(Estimator::C).z_rad,
+  return {is_extreme(joint, trace.z_rad, {0, 0.5}, true, joint.point(Estimator::C).z_rad,
                      tr("{point}: largest z", {{"point", "C"}}), "rad"),
           is_extreme(joint, trace.z_rad, {0.5, 1}, false, joint.point(Estimator::D).z_rad,
                      tr("{point}: smallest z", {{"point", "D"}}), "rad"),
-          by_name(tr("Sign of dz/dt at A and B"), Origin::law, "+ −",
+          by_name(tr("Sign of dz/dt at A and B"), Kind::independent, "+ −",
                   std::string(joint.point(Estimator::A).dz_rad_s > 0 ? "+" : "−") + " " +
                       (joint.point(Estimator::B).dz_rad_s > 0 ? "+" : "−"))};
 }
@@ -153,9 +143,9 @@ Checks check_rate_loop(const PapersJoint& joint) {
                  tr("{point}: smallest dz/dt", {{"point", "F"}}), "rad/s"),
       is_extreme(joint, trace.dz_rad_s, {0.75, 1.25}, true, joint.point(Estimator::E).dz_rad_s,
                  tr("{point}: largest dz/dt after the first quarter", {{"point", "E"}}), "rad/s"),
-      by_name(tr("E: sign of z, while dz/dt is largest"), Origin::law, "−",
+      by_name(tr("E: sign of z, while dz/dt is largest"), Kind::independent, "−",
               joint.point(Estimator::E).z_rad < 0 ? "−" : "+"),
-      by_name(tr("F: sign of z, while dz/dt is smallest"), Origin::law, "+",
+      by_name(tr("F: sign of z, while dz/dt is smallest"), Kind::independent, "+",
               joint.point(Estimator::F).z_rad < 0 ? "−" : "+")};
 }
 
@@ -169,9 +159,7 @@ constexpr double rounding_m = 1e-12;
 
 Checks check_robot(const PapersJoint& joint) {
   const robot::JointUnderTest& arm = joint.robot.under_test;
-  return {by_name(tr("The robot"), Origin::printed, "FANUC AM100iB", arm.arm().name()),
-          by_name(tr("The joint under test"), Origin::printed, "3", arm.joint().name),
-          vanishing(tr("Its axis is level, as eq. (9) needs: vertical part of its direction"),
+  return {vanishing(tr("Its axis is level, as eq. (9) needs: vertical part of its direction"),
                     arm.axis().z(), rounding_m, "", tr("rounding"))};
 }
 
@@ -181,15 +169,14 @@ Checks check_mass_model(const PapersJoint& joint) {
   const Eigen::Vector3d towards = arm.towards_mass(0, present(drawn.q_peak_rad).value);
   const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
   const scenes::DrivenMass mass = present(drawn.mass);
-  return {printed_value(tr("q_c, elevation of the mass centre as drawn at q = 0"),
-                        drawings::precise_angle_rad, 5, q_c, 1e-5, "rad",
-                        tr("print cuts after five decimals")),
-          law_value(tr("The mass centre's distance as drawn: r"), joint.scenario.load.distance_m(),
+  return {other_way(tr("q_c, elevation of the mass centre as drawn at q = 0"),
+                    -joint.scenario.load.q_peak_rad(), q_c, 1e-9, "rad", tr("rounding")),
+          other_way(tr("The mass centre's distance as drawn: r"), joint.scenario.load.distance_m(),
                     mass.distance_m, rounding_m, "m", tr("rounding")),
-          printed_value(tr("The surrogate's distance as drawn: r (printed as 500 m)"),
-                        drawings::distance_m, 1, drawn.surrogate_distance_m, rounding_m, "m",
-                        tr("rounding")),
-          law_value(tr("Surrogate at its distance against mass at its own: its m r relative to "
+          other_way(tr("The surrogate's distance as drawn: r (printed as 500 m)"),
+                    joint.scenario.surrogate_distance_m, drawn.surrogate_distance_m, rounding_m,
+                    "m", tr("rounding")),
+          other_way(tr("Surrogate at its distance against mass at its own: its m r relative to "
                        "that of the arm"),
                     1,
                     present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
@@ -203,16 +190,16 @@ Checks check_motion_range(const PapersJoint& joint) {
   const robot::AngleRange range = present(drawn.range);
   const double at = -drawings::precise_angle_deg * joint::rad_per_degree;
   const simulate::SweepExperiment& sweep = present(joint.scenario.rough_sweep);
-  return {law_value(tr("The mass centre is level at −22.23187°: its height over the axis"), 0,
+  return {other_way(tr("The mass centre is level at −22.23187°: its height over the axis"), 0,
                     present(drawn.mass).distance_m *
                         arm.towards_mass(at, present(drawn.q_peak_rad).value).z(),
                     1e-9, "m", tr("the printed angle's rounding")),
-          law_value(tr("The drawn range begins where the rough sweep does"),
+          other_way(tr("The drawn range begins where the rough sweep does"),
                     sweep.from_rad * joint::degrees_per_rad,
                     range.lowest_rad * joint::degrees_per_rad, 1e-9, "°", tr("rounding")),
-          law_value(tr("and ends where it ends"), sweep.to_rad * joint::degrees_per_rad,
+          other_way(tr("and ends where it ends"), sweep.to_rad * joint::degrees_per_rad,
                     range.highest_rad * joint::degrees_per_rad, 1e-9, "°", tr("rounding")),
-          in_words(tr("The gravity peak lies within it"), Origin::printed,
+          in_words(tr("The gravity peak lies within it"), Kind::independent,
                    at > range.lowest_rad && at < range.highest_rad, tr("within"), tr("outside"))};
 }
 

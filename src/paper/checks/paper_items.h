@@ -20,8 +20,13 @@ struct PaperItem {
   int number{};        ///< As printed; 0 for a statement.
   std::string title;   ///< What it is.
   std::string remark;  ///< What is misprinted or left open in it; may be empty.
-  Checks checks;       ///< At least one.
+  Checks checks;
+  /// What is so by definition, or was taken from print: told, for no check of it could fail.
+  std::vector<std::string> told;
 };
+
+/// "Figure 15", "Table 2", "Equation 4", "The conclusions"
+std::string item_name(const PaperItem& item);
 
 struct PaperSection {
   std::string number;  ///< "3.2"
@@ -33,16 +38,26 @@ struct PaperSection {
 std::vector<PaperSection> paper_items(const PapersJoint& joint,
                                       const std::vector<figures::ReportFigure>& figures);
 
+/// The items of print alone that compare it with the joint, for it and for others.
+std::vector<PaperItem> items_of_print(const PapersJoint& joint);
+
 /// How many there are, and how many hold.
 struct Tally {
   int there{};
   int hold{};
 };
 Tally tally_checks(const Checks& checks);
-/// All checks of all items.
-Tally tally_checks(const std::vector<PaperSection>& sections);
-/// Has the item a check, and does each hold?
+/// Of one kind, or of all items.
+Tally tally_checks(const Checks& checks, Kind kind);
+Tally tally_checks(const std::vector<PaperSection>& sections, Kind kind);
+/// Does each check of the item hold?
 bool every_check_holds(const PaperItem& item);
+/// Checks of print, in the order of the paper.
+std::vector<const Check*> print_checks(const std::vector<PaperSection>& sections);
+/// Those of them that give a printed number to its last place.
+int to_the_last_place(const std::vector<PaperSection>& sections);
+/// How much is told instead of checked.
+int count_told(const std::vector<PaperSection>& sections);
 
 // The paper's figures, regenerated.
 

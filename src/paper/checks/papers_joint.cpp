@@ -7,7 +7,6 @@
 
 #include "base/requirements.h"
 #include "identify/identify.h"
-#include "paper/charts/paper_charts.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog::paper::checks {
@@ -45,15 +44,19 @@ const friction::WaiboerFriction& sliding_of(const simulate::Scenario& scenario) 
   return *waiboer;
 }
 
-PapersJoint::PapersJoint(const simulate::Scenario& given, robot::RobotDescription description)
+DrawnLaws drawn_laws() {
+  return {charts::stribeck_at_joint_scale(), charts::linear_zone_at_joint_scale(), {}};
+}
+
+PapersJoint::PapersJoint(const simulate::Scenario& given, robot::RobotDescription description,
+                         DrawnLaws drawn)
     : scenario(given),
       robot(std::move(description)),
       dataset(simulate::simulated_dataset(given)),
       calibration(identify::identify(dataset)),
       plain_points(plain_loop_points(given, given.load.q_peak_rad())),
-      discontinuous(charts::stribeck_at_joint_scale()),
-      continuous(charts::linear_zone_at_joint_scale()),
-      loops(simulate::presliding_loops({})) {}
+      laws(std::move(drawn)),
+      presliding(charts::loops_of_figure_5(laws.contact)) {}
 
 double PapersJoint::true_mass_kg() const {
   const joint::GravityLoad& load = scenario.load;

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "calibration/calibration.h"
+#include "friction/catalogue.h"
 #include "friction/lugre.h"
 #include "friction/static_laws.h"
 #include "joint/dataset.h"
+#include "paper/charts/paper_charts.h"
 #include "robot/joint_under_test.h"
-#include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 #include "wording/tr.h"
 
@@ -19,11 +20,13 @@ namespace tribolog::paper::checks {
 const friction::LuGreFriction& bristles_of(const simulate::Scenario& scenario);
 const friction::WaiboerFriction& sliding_of(const simulate::Scenario& scenario);
 
-/// How far the reconstructed joint is from table 2, with inertia and Stribeck effect in (method,
-/// section 4).
-inline constexpr double reconstruction_share = 0.0024;
-inline constexpr const char* reconstruction =
-    wording::to_translate("0.24 %: the reconstruction's largest deviation");
+/// What the paper draws without its joint: figures 1, 2 and 5.
+struct DrawnLaws {
+  friction::StribeckFriction discontinuous;     ///< Eq. (1) at the joint's size, and
+  friction::ThresholdSpeedFriction continuous;  ///< eq. (2).
+  friction::ContactParameters contact;          ///< Table 1, as meant.
+};
+DrawnLaws drawn_laws();
 
 struct PapersJoint {
   simulate::Scenario scenario;  ///< The paper's joint without noise.
@@ -32,11 +35,11 @@ struct PapersJoint {
   calibration::Calibration calibration;  ///< Identified from the dataset, which it refers to.
   /// The loop's six points of the same joint without inertia and without Stribeck effect.
   std::vector<method::hysteresis::LoopPoint> plain_points;
-  friction::StribeckFriction discontinuous;     ///< Eq. (1) at the joint's size, and
-  friction::ThresholdSpeedFriction continuous;  ///< eq. (2).
-  std::vector<simulate::PreslidingLoop> loops;  ///< Figure 5: table 1 as meant.
+  DrawnLaws laws;
+  charts::PreslidingLoops presliding;  ///< Figure 5.
 
-  PapersJoint(const simulate::Scenario& scenario, robot::RobotDescription robot);
+  PapersJoint(const simulate::Scenario& scenario, robot::RobotDescription robot,
+              DrawnLaws laws = drawn_laws());
   PapersJoint(const PapersJoint&) = delete;
   PapersJoint& operator=(const PapersJoint&) = delete;
 

@@ -38,7 +38,7 @@ Check dissipates(const Law& law) {
 }  // namespace
 
 Checks check_equation_1(const PapersJoint& joint) {
-  const friction::StribeckFriction& law = joint.discontinuous;
+  const friction::StribeckFriction& law = joint.laws.discontinuous;
   const friction::StribeckCurve::Parameters& p = law.curve().parameters();
   const double viscous = law.parameters().viscous_Nms_rad;
   const double broken = p.static_Nm;
@@ -50,16 +50,16 @@ Checks check_equation_1(const PapersJoint& joint) {
       vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
                 largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
                 law_rounding_Nm, "N·m", tr(law_rounding)),
-      law_value(tr("Jump at rest, from −T_brk to T_brk"), 2 * broken,
+      other_way(tr("Jump at rest, from −T_brk to T_brk"), 2 * broken,
                 law.torque_Nm(slowest_rad_s) - law.torque_Nm(-slowest_rad_s), 1e-7, "N·m",
                 tr("read at ±10⁻⁶ rad/s")),
-      law_value(tr("At rest, pushed with twice T_brk, friction holds"), broken,
+      other_way(tr("At rest, pushed with twice T_brk, friction holds"), broken,
                 law.torque_at_rest_Nm(2 * broken), 0, "N·m", ""),
       is_odd(law), dissipates(law)};
 }
 
 Checks check_equation_2(const PapersJoint& joint) {
-  const friction::ThresholdSpeedFriction& law = joint.continuous;
+  const friction::ThresholdSpeedFriction& law = joint.laws.continuous;
   const friction::ThresholdSpeedFriction::Parameters& p = law.parameters();
   const double threshold = p.threshold_rad_s;
   const auto sliding = [&](double w) {
@@ -79,9 +79,14 @@ Checks check_equation_2(const PapersJoint& joint) {
       vanishing(tr("The branches meet: jump at ω_th"),
                 law.torque_Nm(threshold) - law.torque_Nm(below), law_rounding_Nm, "N·m",
                 tr(law_rounding)),
-      law_value(tr("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th"),
+      other_way(tr("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th"),
                 0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), law_rounding_Nm, "",
                 tr(law_rounding)),
+      printed_value(tr("“The coefficient of the proportionality is the quotient of the static "
+                       "friction and threshold velocity”: the slope at rest by that quotient"),
+                    1, 0, law.torque_Nm(threshold / 2) / (threshold / 2) * threshold / p.static_Nm,
+                    drawings::largest_threshold_rad_s, "",
+                    tr("by so much friction may have fallen at the largest threshold printed")),
       vanishing(tr("It does not hold at rest: T_f(0)"), law.torque_Nm(0), 0, "N·m", ""),
       is_odd(law),
       dissipates(law)};
@@ -102,7 +107,7 @@ Checks check_equation_6(const PapersJoint& joint) {
                                       return law.magnitude_Nm(size) - meant(size);
                                     }),
                        law_rounding_Nm, "N·m", tr(law_rounding)),
-             law_value(tr("At rest friction is T_a"), p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
+             other_way(tr("At rest friction is T_a"), p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
                        "N·m", "")};
   const auto& fit = joint.calibration.friction.waiboer;
   if (fit) {
@@ -113,7 +118,7 @@ Checks check_equation_6(const PapersJoint& joint) {
     };
     const auto found = [&](std::string what, double truth, const statistics::Estimate& ours,
                            const char* unit) {
-      out.push_back(law_value(std::move(what), truth, ours.value, share * truth, unit, why));
+      out.push_back(other_way(std::move(what), truth, ours.value, share * truth, unit, why));
     };
     found(symbol("T_a"), p.asperity_torque_Nm, fit->asperity_torque_Nm, "N·m");
     found(symbol("ω_s"), p.stribeck_speed_rad_s, fit->stribeck_speed_rad_s, "rad/s");
@@ -132,19 +137,16 @@ Checks check_equation_7(const PapersJoint& joint) {
     return 2 / std::numbers::pi * std::atan(c * w) * law.magnitude_Nm(std::abs(w));
   };
   const double turn = drawings::direction_change_rad_s;
-  return {
-      vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
-                largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
-                law_rounding_Nm, "N·m", tr(law_rounding)),
-      printed_value(tr("The scale c of the scenario"), drawings::smoothing_s_rad, 0, c, 0, "s/rad",
-                    ""),
-      law_value(
-          tr("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there"),
-          1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",
-          tr("the inverse tangent comes within 2/(π c ω) of its end")),
-      vanishing(tr("Continuous through rest: T_f(0)"), law.torque_Nm(0), 0, "N·m", ""),
-      is_odd(law),
-      dissipates(law)};
+  return {vanishing(tr("Equation against the program, at 1000 speeds: largest difference"),
+                    largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
+                    law_rounding_Nm, "N·m", tr(law_rounding)),
+          printed_value(
+              tr("The direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there"), 1, 0,
+              law.torque_Nm(turn) / law.magnitude_Nm(turn),
+              2 / (std::numbers::pi * drawings::smoothing_s_rad * turn), "",
+              tr("2/(π c ω) with the printed c = 10⁶: so far is the inverse tangent from its end")),
+          vanishing(tr("Continuous through rest: T_f(0)"), law.torque_Nm(0), 0, "N·m", ""),
+          is_odd(law), dissipates(law)};
 }
 
 }  // namespace tribolog::paper::checks

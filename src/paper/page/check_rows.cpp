@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "paper/page/page_parts.h"
+#include "report/element_values.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 
@@ -21,6 +23,16 @@ std::string without_end_zeros(std::string number) {
   return number;
 }
 
+/// All the digits that a bound has (checks::as_shown).
+std::string bound_text(double bound) {
+  if (bound == 0) return "0";
+  constexpr int digits = 3;
+  const std::string text = wording::significant(bound, digits);
+  const std::size_t power = text.find("×");
+  return without_end_zeros(text.substr(0, power)) +
+         (power == std::string::npos ? "" : text.substr(power));
+}
+
 /// As many decimals as show the second digit of what is allowed, and one more; no more digits than
 /// a double means.
 std::string seen_against(double bound, double value, int least_places) {
@@ -30,23 +42,22 @@ std::string seen_against(double bound, double value, int least_places) {
   return wording::fixed(value, std::clamp(places, 0, std::max(0, most_digits - before_point)));
 }
 
-std::string origin_word(checks::Origin origin) {
-  switch (origin) {
-    case checks::Origin::printed:
-      return tr("print");
-    case checks::Origin::reconstructed:
-      return tr("method");
-    case checks::Origin::law:
-      return tr("law");
-  }
-  return "–";
+std::string kind_word(checks::Kind kind) {
+  return kind == checks::Kind::print ? tr("print") : tr("independent");
+}
+
+/// "−0.0088, 8.8 last places"
+std::string with_last_places(const std::string& difference, double last_places) {
+  return tr("{difference}, {last_places} last places",
+            {{"difference", difference},
+             {"last_places", wording::significant(std::abs(last_places), 2)}});
 }
 
 }  // namespace
 
 CheckTexts check_texts(const checks::Check& check) {
   CheckTexts out;
-  out.origin = origin_word(check.origin);
+  out.kind = kind_word(check.kind);
   if (check.is_words()) {
     out.expected = check.expected_words;
     out.ours = check.ours_words.empty() ? "–" : check.ours_words;
@@ -63,7 +74,11 @@ CheckTexts check_texts(const checks::Check& check) {
   out.ours =
       is_zero ? small(check.ours) : seen_against(check.bound, check.ours, check.printed_places);
   out.difference = small(check.difference());
-  out.allowed = small(check.bound);
+  const std::optional<double> last_places = check.in_last_places();
+  if (check.kind == checks::Kind::print && last_places && std::abs(*last_places) >= 1) {
+    out.difference = with_last_places(out.difference, *last_places);
+  }
+  out.allowed = bound_text(check.bound);
   return out;
 }
 
@@ -82,13 +97,37 @@ void fill_checks(const checks::Checks& checks, const std::string& id, const std:
     row.set("WHAT", check.what);
     row.set_optional("REASON", check.reason);
     row.set("EXPECTED", texts.expected);
-    row.set("ORIGIN", texts.origin);
+    row.set("KIND_OF_CHECK", texts.kind);
     row.set("OURS", texts.ours);
     row.set("UNIT", check.unit.empty() ? "–" : check.unit);
     row.set("DIFFERENCE", texts.difference);
     row.set("ALLOWED", texts.allowed);
     row.set("TICK", tick(check.holds()));
   }
+}
+
+void fill_wrong_joints(const std::optional<checks::WrongJointsResult>& tried,
+                       report::TemplateValues& values) {
+  if (!tried) return;
+  report::TemplateValues& section = values.add_section("WRONG_JOINTS");
+  report::Table table;
+  table.id = "table-wrong-joints";
+  table.caption = tr("Checks of print, and the wrong joints that fail them");
+  table.columns = {{tr("In the paper"), "", false},
+                   {tr("Check"), "", false},
+                   {tr("Joints"), "", true},
+                   {tr("Fails with"), "", false}};
+  for (const checks::FailedBy& one : tried->checks) {
+    table.rows.push_back({{one.item, one.check, std::to_string(one.joints.size()),
+                           one.joints.empty() ? tr("none: this check says nothing about the joint")
+                                              : wording::listed(one.joints)},
+                          false});
+  }
+  if (!tried->unnoticed.empty()) {
+    table.note = tr("Print cannot tell from the paper's joint: {joints}.",
+                    {{"joints", wording::listed(tried->unnoticed)}});
+  }
+  report::fill_table(table, "TABLE", section);
 }
 
 }  // namespace tribolog::paper::page

@@ -5,8 +5,12 @@
 #include "friction/static_laws.h"
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
+#include "method/hysteresis/estimator.h"
+#include "method/selection/friction_parameters.h"
+#include "paper/charts/paper_charts.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/page/page_parts.h"
+#include "wording/axis_scale.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 
@@ -112,6 +116,42 @@ void add_static_laws(ErrataNumbers& e) {
       wording::fixed(continuous.torque_Nm(threshold / 2) / continuous.torque_Nm(threshold), 3);
 }
 
+/// The linear branch of eq. (2) with the sign and the exponential of |ω| that print leaves in it,
+/// at half of the threshold, moving backwards; and as meant, a straight line between its ends.
+void add_linear_branch(ErrataNumbers& e) {
+  const friction::ThresholdSpeedFriction law = charts::linear_zone_at_joint_scale();
+  const friction::ThresholdSpeedFriction::Parameters& p = law.parameters();
+  const double speed = -p.threshold_rad_s / 2;
+  const double level = p.coulomb_Nm + (p.static_Nm - p.coulomb_Nm) *
+                                          std::exp(-p.stribeck_decay_s_rad * std::abs(speed));
+  const double sign = speed < 0 ? -1 : 1;
+  const double as_printed =
+      speed * (p.viscous_Nms_rad * p.threshold_rad_s + level * sign) / p.threshold_rad_s;
+  e.linear_branch_speed = wording::with_unit(wording::significant(speed * 1e3, 2), "mrad/s");
+  e.linear_branch_printed = wording::with_unit(
+      std::string(as_printed > 0 ? "+" : "").append(wording::fixed(as_printed, 3)), "N·m");
+  e.linear_branch_meant = wording::with_unit(wording::fixed(law.torque_Nm(speed), 3), "N·m");
+}
+
+/// Eq. (12) of the same weight where the torque counts the other way round.
+void add_bars(ErrataNumbers& e) {
+  const double mirrored = printed::mass_of_torque_kg(-row('B').torque_Nm);
+  e.mass_B_mirrored = wording::fixed(mirrored, 3);
+  e.mass_B_mirrored_in_bars = wording::fixed(std::abs(mirrored), 3);
+}
+
+/// Figure 5: what a force and what a friction of its first amplitude does.
+void add_figure_5(const charts::PreslidingLoops& loops, ErrataNumbers& e) {
+  const auto length = [](double length_m) {
+    return wording::with_unit(length_m, wording::prefixed("m", length_m), 4);
+  };
+  const simulate::PreslidingLoop& forced = loops.by_force.at(0);
+  e.figure_5_travel = length(loops.by_friction.at(0).travel_m);
+  e.figure_5_forced_width = length(forced.width_m);
+  e.figure_5_forced_speed =
+      wording::significant(forced.largest_speed_m_s / forced.stribeck_speed_m_s, 2);
+}
+
 /// Eq. (6) as printed, with the angle where its rate belongs, and eq. (10) without q_c.
 void add_angles_in_laws(ErrataNumbers& e) {
   constexpr double lowest_deg = -80;
@@ -128,7 +168,7 @@ void add_angles_in_laws(ErrataNumbers& e) {
 
 }  // namespace
 
-ErrataNumbers errata_numbers() {
+ErrataNumbers errata_numbers(const charts::PreslidingLoops& loops) {
   ErrataNumbers e;
   add_equation_12(e);
   add_table_2(e);
@@ -136,12 +176,23 @@ ErrataNumbers errata_numbers() {
   add_table_1(e);
   add_static_laws(e);
   add_angles_in_laws(e);
+  add_linear_branch(e);
+  add_bars(e);
+  add_figure_5(loops, e);
   return e;
 }
 
-void fill_errata(report::TemplateValues& values) {
-  const ErrataNumbers e = errata_numbers();
+void fill_errata(const charts::PreslidingLoops& loops, report::TemplateValues& values) {
+  const ErrataNumbers e = errata_numbers(loops);
   report::TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
+  out.set("LINEAR_BRANCH_SPEED", e.linear_branch_speed);
+  out.set("LINEAR_BRANCH_PRINTED", e.linear_branch_printed);
+  out.set("LINEAR_BRANCH_MEANT", e.linear_branch_meant);
+  out.set("MASS_B_MIRRORED", e.mass_B_mirrored);
+  out.set("MASS_B_IN_BARS", e.mass_B_mirrored_in_bars);
+  out.set("FIGURE_5_TRAVEL", e.figure_5_travel);
+  out.set("FIGURE_5_FORCED_WIDTH", e.figure_5_forced_width);
+  out.set("FIGURE_5_FORCED_SPEED", e.figure_5_forced_speed);
   out.set("TORQUE_A", e.torque_A);
   out.set("MASS_A_PRINTED", e.mass_A_printed);
   out.set("MASS_A_500_MM", e.mass_A_with_500_mm);
@@ -170,6 +221,57 @@ void fill_errata(report::TemplateValues& values) {
   out.set("PAIR_MASSES", e.pair_masses);
   out.set("PAIR_SPREAD", e.pair_spread);
   out.set("SINGLE_SPREAD", e.single_spread);
+}
+
+/// The runs of rising angle alone, as print shows one direction: with both, an error of the mass
+/// would cancel.
+method::viscous::ViscousCurvesResult rising_runs(method::viscous::ViscousCurvesResult curves) {
+  const std::vector<method::viscous::ConstantSpeedRun> runs = curves.runs;
+  const auto is_falling = [&](std::size_t i) { return runs[i].speed_rad_s < 0; };
+  for (method::viscous::ViscousCurve& curve : curves.curves) {
+    std::size_t i = 0;
+    std::erase_if(curve.friction_Nm, [&](double) { return is_falling(i++); });
+  }
+  std::erase_if(curves.runs, [](const auto& run) { return run.speed_rad_s < 0; });
+  return curves;
+}
+
+report::Table fits_of_equation_6(const calibration::Calibration& calibration) {
+  report::Table table;
+  table.id = "table-equation-6";
+  table.caption = tr("Eq. (6) fitted to the curve of each candidate mass, rising runs");
+  const method::viscous::ViscousCurvesResult rising = rising_runs(calibration.viscous);
+  table.columns = {{tr("Mass of"), "", false}, {"T_a", "N·m", true}, {"ω_s", "rad/s", true},
+                   {"δ_a", "", true},          {"c_v", "N·m", true}, {"δ_v", "", true},
+                   {tr("Rest"), "N·m", true}};
+  const auto add = [&](method::hysteresis::Estimator estimator) {
+    method::selection::SelectionResult as_if = calibration.selection;
+    as_if.recommended = estimator;
+    const auto fit = method::selection::fit_friction_parameters(rising, as_if).waiboer;
+    const auto digits = [&](double value) { return wording::significant(value, 4); };
+    const bool is_chosen = calibration.selection.paper_rule == estimator;
+    const std::string name =
+        estimator == method::hysteresis::Estimator::midline ? tr("mid-line") : to_string(estimator);
+    std::vector<std::string> cells{is_chosen ? tr("{point}, selected", {{"point", name}}) : name};
+    if (fit) {
+      for (const double value :
+           {fit->asperity_torque_Nm.value, fit->stribeck_speed_rad_s.value,
+            fit->stribeck_power.value, fit->viscous_coefficient.value, fit->viscous_power.value}) {
+        cells.push_back(digits(value));
+      }
+      cells.push_back(wording::significant(fit->residual_Nm, 2));
+    } else {
+      cells.resize(table.columns.size(), "–");
+    }
+    table.rows.push_back({std::move(cells), false});
+  };
+  for (const auto point : method::hysteresis::loop_points) add(point);
+  add(method::hysteresis::Estimator::midline);
+  table.note =
+      tr("Rest: standard deviation of what the five parameters leave. A mass that is wrong "
+         "shifts the curve of one direction, and the fit takes the shift for friction; "
+         "with the runs of both directions it cancels.");
+  return table;
 }
 
 report::Table table_2(const calibration::Calibration& c) {

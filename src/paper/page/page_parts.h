@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "calibration/calibration.h"
+#include "paper/charts/paper_charts.h"
 #include "paper/checks/check.h"
+#include "paper/checks/wrong_joints.h"
 #include "paper/page/paper_page.h"
 #include "report/report_view.h"
 #include "report/template_engine.h"
@@ -17,7 +19,7 @@ namespace tribolog::paper::page {
 /// A check's numbers, rounded so that the difference against what is allowed can be seen.
 struct CheckTexts {
   std::string expected;
-  std::string origin;  ///< "print", "method" or "law"
+  std::string kind;  ///< "print" or "independent"
   std::string ours;
   std::string difference;
   std::string allowed;
@@ -33,6 +35,10 @@ void fill_checks(const checks::Checks& checks, const std::string& id, const std:
 /// ✓ or ✗
 std::string tick(bool is_well);
 
+/// The section WRONG_JOINTS: the print checks that each wrong joint fails.
+void fill_wrong_joints(const std::optional<checks::WrongJointsResult>& tried,
+                       report::TemplateValues& values);
+
 // The paper's misprints, and what shows them: computed from its own numbers and laws.
 
 /// What the errata quote, all of it computed from what is printed.
@@ -47,20 +53,27 @@ struct ErrataNumbers {
   std::string backwards_speed, equation_1_meant, equation_1_printed;
   std::string equation_2_jump, equation_2_half, equation_6_printed;
   std::string equation_10_gravity, equation_10_error;
+  std::string linear_branch_speed, linear_branch_printed, linear_branch_meant;
+  std::string mass_B_mirrored, mass_B_mirrored_in_bars;
+  std::string figure_5_travel, figure_5_forced_width, figure_5_forced_speed;
 };
 
-ErrataNumbers errata_numbers();
+ErrataNumbers errata_numbers(const charts::PreslidingLoops& loops);
 
 /// errata.tpl at the marker ERRATA.
-void fill_errata(report::TemplateValues& values);
+void fill_errata(const charts::PreslidingLoops& loops, report::TemplateValues& values);
+
+/// Waiboer's five parameters for each candidate's curve, the selected one marked.
+report::Table fits_of_equation_6(const calibration::Calibration& calibration);
 
 /// Table 2 as printed, recomputed, and the masses of the calibration beside it.
 report::Table table_2(const calibration::Calibration& calibration);
 
+/// Section 3.4 in full: curves, masses, errors, choice, at the marker TABLE.
+void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section);
+
 // What the page counts, and its list to tick off.
 
-/// "Figure 15", "Table 2", "Equation 4", "The conclusions"
-std::string item_name(const checks::PaperItem& item);
 /// "figure-15"
 std::string item_anchor(const checks::PaperItem& item);
 

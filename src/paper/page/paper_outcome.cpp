@@ -55,38 +55,41 @@ void for_each_item(const RegeneratedPaper& paper, Use use) {
   }
 }
 
-std::string sentence_of(const std::vector<PaperTally>& tallies, const checks::Tally& checks,
-                        const checks::Tally& golden) {
+std::string sentence_of(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies) {
   const PaperTally& figures = tallies.at(0);
   const PaperTally& tables = tallies.at(1);
   const PaperTally& equations = tallies.at(2);
-  return tr(
-      "{good_figures} of {figures} figures, {good_tables} of {tables} tables, {good_equations} of "
-      "{equations} equations, each regenerated and with every check passed; {holding_checks} of "
-      "{checks} checks hold, and {holding_golden} of {golden_numbers} golden numbers.",
-      {{"good_figures", figures.well},
-       {"figures", figures.printed},
-       {"good_tables", tables.well},
-       {"tables", tables.printed},
-       {"good_equations", equations.well},
-       {"equations", equations.printed},
-       {"holding_checks", checks.hold},
-       {"checks", checks.there},
-       {"holding_golden", golden.hold},
-       {"golden_numbers", golden.there}});
+  const checks::Tally print = checks::tally_checks(paper.sections, checks::Kind::print);
+  const checks::Tally independent = checks::tally_checks(paper.sections, checks::Kind::independent);
+  return tr("{holding_print} of {print_checks} numbers, signs and orders that the paper prints are "
+            "found again on its joint, {to_the_last_place} of them to the last printed place.",
+            {{"holding_print", print.hold},
+             {"print_checks", print.there},
+             {"to_the_last_place", checks::to_the_last_place(paper.sections)}}) +
+         " " +
+         tr("{holding_independent} of {independent_checks} independent computations agree with the "
+            "program; {told} definitions and values taken from print are told, not checked.",
+            {{"holding_independent", independent.hold},
+             {"independent_checks", independent.there},
+             {"told", checks::count_told(paper.sections)}}) +
+         " " +
+         tr("{figures} of {printed_figures} figures, {tables} of {printed_tables} tables and "
+            "{equations} of {printed_equations} equations are here.",
+            {{"figures", figures.here},
+             {"printed_figures", figures.printed},
+             {"tables", tables.here},
+             {"printed_tables", tables.printed},
+             {"equations", equations.here},
+             {"printed_equations", equations.printed}});
 }
 
 void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies,
                   report::TemplateValues& values) {
-  const checks::Tally checks = checks::tally_checks(paper.sections);
-  const checks::Tally golden = checks::tally_checks(paper.golden_numbers);
-  const bool all_well = checks.hold == checks.there && golden.hold == golden.there &&
-                        std::all_of(tallies.begin(), tallies.end(), [](const PaperTally& tally) {
-                          return tally.well == tally.printed;
-                        });
+  const bool all_well = is_all_well(paper, tallies);
   report::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  verdict.set("WORD", all_well ? tr("THE PAPER IS REPRODUCED") : tr("NOT ALL OF IT IS REPRODUCED"));
-  verdict.set("SENTENCE", sentence_of(tallies, checks, golden));
+  verdict.set("WORD", all_well ? tr("WHAT THE PAPER PRINTS IS FOUND AGAIN")
+                               : tr("NOT ALL THAT THE PAPER PRINTS IS FOUND AGAIN"));
+  verdict.set("SENTENCE", sentence_of(paper, tallies));
   report::fill_outcome(all_well ? report::Outcome::good : report::Outcome::bad, verdict);
   const PaperTally& figures = tallies.front();
   const int missing = figures.printed - figures.here;
@@ -103,9 +106,8 @@ void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& 
     }
   };
   for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
-    tell(item_name(item), item.checks);
+    tell(checks::item_name(item), item.checks);
   });
-  tell(tr("Golden number"), paper.golden_numbers);
 }
 
 void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& values) {
@@ -115,7 +117,7 @@ void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& 
   table.columns = {{tr("Kind"), "", false},
                    {tr("In the paper"), "", true},
                    {tr("Regenerated"), "", true},
-                   {tr("Every check holds"), "", true}};
+                   {tr("No check fails"), "", true}};
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     const PaperTally& tally = tallies[i];
     table.rows.push_back({{tr(kinds[i].many), std::to_string(tally.printed),
@@ -147,7 +149,7 @@ void fill_ticks(const RegeneratedPaper& paper,
       entry.set("TITLE", item->title);
       entry.set("NUMBER", std::to_string(item->number));
       entry.set("TICK", tick(well));
-      entry.set("SPOKEN", well ? tr("holds") : tr("does not hold"));
+      entry.set("SPOKEN", well ? tr("no check fails") : tr("a check fails"));
     }
   }
 }
@@ -169,18 +171,14 @@ std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
   return out;
 }
 
-std::string item_name(const checks::PaperItem& item) {
-  switch (item.kind) {
-    case checks::ItemKind::figure:
-      return tr("Figure {number}", {{"number", item.number}});
-    case checks::ItemKind::table:
-      return tr("Table {number}", {{"number", item.number}});
-    case checks::ItemKind::equation:
-      return tr("Equation {number}", {{"number", item.number}});
-    case checks::ItemKind::statement:
-      break;
-  }
-  return tr("The conclusions");
+bool is_all_well(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies) {
+  const auto all_hold = [&](checks::Kind kind) {
+    const checks::Tally tally = checks::tally_checks(paper.sections, kind);
+    return tally.hold == tally.there;
+  };
+  return all_hold(checks::Kind::print) && all_hold(checks::Kind::independent) &&
+         std::all_of(tallies.begin(), tallies.end(),
+                     [](const PaperTally& tally) { return tally.well == tally.printed; });
 }
 
 std::string item_anchor(const checks::PaperItem& item) {

@@ -25,22 +25,14 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-const char* name_of(checks::Origin origin) {
-  switch (origin) {
-    case checks::Origin::printed:
-      return "printed";
-    case checks::Origin::reconstructed:
-      return "reconstructed";
-    case checks::Origin::law:
-      return "law";
-  }
-  return "";
+const char* name_of(checks::Kind kind) {
+  return kind == checks::Kind::print ? "print" : "independent";
 }
 
 Json list_of(const checks::Checks& checks) {
   Json list = Json::array();
   for (const checks::Check& check : checks) {
-    Json one{{"what", check.what}, {"origin", name_of(check.origin)}};
+    Json one{{"what", check.what}, {"kind", name_of(check.kind)}};
     if (check.is_words()) {
       one["expected"] = check.expected_words;
       one["ours"] = check.ours_words;
@@ -67,13 +59,20 @@ std::string paper_json(const RegeneratedPaper& paper) {
                        {"number", item.number},
                        {"section", section.number},
                        {"title", item.title},
-                       {"checks", list_of(item.checks)}});
+                       {"checks", list_of(item.checks)},
+                       {"told", item.told}});
     }
   }
-  const Json whole{{"schema", "tribolog-paper-1"},
-                   {"tool", paper.provenance.tool_version},
-                   {"items", std::move(items)},
-                   {"golden_numbers", list_of(paper.golden_numbers)}};
+  Json whole{{"schema", "tribolog-paper-2"},
+             {"tool", paper.provenance.tool_version},
+             {"items", std::move(items)}};
+  if (paper.wrong_joints) {
+    for (const checks::FailedBy& one : paper.wrong_joints->checks) {
+      whole["wrong_joints"].push_back(
+          {{"item", one.item}, {"check", one.check}, {"failed_by", one.joints}});
+    }
+    whole["unnoticed"] = paper.wrong_joints->unnoticed;
+  }
   return whole.dump();
 }
 
@@ -119,15 +118,21 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
     }
   }
   out.set_optional("REMARK", item.remark);
+  if (!item.told.empty()) {
+    report::TemplateValues& told = out.add_section("TOLD");
+    for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
+  }
   const checks::Tally tally = checks::tally_checks(item.checks);
   fill_checks(
       item.checks, item_anchor(item),
-      tr("{item}: {holding_checks} of {checks} checks hold",
-         {{"item", item_name(item)}, {"holding_checks", tally.hold}, {"checks", tally.there}}),
+      tr("{item}: {holding_checks} of {checks} checks hold", {{"item", checks::item_name(item)},
+                                                              {"holding_checks", tally.hold},
+                                                              {"checks", tally.there}}),
       "CHECKS", out);
 }
 
-/// Section 3.4 in full: curves, masses, errors, choice.
+}  // namespace
+
 void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section) {
   const auto add = [&](const char* id,
                        void (*describe)(const calibration::Calibration&, report::Section&)) {
@@ -141,9 +146,8 @@ void fill_selection(const calibration::Calibration& calibration, report::Templat
   report::fill_table(table_2(calibration), "TABLE", section);
   add("errors", report::describe_quality_errors);
   add("choice", report::describe_selection);
+  report::fill_table(fits_of_equation_6(calibration), "TABLE", section);
 }
-
-}  // namespace
 
 std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
                        const std::vector<render::workers::DrawnFigure>& drawn,
@@ -167,9 +171,8 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
         });
     if (is_selection) fill_selection(calibration, out);
   }
-  fill_checks(paper.golden_numbers, "golden", tr("Given, computed, and the difference"), "GOLDEN",
-              values);
-  fill_errata(values);
+  fill_wrong_joints(paper.wrong_joints, values);
+  fill_errata(paper.presliding, values);
   for (const PaperSource& source : paper.sources) {
     report::TemplateValues& file = values.add_section("SOURCE_FILE");
     file.set("FILE_NAME", source.name);

@@ -1,13 +1,16 @@
 #pragma once
 // The paper regenerated, as one HTML file that needs nothing else.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/calibration.h"
 #include "calibration/provenance.h"
 #include "figures/report_figure.h"
+#include "paper/charts/paper_charts.h"
 #include "paper/checks/paper_items.h"
+#include "paper/checks/wrong_joints.h"
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
@@ -22,8 +25,9 @@ struct PaperSource {
 /// What the page shows.
 struct RegeneratedPaper {
   std::vector<checks::PaperSection> sections;
-  checks::Checks golden_numbers;
-  std::vector<figures::ReportFigure> figures;  ///< By the paper's numbers.
+  charts::PreslidingLoops presliding;                     ///< Figure 5, for the errata.
+  std::optional<checks::WrongJointsResult> wrong_joints;  ///< Where asked for.
+  std::vector<figures::ReportFigure> figures;             ///< By the paper's numbers.
   std::vector<PaperSource> sources;
   calibration::Provenance provenance;
 };
@@ -41,10 +45,14 @@ struct PaperTally {
 std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
                                  const std::vector<render::workers::DrawnFigure>& drawn);
 
+/// Does no check fail, and is everything here?
+bool is_all_well(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies);
+
 /// The checks for machines:
-/// {"schema": "tribolog-paper-1", "tool", "items": [{kind, number, section, title, checks: [{what,
-/// origin, expected, ours, difference, allowed, unit, holds}]}], "golden_numbers": [...]}.
-/// A number that is not finite is null; words stand where words are compared.
+/// {"schema": "tribolog-paper-2", "tool", "items": [{kind, number, section, title, checks: [{what,
+/// kind, expected, ours, difference, allowed, unit, holds}], told: [...]}], "wrong_joints":
+/// [{item, check, failed_by: [...]}], "unnoticed": [...]}; the last two only if asked for. A number
+/// that is not finite is null; words stand where words are compared.
 std::string paper_json(const RegeneratedPaper& paper);
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
