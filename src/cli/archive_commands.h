@@ -65,6 +65,9 @@ std::function<Run()> add_archive(CLI::App& app);
 /// Adds `tribolog review`. @return as add_archive().
 std::function<Run()> add_review(CLI::App& app);
 
+/// Adds `tribolog export`. @return as add_archive().
+std::function<Run()> add_export_of_file(CLI::App& app);
+
 /// JSON to standard output, also with --quiet: it was asked for.
 void print_json(const std::string& json);
 

@@ -116,6 +116,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   const CLI::App& study_command = add_study(app, study);
   const auto chosen_of_archive = add_archive(app);
   const auto chosen_review = add_review(app);
+  const auto chosen_export = add_export_of_file(app);
   refuse_empty_location({argv, argv + argc});
 
   try {
@@ -143,6 +144,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (plan_command) return run_plan(plan, arguments, console);
   if (const Run run = chosen_of_archive()) return run({arguments, console});
   if (const Run run = chosen_review()) return run({arguments, console});
+  if (const Run run = chosen_export()) return run({arguments, console});
   if (study_command) return run_study_command(study, arguments, console);
   print(app.help());
   return ExitStatus::usage;

@@ -135,6 +135,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
                       Console& console);
 /// Says what a report or a calibration says, from the file alone.
 ExitStatus run_show(const ShowOptions& options, Console& console);
+/// The calibration (JSON) that a report carries, or that the file is.
+/// @throw UsageError: a page without one.
+std::string calibration_in(const std::string& file);
 /// Lists the friction models with what each can show, or compares them in one page.
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console);

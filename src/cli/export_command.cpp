@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
 
+#include "archive/store/digest.h"
 #include "base/atomic_file.h"
 #include "base/standard_output.h"
+#include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
+#include "cli/commands.h"
 #include "cli/shared_options.h"
 #include "exports/results/calibration_exports.h"
 
@@ -10,7 +13,7 @@ namespace tribolog::cli {
 namespace {
 
 struct ExportOptions {
-  std::string id;
+  std::string of;  ///< An id, or a file.
   std::string format;
   std::string output;
   std::string side;
@@ -20,11 +23,11 @@ struct ExportOptions {
 void check(ExportOptions& options) {
   if (!options.side.empty() && options.format != "modelica") {
     throw UsageError(
-        "archive export: --side is for modelica; tables have both sides, URDF and "
-        "MJCF the joint's");
+        "export: --side is for modelica; tables have both sides, the other formats "
+        "the joint's");
   }
   if (options.simulator.arm_inertia_kgm2 && options.format != "mjcf") {
-    throw UsageError("archive export: --arm-inertia is for mjcf");
+    throw UsageError("export: --arm-inertia is for mjcf");
   }
   options.simulator.side = options.side == "motor" ? joint::Side::motor : joint::Side::joint;
 }
@@ -34,8 +37,49 @@ std::string text_of(const ExportOptions& options, const exports::results::Archiv
   if (options.format == "json") return exports::results::json_document(joint);
   if (options.format == "latex") return exports::results::latex_table(joint);
   if (options.format == "urdf") return exports::results::urdf_joint(joint, options.simulator);
+  if (options.format == "sdf") return exports::results::sdf_joint(joint, options.simulator);
+  if (options.format == "ros2") return exports::results::ros2_parameters(joint, options.simulator);
   if (options.format == "mjcf") return exports::results::mjcf_joint(joint, options.simulator);
   return exports::results::modelica_friction(joint, options.simulator);
+}
+
+/// All but what is exported.
+void add_options(CLI::App& command, ExportOptions& options) {
+  command
+      .add_option("--format", options.format, "csv, json, latex, urdf, sdf, mjcf, modelica or ros2")
+      ->required()
+      ->check(CLI::IsMember({"csv", "json", "latex", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
+  command.add_option("-o,--output", options.output, "file to write; default: standard output");
+  command.add_flag("--doubtful-too", options.simulator.doubtful_too,
+                   "urdf, sdf, mjcf, modelica, ros2: also numbers whose verdict is not usable");
+  command
+      .add_option("--side", options.side,
+                  "modelica: side of the gear on which the bearing is; default: joint")
+      ->check(CLI::IsMember({"joint", "motor"}));
+  command
+      .add_option("--arm-inertia", options.simulator.arm_inertia_kgm2,
+                  "mjcf: inertia of all that the joint moves, about its axis (kg·m²), as in the "
+                  "model's bodies; what was identified beyond it is the armature")
+      ->check(number_between(0, 1e9));
+  command.footer(
+      "\nEach file states in its comments what it describes, and the conversions of units and "
+      "sides.\ncsv, json, latex: every quantity on both sides of the gear, marked with its "
+      "verdict.\nurdf, sdf: <dynamics> with damping and friction. mjcf: <joint damping "
+      "frictionloss "
+      "armature>.\nmodelica: tau_pos and peak of "
+      "Modelica.Mechanics.Rotational.Components.BearingFriction.\nros2: parameters of a node, "
+      "YAML.");
+}
+
+void write(const ExportOptions& options, const exports::results::ArchivedJoint& joint,
+           Console& console) {
+  const std::string text = text_of(options, joint);
+  if (options.output.empty()) {
+    print(text);
+  } else {
+    write_file_atomically(options.output, text);
+    console.say("export: " + printable(options.output, longest_path));
+  }
 }
 
 }  // namespace
@@ -44,47 +88,50 @@ Run add_export(CLI::App& archive) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& command =
       *archive.add_subcommand("export", "export one calibration for use in other programs");
-  command.add_option("ID", options->id, "the first digits of its id")->required();
-  command.add_option("--format", options->format, "csv, json, latex, urdf, mjcf or modelica")
-      ->required()
-      ->check(CLI::IsMember({"csv", "json", "latex", "urdf", "mjcf", "modelica"}));
-  command.add_option("-o,--output", options->output, "file to write; default: standard output");
-  command.add_flag("--doubtful-too", options->simulator.doubtful_too,
-                   "urdf, mjcf, modelica: also numbers whose verdict is not usable");
-  command
-      .add_option("--side", options->side,
-                  "modelica: side of the gear on which the bearing is; default: joint")
-      ->check(CLI::IsMember({"joint", "motor"}));
-  command
-      .add_option("--arm-inertia", options->simulator.arm_inertia_kgm2,
-                  "mjcf: inertia of all that the joint moves, about its axis (kg·m²), as in the "
-                  "model's bodies; what was identified beyond it is the armature")
-      ->check(number_between(0, 1e9));
+  command.add_option("ID", options->of, "the first digits of its id")->required();
+  add_options(command, *options);
   const auto where = add_archive_options(command);
-  command.footer(
-      "\nEach file states in its comments what it describes, and the conversions of units and "
-      "sides.\ncsv, json, latex: every quantity on both sides of the gear, marked with its "
-      "verdict.\nurdf: <dynamics damping friction>. mjcf: <joint damping frictionloss "
-      "armature>.\nmodelica: tau_pos and peak of "
-      "Modelica.Mechanics.Rotational.Components.BearingFriction.");
   return [where, options](const Invocation& call) {
     check(*options);
     where->protect_from(options->output);
     call.console.make_way_for(options->output);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
     exports::results::ArchivedJoint joint;
-    joint.entry = kept.find(options->id);
+    joint.entry = kept.find(options->of);
     joint.quantities = kept.quantities(joint.entry);
     joint.calibration =
         kept.document(joint.entry, calibration::DocumentKind::calibration).value_or("");
-    const std::string text = text_of(*options, joint);
-    if (options->output.empty()) {
-      print(text);
-    } else {
-      write_file_atomically(options->output, text);
-      call.console.say("export: " + printable(options->output, longest_path));
-    }
+    write(*options, joint, call.console);
     return ExitStatus::done;
+  };
+}
+
+// `tribolog export`, of a file.
+
+std::function<Run()> add_export_of_file(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "export", "the numbers of a report or calibration for use in other programs");
+  command.add_option("FILE", options->of, "report (HTML) or calibration (JSON)")->required();
+  add_options(command, *options);
+  return [&command, options]() -> Run {
+    if (!command) return {};
+    return [options](const Invocation& call) {
+      check(*options);
+      if (!options->output.empty()) check_output_can_be_written(options->output, {options->of});
+      call.console.make_way_for(options->output);
+      const std::string json = calibration_in(options->of);
+      const calibration::NewCalibration made = calibration::entry_of_calibration(json, options->of);
+      exports::results::ArchivedJoint joint;
+      joint.is_archived = false;
+      joint.entry.facts = made.facts;
+      joint.entry.identity = archive::store::identity_of(made.inputs);
+      joint.entry.id = archive::store::id_of(joint.entry.identity, 1);
+      joint.quantities = made.quantities;
+      joint.calibration = json;
+      write(*options, joint, call.console);
+      return ExitStatus::done;
+    };
   };
 }
 

@@ -46,7 +46,7 @@ The manifest says, for example:
                                 # its motion shows is checked
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
-  confirmed = true              # false: kind and side are only proposed; the report warns
+  confirmed = true              # false: only proposed; every torque is then doubtful
   [columns]
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }

@@ -36,7 +36,8 @@ std::vector<inspect::survey::LogSurvey> survey_logs(const InspectedLogs& options
   for (std::size_t k = 0; k < options.files.size(); ++k) {
     console.progress("reading the logs", k, options.files.size());
     try {
-      logs.push_back(inspect::survey::survey_log(options.files[k], options.known.log_rules));
+      logs.push_back(inspect::survey::survey_log(options.files[k], options.known.log_rules,
+                                                 options.known.columns));
     } catch (const InputError& error) {
       if (!first) first = error;
       logs.emplace_back();
@@ -139,6 +140,11 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
 
 namespace {
 
+const std::map<std::string, joint::EffortKind> kinds{
+    {"motor_current", joint::EffortKind::motor_current},
+    {"motor_torque", joint::EffortKind::motor_torque},
+    {"joint_torque", joint::EffortKind::joint_torque},
+    {"target_torque", joint::EffortKind::target_torque}};
 const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
                                                {"joint", joint::Side::joint}};
 
@@ -150,8 +156,15 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       ->check(number_between(1e-3, 1e6));
   command
       .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
-                  "N·m per ampere, for a motor current")
+                  "N·m per ampere, for a motor current; an effort of unknown kind counts as one")
       ->check(number_between(1e-6, 1e6));
+  command
+      .add_option_function<std::string>(
+          "--effort-kind",
+          [&logs](const std::string& word) { logs.known.effort_kind = kinds.at(word); },
+          "what the effort is, confirmed: motor_current, motor_torque, joint_torque, target_torque")
+      ->check(CLI::IsMember(kinds))
+      ->type_name("KIND");
   command
       .add_option_function<std::string>(
           "--effort-side",
@@ -159,7 +172,31 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
           "side of the gear on which the effort acts: motor, joint")
       ->check(CLI::IsMember(sides))
       ->type_name("SIDE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--column",
+          [&logs](const std::vector<std::string>& all) {
+            for (const std::string& one : all) {
+              logs.known.columns.names.push_back(inspect::survey::parse_stated_column(one));
+            }
+          },
+          "which column is which: time, angle, speed, effort or temperature (may be given again)")
+      ->type_name("KEY=NAME");
+  command.add_option("--angle-unit", logs.known.columns.angle_unit, "unit of the angles: rad, deg")
+      ->check(CLI::IsMember({"rad", "deg"}))
+      ->type_name("UNIT");
+  command
+      .add_option("--rate", logs.known.columns.rate_Hz,
+                  "the logs have no clock: their rows come at this rate, in Hz")
+      ->check(number_between(1e-3, 1e6));
   command.add_option("--robot", logs.known.robot, "the robot's name");
+  command.add_option("--serial", logs.known.serial, "its serial number");
+  command.add_option("--operator", logs.known.operator_name, "who measured");
+  command.add_option("--measured-on", logs.known.measured_on, "when: 2026-11-26, or with a time");
+  command.add_option("--temperature", logs.known.temperature_C, "of the joint, in °C")
+      ->check(number_between(-100, 300));
+  command.add_option("--payload", logs.known.payload_kg, "mass that it carried, in kg")
+      ->check(number_between(0, 1e5));
   ingest::text::TextLogRules& rules = logs.known.log_rules;
   command.add_flag_callback(
       "--decimal-comma", [&rules] { rules.decimal_mark = ingest::text::DecimalMark::comma; },

@@ -134,6 +134,13 @@ report::EmbeddedJson numbers_of(const std::string& text, const std::string& file
 
 }  // namespace
 
+std::string calibration_in(const std::string& file) {
+  report::EmbeddedJson numbers = numbers_of(read_file(file), file);
+  if (numbers.element == result_element) return std::move(numbers.json);
+  throw UsageError(fmt::format("{}: the page contains {}, and no calibration",
+                               printable(file, longest_path), numbers.element));
+}
+
 CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   CLI::App& command =
       *app.add_subcommand("show", "the numbers of a report, read from the report itself");

@@ -94,6 +94,7 @@ namespace {
 /// Which recordings the quantities come from: a failing check of other recordings does not affect
 /// them.
 struct Sources {
+  bool effort_is_target{};       ///< Of a controller: its gravity, too, is the controller's own.
   bool friction_from_runs{};     ///< Runs at constant speed, not the sweep.
   bool mass_from_sweep{};        ///< The recommended mass is the sweep's.
   bool break_away_from_ramps{};  ///< Not from the oscillation.
@@ -114,7 +115,8 @@ std::vector<Consequence> consequences(const Sources& sources) {
   const auto doubtful = calibration::Verdict::doubtful;
   const auto none = calibration::Verdict::not_identifiable;
   std::vector<Consequence> all{
-      {CheckName::effort_provenance, everything, doubtful},
+      // What is not confirmed may be wrong by a factor, which leaves the angle.
+      {CheckName::effort_provenance, sources.effort_is_target ? everything : torque, doubtful},
       {CheckName::effort_column, everything, doubtful},
       {CheckName::static_torque, torque, doubtful},
       {CheckName::joint_moves, everything, doubtful},
@@ -210,7 +212,8 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
                          {"record.eight_positions"});
     }
   }
-  const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
+  const Sources sources{c.manifest.drive.kind() == joint::EffortKind::target_torque,
+                        !c.viscous.runs.empty() && !c.viscous.from_sweep,
                         c.selection.recommended == Estimator::sweep,
                         c.break_away.mean_Nm.has_value()};
   apply_data_checks(c.data_checks, sources, all);

@@ -34,6 +34,23 @@ class ArchivedDataset {
   SmallDataset dataset_;
 };
 
+// Without an archive: from the calibration, or from the report that carries it.
+TEST(ExportOfAFile, IsThatOfTheArchive) {
+  const ArchivedDataset archived;
+  const ProgramRun kept = archived.run("export " + archived.id.substr(0, 10) + " --format csv");
+  const ProgramRun own =
+      run_shell(program + "export '" + archived.file("cal.json") + "' --format csv");
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.out, replaced(kept.out, ", from its archive.", "."));
+  EXPECT_EQ(
+      run_shell(program + "export '" + archived.file("report.html") + "' --format csv").status, 3);
+  EXPECT_EQ(run_shell(program + "export none.json --format csv").status, 3);
+  EXPECT_EQ(run_shell(program + "export '" + archived.file("cal.json") + "'").status, 2);
+  const std::string same = "' --format csv -o '" + archived.file("cal.json") + "'";
+  EXPECT_NE(run_shell(program + "export '" + archived.file("cal.json") + same).status, 0)
+      << "its own input";
+}
+
 TEST(ArchiveExport, WritesTablesOfWhatWasIdentified) {
   const ArchivedDataset archived;
   const std::string id = archived.id.substr(0, 10);

@@ -130,8 +130,10 @@ TEST_F(HostileTexts, OfAnArchiveAreShownByNoCommandAsTheyAre) {
   (void)run("archive show " + one + with);
   expect_json(run("archive show " + one + " --json" + with).out);
   expect_json(run("archive list --json" + with).out);
-  for (const char* const format : {"csv", "latex", "json", "urdf", "mjcf", "modelica"}) {
+  for (const char* const format :
+       {"csv", "latex", "json", "urdf", "sdf", "mjcf", "modelica", "ros2"}) {
     (void)run("archive export " + one + " --doubtful-too --format " + format + with);
+    (void)run(std::string("export c.json --doubtful-too --format ") + format);
   }
   (void)run("archive trend" + with);
   expect_json(run("archive trend --json" + with).out);

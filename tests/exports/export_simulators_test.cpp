@@ -22,7 +22,8 @@ using test::refusal_of;
 TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
   exports::results::ArchivedJoint joint = test::export_sample();
   test::quantity_of(joint, "coulomb_torque").verdict = calibration::Verdict::doubtful;
-  for (auto* const make : {exports::results::urdf_joint, exports::results::mjcf_joint}) {
+  for (auto* const make :
+       {exports::results::urdf_joint, exports::results::sdf_joint, exports::results::mjcf_joint}) {
     const std::string refusal = test::refusal_of<UsageError>([&] { return make(joint, {}); });
     EXPECT_EQ(refusal,
               "aaaaaaaaaa: not exported: Coulomb torque of 0.31 N·m (95 %: 0.3 to 0.32) is "
@@ -44,6 +45,52 @@ TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
     EXPECT_NE(
         test::refusal_of<UsageError>([&] { return make(negative, options); }).find("is below zero"),
         std::string::npos);
+  }
+}
+
+// What the format has no place for stands beside it.
+TEST(ExportForSimulators, SayTheSpeedsMeasuredAndTheBreakAwayTorque) {
+  for (auto* const make :
+       {exports::results::urdf_joint, exports::results::sdf_joint, exports::results::mjcf_joint}) {
+    const std::string text = make(test::export_sample(), {});
+    EXPECT_NE(text.find("beside it: Break-away torque at the joint"), std::string::npos) << text;
+    EXPECT_NE(text.find("measured at the joint from "), std::string::npos) << text;
+  }
+}
+
+TEST(ExportForSimulators, SdfHasTheDynamicsAtTheJoint) {
+  const std::string text = exports::results::sdf_joint(test::export_sample(), {});
+  EXPECT_NE(text.find("<damping>5</damping>"), std::string::npos) << text;
+  EXPECT_NE(text.find("<friction>15.5</friction>"), std::string::npos) << text;
+  EXPECT_NE(text.find("<joint name=\"J2\" type=\"revolute\">"), std::string::npos) << text;
+}
+
+// A parameter without a point would be an integer, which a node that declares a double refuses.
+TEST(ExportForSimulators, ParametersOfRosAreDoublesAndWhatIsLeftOutHasAReason) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  const std::string text = exports::results::ros2_parameters(joint, {});
+  EXPECT_NE(text.find("/**:\n  ros__parameters:\n    joint_friction:\n      joint: \"J2\"\n"
+                      "      gear_ratio: 50.0\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("      coulomb_torque_Nm: 15.5  # Coulomb torque at the joint"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("      viscous_coefficient_Nms_rad: 5.0  # "), std::string::npos) << text;
+  test::quantity_of(joint, "coulomb_torque").verdict = calibration::Verdict::doubtful;
+  const std::string without = exports::results::ros2_parameters(joint, {});
+  EXPECT_EQ(without.find("\n      coulomb_torque_Nm:"), std::string::npos) << without;
+  EXPECT_NE(without.find("# coulomb_torque_Nm: left out: Coulomb torque of"), std::string::npos);
+  for (calibration::Quantity& q : joint.quantities) q.verdict = calibration::Verdict::doubtful;
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
+              return exports::results::ros2_parameters(joint, {});
+            }).find("no number is usable"),
+            std::string::npos);
+  joint = test::hostile_export_sample();
+  for (const std::string& name : {std::string("a\nb: 1"), std::string("\"x\\")}) {
+    joint.entry.facts.of.joint = name;
+    const std::string hostile = exports::results::ros2_parameters(joint, {});
+    EXPECT_EQ(hostile.find("\nb: 1"), std::string::npos) << hostile;
   }
 }
 

@@ -463,18 +463,19 @@ TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
   }
 }
 
-TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
+TEST(BrokenDatasets, AnEffortThatIsOnlyProposedMakesEveryTorqueDoubtfulAndIsToldFirst) {
   joint::Dataset d = good_dataset();
   d.manifest.effort_is_confirmed = false;
   const calibration::Calibration c = identified(d);
   EXPECT_EQ(c.data_checks.find(CheckName::effort_provenance)->state,
-            method::checks::CheckState::warns);
-  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
-      << wording::words(c.judgement.sentence);
-  const auto& findings = c.judgement.findings;
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Statement& finding) {
-    return wording::words(finding).find("not confirmed") != std::string::npos;
-  }));
+            method::checks::CheckState::fails);
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    const bool is_angle = q.quantity == joint::Quantity::cog_angle;
+    EXPECT_EQ(q.verdict == calibration::Verdict::usable, is_angle) << to_string(q.quantity);
+  }
+  ASSERT_FALSE(c.judgement.findings.empty());
+  EXPECT_NE(wording::words(c.judgement.findings.front()).find("not confirmed"), std::string::npos)
+      << wording::words(c.judgement.findings.front());
 }
 
 TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {

@@ -31,7 +31,13 @@ inspect::survey::ManifestProposal propose(const test::ScratchDirectory& scratch,
                                           const std::string& log,
                                           inspect::survey::ProposalOptions options = {}) {
   options.directory = scratch.path();
-  return inspect::survey::propose_manifest({inspect::survey::survey_log(log)}, options);
+  return inspect::survey::propose_manifest(
+      {inspect::survey::survey_log(log, options.log_rules, options.columns)}, options);
+}
+
+joint::Manifest proposed_manifest(const test::ScratchDirectory& scratch, const std::string& log,
+                                  const inspect::survey::ProposalOptions& options) {
+  return ingest::manifest::parse_manifest(propose(scratch, log, options).text, "m.toml").manifest;
 }
 
 TEST(ManifestProposal, IsReadByTheReader) {
@@ -67,6 +73,150 @@ TEST(ManifestProposal, LeavesTheTorqueConstantToTheUser) {
   EXPECT_EQ(manifest.manifest.drive.gear_ratio(), 100);
   EXPECT_EQ(manifest.manifest.drive.side(), joint::Side::motor);
   EXPECT_EQ(manifest.manifest.robot, "a \"robot\"\n");
+}
+
+// A driver's "effort" may be a torque or a current: who knows a torque constant knows which.
+TEST(ManifestProposal, AnEffortOfUnknownKindWithATorqueConstantIsACurrent) {
+  const test::ScratchDirectory scratch;
+  const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,effort"));
+  inspect::survey::ProposalOptions options;
+  EXPECT_EQ(proposed_manifest(scratch, log, options).drive.kind(), joint::EffortKind::joint_torque);
+  EXPECT_FALSE(proposed_manifest(scratch, log, options).effort_is_confirmed);
+  options.torque_constant_Nm_A = 0.35;
+  const joint::Manifest manifest = proposed_manifest(scratch, log, options);
+  EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
+  EXPECT_EQ(manifest.drive.torque_constant_Nm_A(), 0.35);
+  EXPECT_TRUE(manifest.effort_is_confirmed);
+  // A torque that is one stays one.
+  const std::string torque = scratch.write("torque.csv", sweep("time_ms,q_deg,tau_Nm"));
+  EXPECT_EQ(proposed_manifest(scratch, torque, options).drive.kind(),
+            joint::EffortKind::joint_torque);
+}
+
+TEST(ManifestProposal, AStatedKindIsConfirmedUnlessTheLogContradicts) {
+  const test::ScratchDirectory scratch;
+  inspect::survey::ProposalOptions options;
+  options.effort_kind = joint::EffortKind::motor_torque;
+  const std::string torque = scratch.write("torque.csv", sweep("time_ms,q_deg,tau_Nm"));
+  const joint::Manifest manifest = proposed_manifest(scratch, torque, options);
+  EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_torque);
+  EXPECT_EQ(manifest.drive.side(), joint::Side::motor);
+  EXPECT_TRUE(manifest.effort_is_confirmed);
+  const std::string current = scratch.write("current.csv", sweep("time_ms,q_deg,i_motor_A"));
+  EXPECT_THROW((void)propose(scratch, current, options), UsageError);
+  options.effort_kind = joint::EffortKind::motor_current;
+  EXPECT_THROW((void)propose(scratch, torque, options), UsageError);
+}
+
+TEST(ManifestProposal, SaysWhoMeasuredWhatAndWhen) {
+  const test::ScratchDirectory scratch;
+  const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,tau_Nm"));
+  inspect::survey::ProposalOptions options;
+  options.serial = "R-1";
+  options.operator_name = "J. Nowak";
+  options.measured_on = "2026-11-26";
+  options.temperature_C = 31.5;
+  options.payload_kg = 2;
+  const joint::Manifest manifest = proposed_manifest(scratch, log, options);
+  EXPECT_EQ(manifest.serial, "R-1");
+  EXPECT_EQ(manifest.operator_name, "J. Nowak");
+  EXPECT_EQ(manifest.measured_on, "2026-11-26");
+  EXPECT_EQ(manifest.temperature_C, 31.5);
+  EXPECT_EQ(manifest.payload_kg, 2);
+  options.measured_on = "2026-13-45";
+  EXPECT_THROW((void)propose(scratch, log, options), UsageError);
+  options.measured_on.reset();
+  options.serial = " ";
+  EXPECT_THROW((void)propose(scratch, log, options), UsageError);
+}
+
+TEST(ManifestProposal, StatedColumnsStandBeforeNames) {
+  const test::ScratchDirectory scratch;
+  const std::string log = scratch.write("log.csv", sweep("a,b,c"));
+  inspect::survey::ProposalOptions options;
+  options.columns.names = {{"time", "a"}, {"angle", "#2"}, {"effort", "c"}};
+  options.columns.angle_unit = "deg";
+  const ingest::manifest::ManifestFile manifest =
+      ingest::manifest::parse_manifest(propose(scratch, log, options).text, "m.toml");
+  const ingest::manifest::ColumnEntries& columns = manifest.recordings.front().columns;
+  EXPECT_EQ(columns.angle->name, "b");
+  EXPECT_EQ(columns.angle->unit, "deg");
+  EXPECT_EQ(columns.effort->name, "c");
+  EXPECT_EQ(columns.time->unit, "ms") << "by the magnitude of its steps";
+  options.columns.names = {{"angle", "nope"}};
+  EXPECT_THROW((void)propose(scratch, log, options), InputError);
+  // Of several angles the stated one is meant, with the effort that is stated beside it.
+  const std::string two = scratch.write("two.csv", sweep("time_ms,q1_deg,q2_deg"));
+  options.columns.names = {{"angle", "q1_deg"}, {"effort", "q2_deg"}};
+  const inspect::survey::ManifestProposal proposal = propose(scratch, two, options);
+  EXPECT_EQ(proposal.joint, "1");
+  EXPECT_TRUE(proposal.moves_too.empty());
+}
+
+TEST(ManifestProposal, StatedColumnsAreParsed) {
+  EXPECT_EQ(inspect::survey::parse_stated_column("angle=q=1"),
+            (std::pair<std::string, std::string>("angle", "q=1")));
+  for (const char* text : {"angle", "angle=", "foo=q", "=q", ""}) {
+    EXPECT_THROW((void)inspect::survey::parse_stated_column(text), UsageError) << text;
+  }
+}
+
+// Rows of numbers, without names and without a clock: a torque that rises is none.
+TEST(ManifestProposal, ALogWithoutAClockIsReadByItsRate) {
+  const test::ScratchDirectory scratch;
+  std::string rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    const double q = t < 20 ? -0.9 + 0.09 * t : 0.9 - 0.09 * (t - 20);
+    rows += fmt::format("{:.5f} {:.5f} {:.4f}\n", q, 0.001 * i,
+                        3 * std::cos(q) + (t < 20 ? 0.5 : -0.5));
+  }
+  const std::string log = scratch.write("rows.txt", rows);
+  inspect::survey::ProposalOptions options;
+  options.columns.rate_Hz = 100;
+  options.columns.names = {{"angle", "#1"}, {"effort", "#3"}};
+  options.effort_kind = joint::EffortKind::joint_torque;
+  const inspect::survey::ManifestProposal proposal = propose(scratch, log, options);
+  EXPECT_NE(proposal.text.find("time = { rate_Hz = 100 }"), std::string::npos) << proposal.text;
+  const joint::Dataset dataset =
+      ingest::dataset::read_dataset(scratch.write("dataset.toml", proposal.text));
+  ASSERT_EQ(dataset.recordings.size(), 1U);
+  const joint::Recording& r = dataset.recordings[0];
+  EXPECT_EQ(r.role, joint::Role::rough_sweep);
+  ASSERT_EQ(r.size(), 4000U);
+  EXPECT_NEAR(r.t_s[1] - r.t_s[0], 0.01, 1e-12);
+  EXPECT_NEAR(r.t_s.back(), 39.99, 1e-9);
+  EXPECT_NEAR(r.q_rad[0], -0.9, 1e-9);
+}
+
+// Which units they are in, the angle's slope says.
+TEST(ManifestProposal, UnitsOfAngleAndSpeedAreThoseThatFitEachOther) {
+  const auto log = [](double angle_per_rad, double speed_per_rad) {
+    std::string csv = "time_s,pos,vel,tau_Nm\n";
+    for (int i = 0; i < 4000; ++i) {
+      const double t = 0.01 * i;
+      csv +=
+          fmt::format("{:.2f},{:.6f},{:.6f},{:.4f}\n", t, angle_per_rad * 0.1 * std::sin(0.5 * t),
+                      speed_per_rad * 0.05 * std::cos(0.5 * t), 3.0);
+    }
+    return csv;
+  };
+  constexpr double deg = 57.29577951;
+  struct Case {
+    double angle;
+    double speed;
+    const char* angle_unit;
+    const char* speed_unit;
+  };
+  for (const Case& one :
+       {Case{deg, 1, "deg", "rad/s"}, Case{1, deg, "rad", "deg/s"}, Case{1, 1, "rad", "rad/s"}}) {
+    const test::ScratchDirectory scratch;
+    const std::string path = scratch.write("log.csv", log(one.angle, one.speed));
+    const inspect::survey::LogSurvey survey = inspect::survey::survey_log(path);
+    const inspect::survey::TableSurvey& table = survey.tables.at(0);
+    EXPECT_EQ(table.columns[1].meaning->unit, one.angle_unit);
+    EXPECT_EQ(table.columns[2].meaning->unit, one.speed_unit);
+  }
 }
 
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {

@@ -57,13 +57,13 @@ TEST(EffortProvenance, OfAConfirmedMeasurementPasses) {
             method::checks::CheckState::not_applicable);
 }
 
-TEST(EffortProvenance, OfAProposalWarnsAndOfATargetFails) {
+TEST(EffortProvenance, OfAProposalAndOfATargetFails) {
   joint::Dataset d =
       swept(joint::Drive(100, joint::EffortKind::motor_torque, joint::Side::motor), 0.1);
   d.manifest.effort_is_confirmed = false;
   const method::checks::DataCheck proposed =
       method::checks::check_effort_provenance(method::checks::look_at(d));
-  EXPECT_EQ(proposed.state, method::checks::CheckState::warns);
+  EXPECT_EQ(proposed.state, method::checks::CheckState::fails);
   EXPECT_NE(wording::words(proposed.found)
                 .find("motor_torque on the motor side is proposed, not confirmed"),
             std::string::npos);

@@ -34,7 +34,8 @@ std::vector<std::string> comment_lines(const ArchivedJoint& joint) {
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.6g} {}", *value, unit) : "";
   };
-  lines.push_back("Identified by tribolog " + one_line(f.tool_version) + ", from its archive.");
+  lines.push_back("Identified by tribolog " + one_line(f.tool_version) +
+                  (joint.is_archived ? ", from its archive." : "."));
   add("Robot", f.of.robot);
   add("Serial", f.of.serial);
   add("Joint", f.of.joint);
@@ -47,7 +48,7 @@ std::vector<std::string> comment_lines(const ArchivedJoint& joint) {
   add("Verdict", calibration::to_string(f.verdict) + ": " + f.sentence);
   lines.push_back(fmt::format("Gear ratio n = motor angle / joint angle = {:.10g}", f.gear_ratio));
   lines.push_back(
-      "Archived are SI units (rad, N·m, kg, s) on the motor's side of the gear. At the joint: "
+      "Kept are SI units (rad, N·m, kg, s) on the motor's side of the gear. At the joint: "
       "torque × n; speed and angle / n; stiffness, damping, viscous coefficient and inertia × n². "
       "The angle of the centre of gravity and the surrogate mass are of the joint.");
   return lines;

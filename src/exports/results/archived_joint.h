@@ -13,6 +13,7 @@ namespace tribolog::exports::results {
 
 struct ArchivedJoint {
   calibration::Entry entry;
+  bool is_archived{true};                         ///< Else its file alone is there.
   std::vector<calibration::Quantity> quantities;  ///< SI, motor side.
   std::string calibration;  ///< The file of `tribolog identify`; empty: not archived.
 

@@ -34,6 +34,15 @@ std::string latex_table(const ArchivedJoint& joint);
 /// @throw UsageError: one of the two is missing, or not usable.
 std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
 
+/// The same as SDF, Gazebo's format: a model of two links with the joint between them.
+/// @throw as urdf_joint().
+std::string sdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// The usable numbers at the joint as a YAML file of ROS 2 parameters, under `joint_friction`; each
+/// with its interval behind it, and what is left out with the reason.
+/// @throw UsageError: none is usable.
+std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& options);
+
 // The joint's friction as MJCF, MuJoCo's format.
 
 /// A model of one body on one hinge, which MuJoCo loads; its `<joint>` is to be copied. Joint side:

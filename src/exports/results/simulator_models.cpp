@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -122,19 +124,54 @@ std::string shortest(double number) {
 
 }  // namespace
 
-std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
-  const calibration::Facts& f = joint.entry.facts;
+namespace {
+
+/// What a format has no place for, as comments: break-away torque, and the speeds of the curve.
+void add_what_has_no_place(const ArchivedJoint& joint, std::vector<std::string>& lines) {
+  const double n = joint.entry.facts.gear_ratio;
+  if (const auto* torque = joint.found(joint::Quantity::break_away_torque)) {
+    lines.push_back("beside it: " + estimate_line(*torque, n, joint::Side::joint));
+  }
+  const FrictionTable table = friction_table(joint);
+  if (table.rows.size() < 2) return;
+  const FrictionTable joints = at_joint(table, n);
+  lines.push_back(fmt::format("measured at the joint from {:.4g} to {:.4g} rad/s",
+                              joints.rows[1].speed_rad_s, joints.rows.back().speed_rad_s));
+}
+
+/// What the formats have in common, joint side.
+struct JointDynamics {
+  std::string damping;   ///< Viscous coefficient [N·m·s/rad].
+  std::string friction;  ///< Coulomb torque [N·m].
+  std::vector<std::string> comments;
+};
+
+/// @param friction as the format calls it.
+/// @throw UsageError as needed().
+JointDynamics dynamics_of(const ArchivedJoint& joint, const SimulatorOptions& options,
+                          const char* friction) {
+  const double n = joint.entry.facts.gear_ratio;
   const calibration::Quantity& viscous =
       needed(joint, joint::Quantity::viscous_coefficient, options.doubtful_too);
   const calibration::Quantity& coulomb =
       needed(joint, joint::Quantity::coulomb_torque, options.doubtful_too);
+  JointDynamics out{shortest(calibration::at_joint(viscous, n).value),
+                    shortest(calibration::at_joint(coulomb, n).value),
+                    {"damping: " + estimate_line(viscous, n, joint::Side::joint),
+                     friction + (": " + estimate_line(coulomb, n, joint::Side::joint))}};
+  add_what_has_no_place(joint, out.comments);
+  return out;
+}
+
+}  // namespace
+
+std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const JointDynamics dynamics = dynamics_of(joint, options, "friction");
   std::vector<std::string> lines = comment_lines(joint);
   lines.emplace_back(
       "Copy <dynamics> into your joint. The links and the type of the joint are there to make "
       "this file complete; they were not identified.");
-  const std::vector<std::string> numbers{
-      "damping: " + estimate_line(viscous, f.gear_ratio, joint::Side::joint),
-      "friction: " + estimate_line(coulomb, f.gear_ratio, joint::Side::joint)};
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
          "<robot name=\"" + xml_attribute(f.of.robot, "robot") +
          "\">\n"
@@ -145,12 +182,102 @@ std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
          "\" type=\"continuous\">\n"
          "    <parent link=\"before_the_joint\"/>\n"
          "    <child link=\"behind_the_joint\"/>\n" +
-         xml_comment(numbers, "    ") + "    <dynamics damping=\"" +
-         shortest(calibration::at_joint(viscous, f.gear_ratio).value) + "\" friction=\"" +
-         shortest(calibration::at_joint(coulomb, f.gear_ratio).value) +
+         xml_comment(dynamics.comments, "    ") + "    <dynamics damping=\"" + dynamics.damping +
+         "\" friction=\"" + dynamics.friction +
          "\"/>\n"
          "  </joint>\n"
          "</robot>\n";
+}
+
+std::string sdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const JointDynamics dynamics = dynamics_of(joint, options, "friction");
+  std::vector<std::string> lines = comment_lines(joint);
+  lines.emplace_back(
+      "Copy <dynamics> into the <axis> of your joint. The links and the axis are there to make "
+      "this "
+      "file complete; they were not identified.");
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
+         "<sdf version=\"1.7\">\n  <model name=\"" + xml_attribute(f.of.robot, "robot") +
+         "\">\n"
+         "    <link name=\"before_the_joint\"/>\n"
+         "    <link name=\"behind_the_joint\"/>\n"
+         "    <joint name=\"" +
+         xml_attribute(f.of.joint, "joint") +
+         "\" type=\"revolute\">\n"
+         "      <parent>before_the_joint</parent>\n"
+         "      <child>behind_the_joint</child>\n"
+         "      <axis>\n"
+         "        <xyz>0 0 1</xyz>\n" +
+         xml_comment(dynamics.comments, "        ") +
+         "        <dynamics>\n"
+         "          <damping>" +
+         dynamics.damping +
+         "</damping>\n"
+         "          <friction>" +
+         dynamics.friction +
+         "</friction>\n"
+         "        </dynamics>\n"
+         "      </axis>\n"
+         "    </joint>\n"
+         "  </model>\n"
+         "</sdf>\n";
+}
+
+namespace {
+
+/// ROS takes a number without a point for an integer.
+std::string with_point(double number) {
+  const std::string text = shortest(number);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// A text as YAML takes it in double quotes.
+std::string yaml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : one_line(text)) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  std::string text;
+  for (const std::string& line : comment_lines(joint)) text += "# " + one_line(line) + "\n";
+  text += "/**:\n  ros__parameters:\n    joint_friction:\n      joint: " + yaml_text(f.of.joint) +
+          "\n      gear_ratio: " + with_point(f.gear_ratio) + "\n";
+  struct Parameter {
+    const char* key;
+    joint::Quantity quantity;
+  };
+  constexpr std::array parameters{
+      Parameter{"coulomb_torque_Nm", joint::Quantity::coulomb_torque},
+      Parameter{"viscous_coefficient_Nms_rad", joint::Quantity::viscous_coefficient},
+      Parameter{"break_away_torque_Nm", joint::Quantity::break_away_torque},
+      Parameter{"stribeck_speed_rad_s", joint::Quantity::stribeck_speed},
+      Parameter{"bristle_stiffness_Nm_rad", joint::Quantity::bristle_stiffness},
+      Parameter{"inertia_kgm2", joint::Quantity::inertia},
+      Parameter{"gravity_torque_Nm", joint::Quantity::gravity_torque}};
+  std::size_t count = 0;
+  for (const Parameter& one : parameters) {
+    std::string why_not;
+    const calibration::Quantity* found =
+        if_usable(joint, one.quantity, options.doubtful_too, why_not);
+    if (found == nullptr) {
+      text += fmt::format("      # {}: left out: {}\n", one.key, one_line(why_not));
+      continue;
+    }
+    ++count;
+    const std::string value = with_point(calibration::at_joint(*found, f.gear_ratio).value);
+    text += fmt::format("      {}: {}  # {}\n", one.key, value,
+                        one_line(estimate_line(*found, f.gear_ratio, joint::Side::joint)));
+  }
+  if (count == 0) throw UsageError(shown_id(joint) + ": not exported: no number is usable");
+  return text;
 }
 
 namespace {
@@ -192,18 +319,13 @@ Armature armature_of(const ArchivedJoint& joint, const SimulatorOptions& options
 
 std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
   const calibration::Facts& f = joint.entry.facts;
-  const calibration::Quantity& viscous =
-      needed(joint, joint::Quantity::viscous_coefficient, options.doubtful_too);
-  const calibration::Quantity& coulomb =
-      needed(joint, joint::Quantity::coulomb_torque, options.doubtful_too);
+  JointDynamics dynamics = dynamics_of(joint, options, "frictionloss");
   const Armature armature = armature_of(joint, options);
   std::vector<std::string> lines = comment_lines(joint);
   lines.emplace_back(
       "Copy the attributes of <joint> into your joint. The body is there to make this file "
       "complete; its mass and inertia were not identified.");
-  const std::vector<std::string> numbers{
-      "damping: " + estimate_line(viscous, f.gear_ratio, joint::Side::joint),
-      "frictionloss: " + estimate_line(coulomb, f.gear_ratio, joint::Side::joint), armature.words};
+  dynamics.comments.push_back(armature.words);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
          "<mujoco model=\"" + xml_attribute(f.of.robot, "robot") +
          "\">\n"
@@ -211,10 +333,9 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
          "  <worldbody>\n"
          "    <body>\n"
          "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n" +
-         xml_comment(numbers, "      ") + "      <joint name=\"" +
-         xml_attribute(f.of.joint, "joint") + "\" type=\"hinge\" damping=\"" +
-         shortest(calibration::at_joint(viscous, f.gear_ratio).value) + "\" frictionloss=\"" +
-         shortest(calibration::at_joint(coulomb, f.gear_ratio).value) + "\"" +
+         xml_comment(dynamics.comments, "      ") + "      <joint name=\"" +
+         xml_attribute(f.of.joint, "joint") + "\" type=\"hinge\" damping=\"" + dynamics.damping +
+         "\" frictionloss=\"" + dynamics.friction + "\"" +
          (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
          "/>\n"
          "    </body>\n"

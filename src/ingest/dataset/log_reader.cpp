@@ -5,9 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
+#include "base/requirements.h"
 #include "ingest/arrays/array_readers.h"
 #include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
@@ -178,6 +181,28 @@ KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path
   }
 }
 
+namespace {
+
+/// Puts the clock of a log that has none in front of its columns.
+/// @throw InputError where rows were left out: when the others were written is not known then.
+void make_clock(const manifest::ColumnEntry& time, const std::string& path, log::LogTable& table) {
+  if (table.bad_rows > 0) {
+    throw InputError(
+        {path, 0, 0},
+        {fmt::format("{} rows cannot be used, in a log without a clock", table.bad_rows), "",
+         "rows without a gap, of which each is one step of the rate", ""});
+  }
+  log::LogColumn clock;
+  clock.header = {time.name, time.name, ""};
+  clock.values.resize(table.rows);
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    clock.values[i] = static_cast<double>(i) / present(time.rate_Hz);
+  }
+  table.columns.insert(table.columns.begin(), std::move(clock));
+}
+
+}  // namespace
+
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
                                               std::vector<Statement>& notes) {
@@ -188,10 +213,15 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   const std::string path = (directory_ / entry.file).string();
   std::vector<log::WantedColumn> columns = columns_wanted(entry, loads);
   Kept& kept = kept_[entry.file];
-  if (!kept.log || kept.columns != columns) {
+  const std::optional<double> rate_Hz =
+      entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
+  if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz) {
     kept.log.reset();
-    kept.log = std::make_shared<const ReadLog>(read_log(entry, path, columns, rules_, notes));
+    ReadLog log = read_log(entry, path, columns, rules_, notes);
+    if (rate_Hz) make_clock(*entry.columns.time, path, log.table);
+    kept.log = std::make_shared<const ReadLog>(std::move(log));
     kept.columns = std::move(columns);
+    kept.rate_Hz = rate_Hz;
   }
   const std::shared_ptr<const ReadLog> log = kept.log;
   if (--still_named_.at(entry.file) == 0) kept_.erase(entry.file);

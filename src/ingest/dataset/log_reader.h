@@ -62,6 +62,7 @@ class KeptLogs {
  private:
   struct Kept {
     std::vector<log::WantedColumn> columns;
+    std::optional<double> rate_Hz;  ///< Of its clock, where the log has none of its own.
     std::shared_ptr<const ReadLog> log;
   };
   std::filesystem::path directory_;

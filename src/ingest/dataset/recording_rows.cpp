@@ -126,6 +126,7 @@ std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& en
   std::vector<log::WantedColumn> wanted;
   for (const LoggedColumn& column : logged_columns(entry.columns)) {
     const bool is_effort = column.signal == joint::LoggedSignal::effort;
+    if (column.entry->rate_Hz) continue;  // the clock is made (log_reader.h)
     wanted.push_back({column.entry->name, is_effort ? without_effort : "", column.entry->reading});
   }
   if (entry.time_to_compare) wanted.push_back(*entry.time_to_compare);

@@ -74,6 +74,14 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   if (!table) return otherwise;
   ColumnEntry entry;
   entry.quantity = quantity;
+  if (quantity == log::Quantity::time && table->has("rate_Hz")) {
+    entry.rate_Hz = table->number("rate_Hz", Sign::positive);
+    entry.name = fmt::format("row / {} Hz", *entry.rate_Hz);
+    entry.unit = "s";
+    entry.where = table->where("rate_Hz");
+    table->refuse_unknown_keys();
+    return entry;
+  }
   entry.name = table->text("name", "the column's name in the file");
   if (entry.name.empty()) table->refuse("name", {"is empty", "", "the column's name", ""});
   entry.unit = table->text("unit", "one of " + log::known_units(quantity));

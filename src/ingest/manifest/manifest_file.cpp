@@ -32,17 +32,6 @@ std::string required_name(const TomlTable& table, const std::string& hint) {
   return name;
 }
 
-/// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
-bool is_impossible_time(const std::string& text) {
-  const bool is_like_a_time = text.size() >= std::string_view("2026-01-31").size() &&
-                              text.find_first_not_of("0123456789-+:.,TtZz ") == std::string::npos;
-  if (!is_like_a_time) return false;
-  for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
-    if (text::read_iso_time(text + rest)) return false;
-  }
-  return true;
-}
-
 void read_identity(const TomlTable& top, joint::Manifest& manifest) {
   const TomlTable robot = top.table("robot", "[robot] with the robot's name");
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
@@ -307,6 +296,16 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
 
 ManifestFile read_manifest(const std::string& path) {
   return parse_manifest(read_file(path, largest_manifest_bytes), path);
+}
+
+bool is_impossible_time(const std::string& text) {
+  const bool is_like_a_time = text.size() >= std::string_view("2026-01-31").size() &&
+                              text.find_first_not_of("0123456789-+:.,TtZz ") == std::string::npos;
+  if (!is_like_a_time) return false;
+  for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
+    if (text::read_iso_time(text + rest)) return false;
+  }
+  return true;
 }
 
 }  // namespace tribolog::ingest::manifest

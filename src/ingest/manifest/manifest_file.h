@@ -23,7 +23,8 @@
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
 //                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
 //                 angle and speed: side = "joint" (default) | "motor"
-//                 time: any_rate = true where under 5 or over 100000 samples a second are right
+//                 time: any_rate = true where under 5 or over 100000 samples a second are right;
+//                 time = {rate_Hz}: the log has no clock, its rows come at this rate
 //                 the others: file (relative to the manifest) where the column stands in another
 //                 file than the recording's, row by row; time = name of the time in that file
 //                 (optional; compared, as is a time of the same name)
@@ -76,6 +77,9 @@ struct ManifestFile {
 };
 
 inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
+
+/// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
+bool is_impossible_time(const std::string& text);
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
 ManifestFile read_manifest(const std::string& path);

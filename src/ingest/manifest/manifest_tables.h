@@ -38,6 +38,8 @@ struct ColumnEntry {
   std::string file{};
   std::string time_in_file{};  ///< Name of the time there; empty: the recording's, if it is there.
   bool any_rate{};             ///< Of the time: so stated, however many samples a second it makes.
+  /// Of the time: the log has no clock, its rows come at this rate.
+  std::optional<double> rate_Hz{};
 };
 
 struct ColumnEntries {

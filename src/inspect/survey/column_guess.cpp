@@ -26,9 +26,14 @@ bool looks_like_clock(const std::vector<double>& values) {
   return static_cast<double>(rising) >= rising_share * static_cast<double>(values.size() - 1);
 }
 
-/// Correlation of one column with the slope of another; NaN where either stands still.
-double slope_correlation(const std::vector<double>& t, const std::vector<double>& y,
-                         const std::vector<double>& v) {
+/// How a column goes with the slope of another.
+struct SlopeFit {
+  double correlation{std::numeric_limits<double>::quiet_NaN()};  ///< NaN where either stands still.
+  double ratio{};  ///< The column over the slope, by least squares.
+};
+
+SlopeFit fit_slope(const std::vector<double>& t, const std::vector<double>& y,
+                   const std::vector<double>& v) {
   // Over several samples, or steps of the encoder drown the slope.
   constexpr std::size_t half = 5;
   constexpr std::size_t most_samples = 20000;  // of a long log, spread over it
@@ -42,7 +47,7 @@ double slope_correlation(const std::vector<double>& t, const std::vector<double>
     slopes.push_back(slope - (slopes.empty() ? 0 : slopes.front()));
     speeds.push_back(v[i] - (speeds.empty() ? 0 : speeds.front()));
   }
-  if (slopes.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (slopes.empty()) return {};
   slopes.front() = 0;
   speeds.front() = 0;
   const auto n = static_cast<double>(slopes.size());
@@ -56,7 +61,7 @@ double slope_correlation(const std::vector<double>& t, const std::vector<double>
     yy += (speeds[i] - y_mean) * (speeds[i] - y_mean);
     xy += (slopes[i] - x_mean) * (speeds[i] - y_mean);
   }
-  return xy / std::sqrt(xx * yy);
+  return {xy / std::sqrt(xx * yy), xy / xx};
 }
 
 bool has(const ingest::layout::LogLayout& layout, ingest::log::Quantity quantity) {
@@ -84,6 +89,13 @@ GuessedMeaning meaning_of(std::size_t column, ingest::log::Quantity quantity, st
 }
 
 }  // namespace
+
+std::optional<double> speed_by_slope(const std::vector<double>& t_s,
+                                     const std::vector<double>& angle,
+                                     const std::vector<double>& speed) {
+  const SlopeFit fit = fit_slope(t_s, angle, speed);
+  return fit.correlation > least_correlation ? std::optional(fit.ratio) : std::nullopt;
+}
 
 bool looks_like_degrees(const std::vector<double>& angles) {
   double low = INFINITY;
@@ -113,8 +125,9 @@ std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
   if (!clock || has(layout, ingest::log::Quantity::angle)) return guesses;
   const auto correlation = [&](std::size_t a, std::size_t v) {
     const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
-    return may_be ? slope_correlation(columns[*clock].values, columns[a].values, columns[v].values)
-                  : std::numeric_limits<double>::quiet_NaN();
+    return may_be
+               ? fit_slope(columns[*clock].values, columns[a].values, columns[v].values).correlation
+               : std::numeric_limits<double>::quiet_NaN();
   };
   double best = least_correlation;
   std::size_t angle = 0;

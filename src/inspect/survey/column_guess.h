@@ -1,6 +1,7 @@
 #pragma once
 // Meanings of columns that their names do not tell, by their numbers.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct GuessedMeaning {
 /// what is left nothing tells which one is an effort.
 std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
                                              const ingest::layout::LogLayout& layout);
+
+/// Speed over the slope of an angle, where they go together: 1 in the same units, pi/180 for a
+/// speed in rad/s of an angle in degrees. Nothing where they do not, or either stands still.
+/// @param t_s the clock, of the length of `angle` and `speed`.
+std::optional<double> speed_by_slope(const std::vector<double>& t_s,
+                                     const std::vector<double>& angle,
+                                     const std::vector<double>& speed);
 
 /// Whether angles without a stated unit are degrees: no joint turns by thirty radians.
 bool looks_like_degrees(const std::vector<double>& angles);

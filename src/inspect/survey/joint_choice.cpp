@@ -115,6 +115,31 @@ bool says_motor(const std::string& name) {
          std::find(words.begin(), words.end(), "drive") != words.end();
 }
 
+/// What the effort is: as the user states, else as a known logger writes it, else by its name; an
+/// effort of unknown kind with a torque constant is a current.
+/// @throw UsageError where what is stated contradicts the log.
+joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
+                          const ProposalOptions& options) {
+  const ingest::layout::ColumnMeaning& meaning = present(column.meaning);
+  const bool is_current = meaning.quantity == ingest::log::Quantity::current;
+  const bool says_torque = !is_current && meaning.unit_is_stated;
+  if (options.effort_kind) {
+    const bool as_current = *options.effort_kind == joint::EffortKind::motor_current;
+    if (as_current ? says_torque : is_current) {
+      throw UsageError(fmt::format("--effort-kind {}: the log's column {} is in {}",
+                                   joint::to_string(*options.effort_kind), in_quotes(column.name),
+                                   printable(meaning.unit)));
+    }
+    return *options.effort_kind;
+  }
+  if (is_target) return joint::EffortKind::target_torque;
+  if (is_current) return joint::EffortKind::motor_current;
+  if (meaning.effort.kind) return *meaning.effort.kind;
+  if (options.torque_constant_Nm_A && !says_torque) return joint::EffortKind::motor_current;
+  return says_motor(column.name) ? joint::EffortKind::motor_torque
+                                 : joint::EffortKind::joint_torque;
+}
+
 void propose_none(const TableSurvey& table, EffortProposal& proposal) {
   const std::vector<std::string> voltages = voltages_of(table);
   proposal.remarks.push_back(
@@ -174,12 +199,10 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     return proposal;
   }
   const ingest::layout::ColumnMeaning& meaning = present(column->meaning);
-  const bool is_current = meaning.quantity == ingest::log::Quantity::current;
-  joint::EffortKind guess =
-      says_motor(column->name) ? joint::EffortKind::motor_torque : joint::EffortKind::joint_torque;
-  if (is_current) guess = joint::EffortKind::motor_current;
-  if (proposal.is_target) guess = joint::EffortKind::target_torque;
-  proposal.kind = proposal.is_target ? guess : meaning.effort.kind.value_or(guess);
+  proposal.kind = kind_of(*column, proposal.is_target, options);
+  const bool is_current = proposal.kind == joint::EffortKind::motor_current;
+  const bool is_taken_as_current = is_current && meaning.quantity != ingest::log::Quantity::current;
+  if (is_taken_as_current) proposal.unit = "A";
   const joint::Side likely = proposal.kind == joint::EffortKind::motor_torque ||
                                      (is_current && options.gear_ratio.has_value())
                                  ? joint::Side::motor
@@ -187,15 +210,29 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const joint::Side side =
       options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
 
-  proposal.remarks.push_back(fmt::format(
-      "{} in {}{}", in_quotes(column->name), printable(meaning.unit),
-      table->logger.empty() ? ": taken by its name" : ": as " + table->logger + " writes it"));
+  const bool is_stated_column =
+      std::any_of(options.columns.names.begin(), options.columns.names.end(),
+                  [](const auto& one) { return one.first == "effort"; });
+  proposal.remarks.push_back(
+      fmt::format("{} in {}{}", in_quotes(column->name),
+                  is_taken_as_current ? proposal.unit : printable(meaning.unit),
+                  is_stated_column        ? ": the column that was stated"
+                  : table->logger.empty() ? ": taken by its name"
+                                          : ": as " + table->logger + " writes it"));
   if (!meaning.effort.remark.empty()) proposal.remarks.push_back(meaning.effort.remark);
   if (proposal.is_target) {
     proposal.remarks.emplace_back(
         "There is no measured effort: friction found in a set point is the controller's own.");
   }
-  if (!is_current && !proposal.is_target && !meaning.effort.kind) {
+  if (options.torque_constant_Nm_A && !is_current) {
+    proposal.remarks.push_back(fmt::format("The torque constant of {} N·m/A is not needed for it.",
+                                           *options.torque_constant_Nm_A));
+  }
+  if (is_taken_as_current && !options.effort_kind) {
+    proposal.remarks.emplace_back(
+        "The log does not say what it is: with a torque constant it is the motor's current.");
+  }
+  if (!is_current && !proposal.is_target && !meaning.effort.kind && !options.effort_kind) {
     proposal.remarks.emplace_back(
         "Is it measured? Before the gear (motor_torque, side motor) or behind it (joint_torque, "
         "side joint)?");
@@ -212,7 +249,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
               "refused");
   }
   const bool is_stated =
-      proposal.kind == joint::EffortKind::motor_current && meaning.unit_is_stated;
+      options.effort_kind || is_taken_as_current || (is_current && meaning.unit_is_stated);
   if (!is_stated) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "

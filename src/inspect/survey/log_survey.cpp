@@ -6,6 +6,10 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
@@ -171,29 +175,88 @@ bool wraps_in_radians(const ingest::log::LogTable& data, const TableSurvey& tabl
   return wraps && (wraps->period == turn || wraps->period == field);
 }
 
-/// Angles and speeds without a stated unit are degrees where radians make no sense.
+/// Which units make speeds of the angle's slopes.
+struct UnitsBySlope {
+  const char* angle;
+  const char* speed;
+  const char* reason;  ///< Of both.
+};
+
+/// By how many times the speed is the slope of the angle.
+std::optional<UnitsBySlope> units_by_slope(double ratio) {
+  constexpr double tolerance = 0.05;
+  const auto is = [&](double expected) { return std::abs(ratio / expected - 1) < tolerance; };
+  if (is(1 / joint::degrees_per_rad)) {
+    return UnitsBySlope{"deg", "rad/s", "the speed is the angle's slope over 57.3"};
+  }
+  if (is(joint::degrees_per_rad)) {
+    return UnitsBySlope{"rad", "deg/s", "the speed is 57.3 times the angle's slope"};
+  }
+  return std::nullopt;
+}
+
+/// Angles and speeds without a stated unit: by what makes a speed of the angle's slope, else as
+/// degrees where radians make no sense.
 void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     auto& meaning = table.columns[k].meaning;
-    if (!meaning || meaning->unit_is_stated || meaning->quantity != ingest::log::Quantity::angle)
+    if (!meaning || meaning->quantity != ingest::log::Quantity::angle || meaning->is_target) {
       continue;
+    }
+    const auto speed = first_of(table, ingest::log::Quantity::angular_speed, meaning->joint, false);
+    ingest::layout::ColumnMeaning* of_speed =
+        speed ? &present(table.columns[*speed].meaning) : nullptr;
+    const bool speed_is_open = of_speed != nullptr && !of_speed->unit_is_stated;
+    if (of_speed != nullptr && table.clock) {
+      std::vector<double> t_s = data.columns[*table.time].values;
+      for (double& t : t_s) t *= table.clock->seconds_per_unit;
+      const auto ratio = speed_by_slope(t_s, data.columns[k].values, data.columns[*speed].values);
+      const auto units = ratio ? units_by_slope(*ratio) : std::nullopt;
+      const bool fits = units && (!meaning->unit_is_stated || meaning->unit == units->angle) &&
+                        (speed_is_open || of_speed->unit == units->speed);
+      if (fits) {
+        for (const auto& [column, unit] :
+             {std::pair{k, units->angle}, std::pair{*speed, units->speed}}) {
+          ingest::layout::ColumnMeaning& of = present(table.columns[column].meaning);
+          if (of.unit_is_stated) continue;
+          of.unit = unit;
+          table.columns[column].unit_by = units->reason;
+        }
+        continue;
+      }
+    }
+    if (meaning->unit_is_stated) {
+      if (speed_is_open) of_speed->unit = meaning->unit + "/s";
+      continue;
+    }
     if (!looks_like_degrees(data.columns[k].values) || wraps_in_radians(data, table, k)) continue;
     meaning->unit = "deg";
-    const auto speed = first_of(table, ingest::log::Quantity::angular_speed, meaning->joint, false);
-    if (!speed) continue;
-    ingest::layout::ColumnMeaning& of_speed = present(table.columns[*speed].meaning);
-    if (!of_speed.unit_is_stated) of_speed.unit = "deg/s";
+    table.columns[k].unit_by = "no joint turns by so many radians";
+    if (speed_is_open) of_speed->unit = "deg/s";
   }
 }
 
+/// The clock of a log that has none.
+ingest::log::LogColumn made_clock(double rate_Hz, std::size_t rows) {
+  ingest::log::LogColumn clock;
+  clock.header.full = clock.header.name = fmt::format("row / {} Hz", rate_Hz);
+  clock.values.resize(rows);
+  for (std::size_t i = 0; i < rows; ++i) clock.values[i] = static_cast<double>(i) / rate_Hz;
+  return clock;
+}
+
+/// @param missing receives the stated columns that the table has not.
 TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
-                         const ingest::text::TextLogRules& rules, ingest::log::LogTable& data) {
+                         const ingest::text::TextLogRules& rules, const StatedColumns& stated,
+                         ingest::log::LogTable& data, std::vector<std::string>& missing) {
   TableSurvey table;
   table.group = data.group;
   table.rows = data.rows;
+  if (stated.rate_Hz) data.columns.push_back(made_clock(*stated.rate_Hz, data.rows));
   std::vector<ingest::log::ColumnHeader> header;
   for (const ingest::log::LogColumn& column : data.columns) header.push_back(column.header);
-  const ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
+  ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
+  missing = put_stated(stated, header, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
   for (const ingest::log::LogColumn& column : data.columns)
@@ -212,34 +275,47 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     if (meaning && meaning->quantity == ingest::log::Quantity::time && !meaning->is_target)
       table.time = k;
   }
-  look_at_angle_units(data, table);
   if (table.time) {
     ingest::log::LogColumn& column = data.columns[*table.time];
     const bool is_iso = format == ingest::log::LogFormat::text && column.origin != 0;
     if (format != ingest::log::LogFormat::text) {
       ingest::dataset::count_from_first(column);
-    } else if (!is_iso) {
+    } else if (!is_iso && !stated.rate_Hz) {
       read_clock_again(path, rules, *table.time, data);
     }
     ingest::layout::ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
     table.clock = survey_clock(column, meaning, is_iso);
     meaning.unit = table.clock->unit;
   }
+  look_at_angle_units(data, table);
   add_joints(data, table);
   return table;
 }
 
 }  // namespace
 
-LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules) {
+LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules,
+                     const StatedColumns& stated) {
   LogSurvey survey;
   survey.file = path;
   survey.format = ingest::dataset::format_of_log(path);
   std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
+  std::vector<std::string> missing;  // in every table
+  std::vector<std::string> there;
   for (ingest::log::LogTable& table : tables) {
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
-    survey.tables.push_back(survey_table(path, survey.format, rules, table));
+    std::vector<std::string> missing_here;
+    survey.tables.push_back(survey_table(path, survey.format, rules, stated, table, missing_here));
+    for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
+    if (&table == &tables.front()) missing = missing_here;
+    std::erase_if(missing, [&](const std::string& name) {
+      return std::find(missing_here.begin(), missing_here.end(), name) == missing_here.end();
+    });
     table.columns.clear();
+  }
+  if (!missing.empty()) {
+    throw InputError({path, 0, 0}, {"has no column " + in_quotes(missing.front()),
+                                    list_of_names(there), "the name that --column states", ""});
   }
   return survey;
 }

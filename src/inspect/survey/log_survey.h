@@ -13,6 +13,7 @@
 #include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
 #include "inspect/motion/motion_segments.h"
+#include "inspect/survey/stated_columns.h"
 
 namespace tribolog::inspect::survey {
 
@@ -53,6 +54,7 @@ struct ColumnSurvey {
   std::string unit;  ///< In brackets behind it or below; empty: none.
   std::optional<ingest::layout::ColumnMeaning> meaning;
   std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
+  std::string unit_by;     ///< What an unstated unit was told by; empty: nothing.
   std::size_t gaps{};      ///< Rows without a number.
   double lowest{};         ///< NaN where all rows are gaps.
   double highest{};
@@ -98,8 +100,9 @@ struct LogSurvey {
   std::vector<Statement> notes;
 };
 
-/// @throw InputError for a log that cannot be read.
-LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules = {});
+/// @throw InputError for a log that cannot be read, or has not the columns that are stated.
+LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules = {},
+                     const StatedColumns& stated = {});
 
 // Surveys as a person reads them: what `tribolog inspect` prints.
 

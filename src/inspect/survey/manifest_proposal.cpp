@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/requirements.h"
 #include "base/utf8.h"
+#include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
 
@@ -43,6 +44,7 @@ class ManifestText {
 
   std::string text() {
     add_identity();
+    add_conditions();
     add_effort();
     add_log_rules();
     text_ += "\n[columns]\n";
@@ -92,6 +94,16 @@ class ManifestText {
     text_ += "\n[robot]\n";
     line("name = " + ingest::manifest::toml_text(robot_name()),
          options_.robot ? "" : "the report goes by it");
+    const auto add = [&](const char* key, const std::optional<std::string>& text) {
+      if (text) line(std::string(key) + " = " + ingest::manifest::toml_text(named(*text, key)));
+    };
+    add("serial", options_.serial);
+    add("operator", options_.operator_name);
+    if (options_.measured_on && ingest::manifest::is_impossible_time(*options_.measured_on)) {
+      throw UsageError("--measured-on '" + printable(*options_.measured_on) +
+                       "' is no time that there is");
+    }
+    add("measured_on", options_.measured_on);
     text_ += "\n[joint]\n";
     const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
     line("name = " + (has_name ? quoted(choice_.name, "the joint's name", first_.log)
@@ -108,12 +120,25 @@ class ManifestText {
 
   /// @throw UsageError: a name that no manifest takes.
   [[nodiscard]] std::string robot_name() const {
-    if (!options_.robot) return "unnamed robot";
-    const bool is_blank = options_.robot->find_first_not_of(' ') == std::string::npos;
-    if (is_blank || first_broken_utf8(*options_.robot)) {
-      throw UsageError("--robot '" + printable(*options_.robot) + "' is no name in UTF-8");
+    return options_.robot ? named(*options_.robot, "robot") : "unnamed robot";
+  }
+
+  /// @throw UsageError: a text that no manifest takes.
+  [[nodiscard]] static std::string named(const std::string& text, const std::string& key) {
+    const bool is_blank = text.find_first_not_of(' ') == std::string::npos;
+    if (!is_blank && !first_broken_utf8(text)) return text;
+    const std::string option = key == "measured_on" ? "measured-on" : key;
+    throw UsageError("--" + option + " '" + printable(text) + "' is no name in UTF-8");
+  }
+
+  /// What it carried, and how warm it was.
+  void add_conditions() {
+    if (options_.payload_kg) {
+      text_ += fmt::format("\n[payload]\nmass_kg = {}\n", *options_.payload_kg);
     }
-    return *options_.robot;
+    if (options_.temperature_C) {
+      text_ += fmt::format("\n[temperature]\ndegC = {}\n", *options_.temperature_C);
+    }
   }
 
   [[nodiscard]] std::string moves_too() const {
@@ -149,9 +174,10 @@ class ManifestText {
                                    bool turns, bool with_comments) const {
     const ColumnSurvey& column = table(of).columns[index];
     const ingest::layout::ColumnMeaning& meaning = present(column.meaning);
+    const bool has_other_unit = key == "effort" && !effort_.unit.empty();
     std::string entry =
         fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.name),
-                    ingest::manifest::toml_text(meaning.unit));
+                    ingest::manifest::toml_text(has_other_unit ? effort_.unit : meaning.unit));
     const bool at_motor =
         turns && (has_word(column.name, "motor") || has_word(column.name, "rotor"));
     if (at_motor) entry += ", side = \"motor\"";
@@ -159,13 +185,17 @@ class ManifestText {
     if (!with_comments) return entry;
     std::string note;
     if (!column.guessed_by.empty()) note = "guessed: " + column.guessed_by;
-    if (!meaning.unit_is_stated) {
-      note += std::string(note.empty() ? "" : "; ") + "unit guessed, the log states none";
+    if (!meaning.unit_is_stated && !has_other_unit) {
+      note += std::string(note.empty() ? "" : "; ") + "unit guessed, the log states none" +
+              (column.unit_by.empty() ? "" : ": " + column.unit_by);
     }
     return entry + comment(note);
   }
 
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
+    if (options_.columns.rate_Hz) {
+      return fmt::format("time = {{ rate_Hz = {} }}", *options_.columns.rate_Hz);
+    }
     const ClockSurvey& clock = present(table(of).clock);
     std::string entry =
         fmt::format("time = {{ name = {}, unit = {} }}", name_in_log(of, clock.column),

@@ -58,10 +58,18 @@ std::string describe(const motion::MotionSegment& segment);
 struct ProposalOptions {
   std::optional<std::string> joint;  ///< Absent: the one that moves most.
   std::optional<double> gear_ratio;
+  /// With it an effort of which the log does not say what it is counts as a motor current.
   std::optional<double> torque_constant_Nm_A;
+  std::optional<joint::EffortKind> effort_kind;  ///< What is stated so is confirmed.
   std::optional<joint::Side> effort_side;
   std::optional<std::string> robot;
-  ingest::text::TextLogRules log_rules;  ///< The logs were read with them.
+  std::optional<std::string> serial;
+  std::optional<std::string> operator_name;
+  std::optional<std::string> measured_on;  ///< RFC 3339, a day alone or with a time.
+  std::optional<double> temperature_C;     ///< Of the joint, while it was measured.
+  std::optional<double> payload_kg;
+  ingest::text::TextLogRules log_rules;  ///< The logs were read with them, and with
+  StatedColumns columns;                 ///< these.
   std::string directory;                 ///< Of the manifest: files are named relative to it.
 };
 
@@ -99,6 +107,7 @@ struct EffortProposal {
   joint::EffortKind kind{joint::EffortKind::none};
   std::vector<std::string> remarks;  ///< For comments, one line each.
   std::vector<std::string> lines;    ///< Of [effort], each a key with its value and a comment.
+  std::string unit;                  ///< Of the column, where it is not the survey's; else empty.
   bool is_target{};  ///< No measured effort is there: a controller's value stands in.
 
   /// The column in a joint's own log; nothing where it has none of this kind.

@@ -229,7 +229,7 @@ DataCheck check_effort_provenance(const CheckedDataset& data) {
     check.experiment = {"effort.record_measurement"};
     return check;
   }
-  check.state = is_confirmed ? CheckState::passed : CheckState::warns;
+  check.state = is_confirmed ? CheckState::passed : CheckState::fails;
   check.found = stated_effort(drive, is_confirmed);
   if (is_confirmed) return check;
   check.consequence = {"effort.wrong_by_one_factor"};

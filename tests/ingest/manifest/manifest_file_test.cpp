@@ -235,7 +235,12 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
             "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
   EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
             "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', 'name', "
-            "'unit'");
+            "'rate_Hz', 'unit'");
+  EXPECT_EQ(
+      refusal(with("name = \"t\", unit = \"s\"", "rate_Hz = 1000, unit = \"s\"")).substr(0, 55),
+      "m.toml:11:32: unknown key 'columns.time.unit'; hint: kn");
+  EXPECT_NE(refusal(with("name = \"t\", unit = \"s\"", "rate_Hz = 0")).find("a number > 0"),
+            std::string::npos);
   EXPECT_EQ(refusal(minimal + "form_s = 5\n"),
             "m.toml:17:10: unknown key 'recording.form_s'; hint: did you mean 'from_s'?");
   EXPECT_EQ(refusal(minimal + "[extras]\n").substr(0, 34), "m.toml:17:1: unknown key 'extras';");

@@ -1,0 +1,134 @@
+#include "inspect/survey/stated_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "ingest/log/units.h"
+
+namespace tribolog::inspect::survey {
+
+namespace {
+
+using ingest::layout::ColumnMeaning;
+using ingest::log::Quantity;
+
+struct Key {
+  const char* word;
+  Quantity quantity;
+  const char* unit;  ///< Where the header states none.
+};
+
+constexpr std::array keys{Key{"time", Quantity::time, "s"}, Key{"angle", Quantity::angle, "rad"},
+                          Key{"speed", Quantity::angular_speed, "rad/s"},
+                          Key{"effort", Quantity::torque, "Nm"},
+                          Key{"temperature", Quantity::temperature, "degC"}};
+
+const Key& key_of(const std::string& word) {
+  return *std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.word == word; });
+}
+
+std::optional<std::size_t> column_named(const std::string& name,
+                                        const std::vector<ingest::log::ColumnHeader>& header) {
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    if (header[k].full == name || header[k].name == name) return k;
+  }
+  std::size_t place = 0;
+  if (name.size() < 2 || name.front() != '#') return std::nullopt;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), place);
+  const bool is_place = error == std::errc{} && end == name.data() + name.size();
+  return is_place && place >= 1 && place <= header.size() ? std::optional(place - 1) : std::nullopt;
+}
+
+/// As the log has it; of an effort in ampere, a current.
+ColumnMeaning meaning_of(std::size_t column, const Key& key,
+                         const ingest::log::ColumnHeader& header,
+                         const ingest::layout::LogLayout& layout) {
+  ColumnMeaning meaning;
+  for (const ColumnMeaning& known : layout.columns) {
+    if (known.column == column) meaning.joint = known.joint;
+  }
+  meaning.column = column;
+  meaning.quantity = key.quantity;
+  const bool is_effort = key.quantity == Quantity::torque;
+  if (is_effort && ingest::log::find_si_factor(Quantity::current, header.unit)) {
+    meaning.quantity = Quantity::current;
+  }
+  meaning.unit_is_stated = ingest::log::find_si_factor(meaning.quantity, header.unit).has_value();
+  meaning.unit = meaning.unit_is_stated ? header.unit : key.unit;
+  return meaning;
+}
+
+bool is_effort(Quantity quantity) {
+  return quantity == Quantity::torque || quantity == Quantity::current;
+}
+
+void put(ColumnMeaning meaning, ingest::layout::LogLayout& layout) {
+  std::erase_if(layout.columns, [&](const ColumnMeaning& known) {
+    const bool is_same = known.quantity == meaning.quantity ||
+                         (is_effort(known.quantity) && is_effort(meaning.quantity));
+    const bool is_rival = is_same && !known.is_target &&
+                          (meaning.quantity == Quantity::angle || known.joint == meaning.joint);
+    return known.column == meaning.column || is_rival;
+  });
+  std::erase_if(layout.foreign, [&](const ingest::layout::ForeignUnit& foreign) {
+    return foreign.column == meaning.column;
+  });
+  layout.columns.push_back(std::move(meaning));
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> parse_stated_column(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  const std::string word = text.substr(0, sign);
+  const bool is_known =
+      std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.word == word; });
+  if (sign == std::string::npos || sign + 1 == text.size() || !is_known) {
+    throw UsageError("--column '" + printable(text) +
+                     "': KEY=NAME with KEY one of time, angle, speed, effort, temperature");
+  }
+  return {word, text.substr(sign + 1)};
+}
+
+std::vector<std::string> put_stated(const StatedColumns& stated,
+                                    const std::vector<ingest::log::ColumnHeader>& header,
+                                    ingest::layout::LogLayout& layout) {
+  std::vector<std::string> missing;
+  std::vector<ColumnMeaning> meanings;
+  std::optional<std::string> joint;
+  for (const auto& [word, name] : stated.names) {
+    const auto column = column_named(name, header);
+    if (!column) {
+      missing.push_back(name);
+      continue;
+    }
+    meanings.push_back(meaning_of(*column, key_of(word), header[*column], layout));
+    if (meanings.back().quantity == Quantity::angle) joint = meanings.back().joint;
+  }
+  for (ColumnMeaning& meaning : meanings) {
+    if (joint && meaning.quantity != Quantity::time) meaning.joint = *joint;
+    put(std::move(meaning), layout);
+  }
+  if (stated.rate_Hz) {  // the clock is made, as the last column
+    ColumnMeaning clock;
+    clock.column = header.size() - 1;
+    clock.quantity = Quantity::time;
+    clock.unit = "s";
+    clock.unit_is_stated = true;
+    std::erase_if(layout.columns,
+                  [](const ColumnMeaning& known) { return known.quantity == Quantity::time; });
+    layout.columns.push_back(std::move(clock));
+  }
+  if (!stated.angle_unit) return missing;
+  for (ColumnMeaning& meaning : layout.columns) {
+    if (meaning.quantity != Quantity::angle) continue;
+    meaning.unit = *stated.angle_unit;
+    meaning.unit_is_stated = true;
+  }
+  return missing;
+}
+
+}  // namespace tribolog::inspect::survey
