@@ -17,6 +17,8 @@ struct ExportOptions {
   std::string format;
   std::string output;
   std::string side;
+  bool all{false};  ///< Of the archive, those that the filter leaves.
+  archive::store::Filter filter;
   exports::results::SimulatorOptions simulator;
 };
 
@@ -71,9 +73,31 @@ void add_options(CLI::App& command, ExportOptions& options) {
       "YAML.");
 }
 
-void write(const ExportOptions& options, const exports::results::ArchivedJoint& joint,
-           Console& console) {
-  const std::string text = text_of(options, joint);
+exports::results::ArchivedJoint archived(archive::store::CalibrationArchive& kept,
+                                         const calibration::Entry& entry) {
+  exports::results::ArchivedJoint joint;
+  joint.entry = entry;
+  joint.quantities = kept.quantities(entry);
+  joint.calibration = kept.document(entry, calibration::DocumentKind::calibration).value_or("");
+  return joint;
+}
+
+/// @throw UsageError for a format that holds one joint.
+std::string text_of_all(const ExportOptions& options, archive::store::CalibrationArchive& kept) {
+  const bool is_csv = options.format == "csv";
+  if (!is_csv && options.format != "json") {
+    throw UsageError("archive export: --all is for csv and json");
+  }
+  std::string text = is_csv ? exports::results::archive_csv_header() : "";
+  for (const calibration::Entry& entry : kept.list(options.filter)) {
+    const exports::results::ArchivedJoint joint = archived(kept, entry);
+    text += is_csv ? exports::results::archive_csv_rows(joint)
+                   : exports::results::json_document(joint, true);
+  }
+  return text;
+}
+
+void write(const ExportOptions& options, const std::string& text, Console& console) {
   if (options.output.empty()) {
     print(text);
   } else {
@@ -88,20 +112,26 @@ Run add_export(CLI::App& archive) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& command =
       *archive.add_subcommand("export", "export one calibration for use in other programs");
-  command.add_option("ID", options->of, "the first digits of its id")->required();
+  auto* const id = command.add_option("ID", options->of, "the first digits of its id");
   add_options(command, *options);
+  command
+      .add_flag("--all", options->all,
+                "every calibration: csv, a row each quantity; json, a line each")
+      ->excludes(id);
+  add_filter(command, options->filter);
   const auto where = add_archive_options(command);
   return [where, options](const Invocation& call) {
     check(*options);
+    if (options->of.empty() != options->all) {
+      throw UsageError("archive export: either the ID of a calibration or --all is needed");
+    }
     where->protect_from(options->output);
     call.console.make_way_for(options->output);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
-    exports::results::ArchivedJoint joint;
-    joint.entry = kept.find(options->of);
-    joint.quantities = kept.quantities(joint.entry);
-    joint.calibration =
-        kept.document(joint.entry, calibration::DocumentKind::calibration).value_or("");
-    write(*options, joint, call.console);
+    write(*options,
+          options->all ? text_of_all(*options, kept)
+                       : text_of(*options, archived(kept, kept.find(options->of))),
+          call.console);
     return ExitStatus::done;
   };
 }
@@ -129,7 +159,7 @@ std::function<Run()> add_export_of_file(CLI::App& app) {
       joint.entry.id = archive::store::id_of(joint.entry.identity, 1);
       joint.quantities = made.quantities;
       joint.calibration = json;
-      write(*options, joint, call.console);
+      write(*options, text_of(*options, joint), call.console);
       return ExitStatus::done;
     };
   };

@@ -18,13 +18,14 @@ std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   if (c.run_gravity.found && c.run_gravity.always_lifts && !c.rough.found) {
     findings.push_back({"verdict.runs_always_lift"});
   }
-  const method::viscous::CurveModelChoice& model = c.curve_model;
-  if (model.chosen_any && !model.carries_five && c.friction.waiboer) {
-    findings.push_back(
-        {"verdict.use_chosen_model",
-         {{"why", model.five_sentence}, {"model", method::viscous::described(model.chosen)}}});
-  }
   return findings;
+}
+
+Statement which_model(const calibration::Calibration& c) {
+  const method::viscous::CurveModelChoice& model = c.curve_model;
+  if (!model.chosen_any || model.carries_five || !c.friction.waiboer) return {};
+  return {"verdict.use_chosen_model",
+          {{"why", model.five_sentence}, {"model", method::viscous::described(model.chosen)}}};
 }
 
 }  // namespace tribolog::verdict

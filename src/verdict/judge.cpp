@@ -280,6 +280,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::warns)) {
     add(finding_of(*check));
   }
+  add(which_model(c));
   add(what_is_not_stated(c, judgement.quantities));
   std::stable_sort(findings.begin() + checks, findings.end(),
                    [&](const Statement& a, const Statement& b) {

@@ -1,6 +1,9 @@
 // `archive export` and `archive fleet` through the program.
 
 #include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,6 +52,35 @@ TEST(ExportOfAFile, IsThatOfTheArchive) {
   const std::string same = "' --format csv -o '" + archived.file("cal.json") + "'";
   EXPECT_NE(run_shell(program + "export '" + archived.file("cal.json") + same).status, 0)
       << "its own input";
+}
+
+// Every calibration in one file: a row for each quantity, or a line for each calibration.
+TEST(ArchiveExport, WritesAWholeArchive) {
+  const ArchivedDataset archived;
+  ASSERT_EQ(archived.run("add '" + archived.file("cal.json") + "' --again").status, 0);
+  const auto calibration = nlohmann::json::parse(read_text(archived.file("cal.json")));
+  const std::size_t quantities = calibration["verdict"]["quantities"].size();
+  const ProgramRun csv = archived.run("export --all --format csv");
+  EXPECT_EQ(csv.status, 0) << csv.err;
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'),
+            static_cast<std::ptrdiff_t>(1 + 2 * quantities));
+  EXPECT_EQ(csv.out.rfind("id,revision,robot,", 0), 0U);
+  EXPECT_NE(csv.out.find("\n" + archived.id + ",1,test robot,"), std::string::npos) << csv.out;
+  const ProgramRun json = archived.run("export --all --format json");
+  EXPECT_EQ(json.status, 0) << json.err;
+  std::istringstream lines(json.out);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto one = nlohmann::json::parse(line);
+    EXPECT_EQ(one["schema"], "tribolog-export-1");
+    EXPECT_EQ(one["robot"], "test robot");
+  }
+  EXPECT_EQ(count, 2);
+  EXPECT_EQ(archived.run("export --all --format csv --robot nobody").out,
+            csv.out.substr(0, csv.out.find('\n') + 1));
+  EXPECT_EQ(archived.run("export --all --format urdf").status, 2);
+  EXPECT_EQ(archived.run("export --format csv").status, 2);
+  EXPECT_EQ(archived.run("export --all --format csv " + archived.id.substr(0, 10)).status, 2);
 }
 
 TEST(ArchiveExport, WritesTablesOfWhatWasIdentified) {

@@ -11,7 +11,8 @@ namespace tribolog::exports::results {
 
 /// Schema "tribolog-export-1", described by templates/export.schema.json: what the calibration is
 /// of, the conversions, each quantity on each side, and the friction curve on both sides.
-std::string json_document(const ArchivedJoint& joint);
+/// @param is_on_one_line as in a file of JSON lines.
+std::string json_document(const ArchivedJoint& joint, bool is_on_one_line = false);
 
 // The results as tables: CSV and LaTeX.
 
@@ -19,6 +20,14 @@ std::string json_document(const ArchivedJoint& joint);
 /// each quantity and side. Numbers read back to the same doubles. A text that a spreadsheet would
 /// take for a formula (from = + - @) gets an apostrophe in front.
 std::string csv_table(const ArchivedJoint& joint);
+
+// A whole archive as one CSV, a row for each quantity of each calibration: SI, motor side.
+
+/// "id,revision,robot,...\n"
+std::string archive_csv_header();
+
+/// Numbers read back to the same doubles; texts as in csv_table().
+std::string archive_csv_rows(const ArchivedJoint& joint);
 
 // The results as a LaTeX table to \input.
 

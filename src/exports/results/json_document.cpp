@@ -39,7 +39,7 @@ Json rows_of(const FrictionTable& table) {
 
 }  // namespace
 
-std::string json_document(const ArchivedJoint& joint) {
+std::string json_document(const ArchivedJoint& joint, bool is_on_one_line) {
   const calibration::Facts& f = joint.entry.facts;
   Json json{{"schema", "tribolog-export-1"},
             {"comment", comment_lines(joint)},
@@ -67,7 +67,9 @@ std::string json_document(const ArchivedJoint& joint) {
                               {"motor", rows_of(curve)},
                               {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
   }
-  return json_without_hidden(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return json_without_hidden(
+             json.dump(is_on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) +
+         "\n";
 }
 
 }  // namespace tribolog::exports::results

@@ -62,6 +62,40 @@ std::string csv_table(const ArchivedJoint& joint) {
   return text;
 }
 
+std::string archive_csv_header() {
+  return "id,revision,robot,serial,joint,measured_at,identified_at,temperature_C,payload_kg,"
+         "gear_ratio,calibration_verdict,tool_version,quantity,value,low,high,unit,verdict\n";
+}
+
+std::string archive_csv_rows(const ArchivedJoint& joint) {
+  const calibration::Facts& f = joint.entry.facts;
+  const auto number = [](const std::optional<double>& value) {
+    std::string text;
+    if (value) append_number(text, *value);
+    return text;
+  };
+  std::string of = joint.entry.id;
+  for (const std::string& next :
+       {std::to_string(joint.entry.revision), cell(f.of.robot), cell(f.of.serial), cell(f.of.joint),
+        cell(f.measured_at), cell(f.created_utc), number(f.temperature_C), number(f.payload_kg),
+        number(f.gear_ratio), std::string(calibration::to_string(f.verdict)),
+        cell(f.tool_version)}) {
+    of += "," + next;
+  }
+  std::string rows;
+  for (const calibration::Quantity& q : joint.quantities) {
+    const auto& e = q.estimate;
+    const auto of_estimate = [&](double statistics::Estimate::* value) {
+      return e ? number((*e).*value) : std::string();
+    };
+    rows += fmt::format(
+        "{},{},{},{},{},{},{}\n", of, cell(q.name), of_estimate(&statistics::Estimate::value),
+        of_estimate(&statistics::Estimate::low), of_estimate(&statistics::Estimate::high),
+        cell(q.unit), calibration::to_string(q.verdict));
+  }
+  return rows;
+}
+
 namespace {
 
 std::string latex_character(char32_t c) {
