@@ -59,8 +59,10 @@ Run add_add(CLI::App& archive) {
     if (!options->inputs.empty()) add_inputs(options->inputs, made.front());
     const std::string report = options->report.empty() ? "" : read_file(options->report);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
+    DoubtfulIdentities doubtful;
     for (std::size_t k = 0; k < made.size(); ++k) {
       const archive::store::Added added = kept.add(made[k], options->again, now);
+      if (added.is_new) doubtful.add(made[k].facts, now);
       if (options->json) {
         if (added.is_new) note_kept("its entry " + added.id);
         print_json(archive::store::added_json(added, options->calibrations[k]));
@@ -72,6 +74,7 @@ Run add_add(CLI::App& archive) {
                           " already has a report, which is kept");
       }
     }
+    doubtful.tell(call.console);
     return ExitStatus::done;
   };
 }

@@ -42,6 +42,30 @@ void tell_added(const archive::store::Added& added, const std::string& what, Con
   }
 }
 
+void DoubtfulIdentities::add(const calibration::Facts& facts, const std::string& now_utc) {
+  constexpr const char* unnamed = "unnamed robot";  // as init writes it
+  ++all_;
+  const bool has_name = facts.of.robot != unnamed;
+  unnamed_ += has_name ? 0 : 1;
+  without_serial_ += has_name && facts.of.serial.empty() ? 1 : 0;
+  ahead_ += facts.time_is_stated && facts.measured_at > now_utc ? 1 : 0;
+}
+
+void DoubtfulIdentities::tell(Console& console) const {
+  const auto tell = [&](std::size_t count, const char* what) {
+    if (count == 0) return;
+    const std::string of = all_ == 1 ? "" : fmt::format("{} of {} ", count, all_);
+    console.warn(fmt::format("note: {}{}", of, what));
+  };
+  tell(unnamed_,
+       "archived without the robot's name: all such robots are one in trend and fleet; state name "
+       "under [robot]");
+  tell(without_serial_,
+       "archived without a serial number: robots of one name are one in trend and fleet; state "
+       "serial under [robot]");
+  tell(ahead_, "archived with a date of measurement that lies in the future");
+}
+
 std::string ArchivingOptions::file() const {
   if (!location || archive::store::is_server(*location)) return "";
   return location->empty() ? archive::store::default_location() : *location;
@@ -77,6 +101,9 @@ void Archiving::keep_numbers(const std::string& calibration, const std::string& 
       archive_->add(made, options_.again, calibration::make_provenance({}).created_utc);
   id_ = added.id;
   tell_added(added, file, console);
+  DoubtfulIdentities doubtful;
+  if (added.is_new) doubtful.add(made.facts, calibration::make_provenance({}).created_utc);
+  doubtful.tell(console);
 }
 
 std::optional<EarlierCalibration> Archiving::since_last() {

@@ -1,6 +1,7 @@
 #pragma once
 // `--archive`: the numbers first, the report once it is on the disk.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,21 @@ void add_inputs(const std::string& directory, calibration::NewCalibration& calib
 
 /// "archived: 0123456789 (cal.json)", or that it is there already.
 void tell_added(const archive::store::Added& added, const std::string& what, Console& console);
+
+/// What makes calibrations hard to find again, or to tell from another robot's, counted over those
+/// that are archived at a time.
+class DoubtfulIdentities {
+ public:
+  /// @param now_utc "2026-01-31T12:00:00Z"
+  void add(const calibration::Facts& facts, const std::string& now_utc);
+  void tell(Console& console) const;
+
+ private:
+  std::size_t all_{0};
+  std::size_t unnamed_{0};         ///< Robots without a name,
+  std::size_t without_serial_{0};  ///< or with one, but without a serial number.
+  std::size_t ahead_{0};           ///< Measured in the future.
+};
 
 // `--archive` of identify and report: the numbers first, the report once it is on the disk.
 

@@ -54,6 +54,23 @@ TEST(ExportOfAFile, IsThatOfTheArchive) {
       << "its own input";
 }
 
+// What would be one with another in trend and fleet is said when it is archived.
+TEST(ArchiveAdd, SaysWhatIsHardToTellApart) {
+  const auto told = [](const std::string& robot, const std::string& more) {
+    const SmallDataset dataset(
+        replaced(small_manifest(), "name = \"test robot\"", "name = \"" + robot + "\"\n" + more));
+    EXPECT_EQ(dataset.run("identify", "cal.json").status, 0);
+    return run_shell(program + "archive add '" + dataset.file("cal.json") + "' --archive '" +
+                     dataset.file("a.tribolog") + "'")
+        .err;
+  };
+  EXPECT_NE(told("unnamed robot", "").find("archived without the robot's name"), std::string::npos);
+  EXPECT_NE(told("R1", "").find("archived without a serial number"), std::string::npos);
+  EXPECT_EQ(told("R1", "serial = \"S1\"\n").find("note:"), std::string::npos);
+  EXPECT_NE(told("R1", "serial = \"S1\"\nmeasured_on = \"2999-01-01\"\n").find("in the future"),
+            std::string::npos);
+}
+
 // Every calibration in one file: a row for each quantity, or a line for each calibration.
 TEST(ArchiveExport, WritesAWholeArchive) {
   const ArchivedDataset archived;

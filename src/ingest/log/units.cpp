@@ -35,7 +35,9 @@ constexpr std::array angles = {Unit{"rad", 1},
                                Unit{"deg", joint::rad_per_degree},
                                Unit{"turn", 2 * pi},
                                Unit{"°", joint::rad_per_degree, false},
-                               Unit{"rev", 2 * pi, false}};
+                               Unit{"rev", 2 * pi, false},
+                               Unit{"radians", 1, false},
+                               Unit{"degrees", joint::rad_per_degree, false}};
 constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"mrad/s", 1e-3},
                                        Unit{"deg/s", joint::rad_per_degree},
@@ -43,10 +45,12 @@ constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"turn/s", 2 * pi},
                                        Unit{"rev/s", 2 * pi, false},
                                        Unit{"°/s", joint::rad_per_degree, false},
+                                       Unit{"Hz", 2 * pi, false} /* turns a second */,
                                        Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
 constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
-constexpr std::array temperatures = {Unit{"degC", 1}, Unit{"°C", 1, false}};
+constexpr std::array temperatures = {Unit{"degC", 1}, Unit{"°C", 1, false}, Unit{"C", 1, false},
+                                     Unit{"celsius", 1, false}, Unit{"Celsius", 1, false}};
 
 std::span<const Unit> units_of(Quantity quantity) {
   switch (quantity) {

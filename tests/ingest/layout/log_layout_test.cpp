@@ -107,6 +107,22 @@ TEST(LogLayout, ReadsWordsInAnyOrder) {
   EXPECT_EQ(l.columns.size(), 8U);
 }
 
+TEST(LogLayout, UnitsAreReadAsPeopleSpellThem) {
+  const ingest::layout::LogLayout l =
+      layout_of({"time [sec]", "position [degrees]", "velocity [Hz]", "temperature [C]"});
+  for (const auto quantity : {ingest::log::Quantity::angle, ingest::log::Quantity::angular_speed,
+                              ingest::log::Quantity::temperature}) {
+    ASSERT_NE(l.find(quantity, ""), nullptr);
+    EXPECT_TRUE(l.find(quantity, "")->unit_is_stated);
+  }
+  constexpr double pi = 3.141592653589793;
+  EXPECT_NEAR(*ingest::log::find_si_factor(ingest::log::Quantity::angular_speed, "Hz"), 2 * pi,
+              1e-12);
+  EXPECT_NEAR(*ingest::log::find_si_factor(ingest::log::Quantity::angle, "degrees"), pi / 180,
+              1e-12);
+  EXPECT_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::temperature, "C"), 1);
+}
+
 TEST(LogLayout, NumbersBehindTheWordAreJoints) {
   const ingest::layout::LogLayout l =
       layout_of({"Time", "q1_rad", "q2_rad", "tau1_Nm", "current_2", "pos[3]"});
