@@ -195,8 +195,7 @@ std::string sdf_joint(const ArchivedJoint& joint, const SimulatorOptions& option
   std::vector<std::string> lines = comment_lines(joint);
   lines.emplace_back(
       "Copy <dynamics> into the <axis> of your joint. The links and the axis are there to make "
-      "this "
-      "file complete; they were not identified.");
+      "this file complete; they were not identified.");
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
          "<sdf version=\"1.7\">\n  <model name=\"" + xml_attribute(f.of.robot, "robot") +
          "\">\n"

@@ -60,7 +60,7 @@ std::optional<log::WantedColumn> time_to_compare(const manifest::ColumnEntry& ti
     stated = entry.time_in_file;
   }
   if (!stated.empty()) return log::WantedColumn{stated, "", time.reading};
-  if (time.name.starts_with('#')) return std::nullopt;
+  if (time.name.starts_with('#') || time.rate_Hz) return std::nullopt;
   return log::WantedColumn{time.name, "", time.reading, true};
 }
 
