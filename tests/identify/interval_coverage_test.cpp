@@ -143,6 +143,7 @@ TEST(IntervalCoverage, OfEveryStatedIntervalInRealisticNoise) {
 }
 
 TEST(IntervalCoverage, WithRippleFromOnePositionIsAsWideAsTheRippleDemands) {
+  TRIBOLOG_EACH_NIGHT();
   const Coverage c = coverage_of(seeds_of_ripple(), [](std::uint64_t seed) {
     return with_ripple(test::noisy_paper_joint(seed), seed);
   });

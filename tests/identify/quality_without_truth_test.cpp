@@ -22,6 +22,7 @@ calibration::Calibration identify_blind(joint::Dataset dataset) {
 }
 
 TEST(QualityWithoutTruth, ReferenceAgreesWithTheTrueCurveWithinItsInterval) {
+  TRIBOLOG_EACH_NIGHT();
   const std::uint64_t seeds = test::seeds_of(8, 20);
   const friction::WaiboerFriction truth = test::paper_curve();
   int covered = 0;

@@ -117,6 +117,14 @@ TEST_F(CompanionColumns, GiveTheRecordingOfOneFile) {
                                      "'- torso_lift_joint_effort'"});
 }
 
+/// Rows a hundredth of a second apart, whether the log says so or the manifest.
+TEST_F(CompanionColumns, MayBeOfLogsWithoutAClock) {
+  std::string text = of_three_files();
+  const std::string clock = "time = {name = \"t\", unit = \"s\"}";
+  text.replace(text.find(clock), clock.size(), "time = {rate_Hz = 100}");
+  expect_same(read(text).recordings.at(0), read(of_three_files()).recordings.at(0));
+}
+
 TEST_F(CompanionColumns, AreAmongTheInputs) {
   const joint::Dataset d = read(of_three_files());
   ASSERT_EQ(d.inputs.size(), 4U);

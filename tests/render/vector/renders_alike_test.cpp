@@ -70,7 +70,10 @@ TEST(RendersAlike, HistoryAsPdf) {
 }
 TEST(RendersAlike, HistoryAsSvg) { expect_svg_alike(history_set()); }
 TEST(RendersAlike, PublicationAsPdf) { expect_pdf_alike(publication_set()); }
-TEST(RendersAlike, PublicationAsSvg) { expect_svg_alike(publication_set()); }
+TEST(RendersAlike, PublicationAsSvg) {
+  TRIBOLOG_EACH_NIGHT();
+  expect_svg_alike(publication_set());
+}
 TEST(RendersAlike, TroubleAsPdf) { expect_pdf_alike(trouble_set()); }
 TEST(RendersAlike, TroubleAsSvg) { expect_svg_alike(trouble_set()); }
 
