@@ -30,7 +30,7 @@
 <thead><tr><th scope="col">Where</th><th scope="col">Printed</th><th scope="col">Right if</th><th scope="col">Wrong if</th></tr></thead>
 <tbody>
 <tr><th scope="row">eq. (10), (11)</th><td data-name="Printed">cos(<i>q</i><sub>3</sub>)</td><td data-name="Right if"><i>q</i><sub>3</sub> is counted from the level position of the centre of gravity</td><td data-name="Wrong if">it is the joint's angle, as in eq. (9) and section 3.2: at the gravity peak that is −22.23187°, and gravity's {{EQUATION_10_GRAVITY}} would be {{EQUATION_10_ERROR}} short, and friction as much too large.</td></tr>
-<tr><th scope="row">eq. (12), bars</th><td data-name="Printed">the magnitude of the torque</td><td data-name="Right if">the positive direction may be either: for row B counted the other way round eq. (12) without bars gives {{MASS_B_MIRRORED}} kg, with them {{MASS_B_IN_BARS}} kg, as printed</td><td data-name="Wrong if">an error of the torque's sign should be seen: the bars hide it.</td></tr>
+<tr><th scope="row">eq. (12), bars</th><td data-name="Printed">the magnitude of the torque</td><td data-name="Right if">the positive direction may be either: for row B counted the other way round eq. (12) without bars gives {{MASS_B_MIRRORED}} kg, with them {{MASS_B_IN_BARS}} kg, which is row B within its rounding</td><td data-name="Wrong if">an error of the torque's sign should be seen: the bars hide it.</td></tr>
 </tbody>
 </table>
 </div>
