@@ -35,7 +35,7 @@ alternatives=("libtomlplusplus-dev | libtoml11-dev"
 # What not every distribution has; a test that misses its own says so.
 offered=()
 case $goal in
-  tests | lint | nightly | bench) offered+=(libmujoco-dev clang-format-19 texlive-latex-base) ;;&
+  tests | lint | nightly | bench) offered+=(libmujoco-dev libsdformat-dev clang-format-19 texlive-latex-base) ;;&
   lint) offered+=(clang-19 clang-tidy-19 libc++-19-dev libc++abi-19-dev) ;;
 esac
 

@@ -1,4 +1,4 @@
-// URDF and MJCF as urdfdom and MuJoCo understand them.
+// URDF, SDF and MJCF as urdfdom, sdformat and MuJoCo understand them.
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,9 @@
 #endif
 #ifdef TRIBOLOG_MUJOCO
 #include <mujoco/mujoco.h>
+#endif
+#ifdef TRIBOLOG_SDFORMAT
+#include <sdf/sdf.hh>
 #endif
 
 namespace tribolog::archive::export_parsers_test {
@@ -41,6 +44,25 @@ TEST(ExportParsers, UrdfdomReadsTheDynamics) {
             "<J & \"2'>");
 #else
   GTEST_SKIP() << "liburdfdom-dev is not installed";
+#endif
+}
+
+TEST(ExportParsers, SdformatReadsTheDynamics) {
+#ifdef TRIBOLOG_SDFORMAT
+  for (const exports::results::ArchivedJoint& sample :
+       {test::export_sample(), test::hostile_export_sample()}) {
+    sdf::Root root;
+    const sdf::Errors errors = root.LoadSdfString(exports::results::sdf_joint(sample, {}));
+    EXPECT_TRUE(errors.empty()) << errors.front().Message();
+    ASSERT_NE(root.Model(), nullptr);
+    ASSERT_EQ(root.Model()->JointCount(), 1U);
+    const sdf::JointAxis* axis = root.Model()->JointByIndex(0)->Axis(0);
+    ASSERT_NE(axis, nullptr);
+    EXPECT_NEAR(axis->Damping(), 0.002 * 50 * 50, 1e-12);
+    EXPECT_NEAR(axis->Friction(), 0.31 * 50, 1e-12);
+  }
+#else
+  GTEST_SKIP() << "libsdformat-dev is not installed";
 #endif
 }
 

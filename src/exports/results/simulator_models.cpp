@@ -135,8 +135,12 @@ void add_what_has_no_place(const ArchivedJoint& joint, std::vector<std::string>&
   const FrictionTable table = friction_table(joint);
   if (table.rows.size() < 2) return;
   const FrictionTable joints = at_joint(table, n);
-  lines.push_back(fmt::format("measured at the joint from {:.4g} to {:.4g} rad/s",
-                              joints.rows[1].speed_rad_s, joints.rows.back().speed_rad_s));
+  const double slowest = joints.rows[1].speed_rad_s;  // behind the row at rest
+  const double fastest = joints.rows.back().speed_rad_s;
+  lines.push_back(
+      slowest < fastest
+          ? fmt::format("measured at the joint from {:.4g} to {:.4g} rad/s", slowest, fastest)
+          : fmt::format("measured at the joint up to {:.4g} rad/s", fastest));
 }
 
 /// What the formats have in common, joint side.
