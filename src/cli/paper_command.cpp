@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,9 +33,12 @@ paper::page::PaperSource source(const char* name) {
 }
 
 /// Figures and items, in words of that language.
-void describe(const paper::checks::PapersJoint& joint, const wording::Language& language,
-              paper::page::RegeneratedPaper& paper) {
+void describe(const paper::checks::PapersJoint& joint, const paper::checks::FailedByPlace& failed,
+              const wording::Language& language, paper::page::RegeneratedPaper& paper) {
   const wording::WordsIn words(language);
+  if (!failed.empty()) {
+    paper.wrong_joints = paper::checks::in_words(joint, paper::checks::wrong_joints(joint), failed);
+  }
   paper.figures = paper::checks::paper_figures(joint);
   paper.sections = paper::checks::paper_items(joint, paper.figures);
 }
@@ -179,17 +183,19 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
       ingest::manifest::parse_robot(paper.sources[1].text, paper.sources[1].name));
   paper.presliding = joint.presliding;
   console.progress("checking it", 0, 1);
-  describe(joint, wording::Language{}, paper);
+  paper::checks::FailedByPlace failed;
   if (options.wrong_joints) {
-    paper.wrong_joints = paper::checks::try_wrong_joints(
-        joint, paper::checks::wrong_joints(joint), [&](std::size_t done, std::size_t all) {
-          console.progress("checking wrong joints", done, all);
-        });
+    failed = paper::checks::try_wrong_joints(joint, paper::checks::wrong_joints(joint),
+                                             [&](std::size_t done, std::size_t all) {
+                                               console.progress("checking wrong joints", done, all);
+                                             });
   }
+  describe(joint, failed, wording::Language{}, paper);
   const std::string json = paper::page::paper_json(paper);
+  const std::optional<paper::checks::WrongJointsResult> tried = paper.wrong_joints;  // in English
   if (!options.language.is_english()) {
     const std::vector<figures::ReportFigure> english = std::move(paper.figures);
-    describe(joint, options.language, paper);
+    describe(joint, failed, options.language, paper);
     figures::take_english_data(english, paper.figures);
   }
 
@@ -199,7 +205,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   write_file_atomically(options.output,
                         page_in(options.language, paper, joint.calibration, drawn, json));
   tell_outcome(paper, tallies, console);
-  if (paper.wrong_joints) tell_wrong_joints(*paper.wrong_joints, console);
+  if (tried) tell_wrong_joints(*tried, console);
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
   return paper::page::is_all_well(paper, tallies) ? ExitStatus::done : ExitStatus::verdict_failed;

@@ -72,7 +72,8 @@ TEST_F(PaperChecks, EachOfPrintFailsForAWrongJoint) {
     std::erase_if(wrong, [&](const checks::WrongJoint& one) { return !enough.contains(one.name); });
     ASSERT_EQ(wrong.size(), enough.size());
   }
-  const checks::WrongJointsResult tried = checks::try_wrong_joints(*joint_, wrong);
+  const checks::WrongJointsResult tried =
+      checks::in_words(*joint_, wrong, checks::try_wrong_joints(*joint_, wrong));
   EXPECT_EQ(tried.checks.size(), checks::print_checks(*sections_).size());
   for (const checks::FailedBy& check : tried.checks) {
     EXPECT_FALSE(check.joints.empty()) << check.item << ": " << check.check;

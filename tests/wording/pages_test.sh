@@ -37,6 +37,9 @@ for language in en pl; do
     $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
     cp plan.$language/plan.html plan.$language.html
     $tribolog models --compare --language $language -o models.$language.html
+    $tribolog paper --wrong-joints --language $language -o wrong.$language.html
+    $tribolog paper "$examples/paper/scenario_ripple.toml" --language $language \
+      -o claims.$language.html
   fi
   $tribolog paper --language $language -o paper.$language.html
   $tribolog study --runs 2 --factor $factor --language $language -o study.$language.html

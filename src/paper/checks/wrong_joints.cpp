@@ -132,27 +132,53 @@ std::vector<WrongJoint> wrong_joints(const PapersJoint& joint) {
   return std::move(out.all);
 }
 
-WrongJointsResult try_wrong_joints(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
-                                   const std::function<void(std::size_t, std::size_t)>& progress) {
-  WrongJointsResult out;
+namespace {
+
+/// Of all items, in their order.
+template <class Use>
+void for_each_of_print(const std::vector<PaperItem>& items, Use use) {
+  for (const PaperItem& item : items) {
+    for (const Check& check : item.checks) {
+      if (check.kind == Kind::print) use(item, check);
+    }
+  }
+}
+
+}  // namespace
+
+FailedByPlace try_wrong_joints(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
+                               const std::function<void(std::size_t, std::size_t)>& progress) {
+  FailedByPlace failed;
+  for_each_of_print(items_of_print(joint),
+                    [&](const PaperItem&, const Check&) { failed.emplace_back(); });
   for (std::size_t i = 0; i < wrong.size(); ++i) {
     if (progress) progress(i, wrong.size());
     const PapersJoint other(wrong[i].scenario, joint.robot, wrong[i].laws);
-    const std::vector<PaperItem> items = items_of_print(other);
     std::size_t k = 0;
-    bool is_noticed = false;
-    for (const PaperItem& item : items) {
-      for (const Check& check : item.checks) {
-        if (check.kind != Kind::print) continue;
-        if (i == 0) out.checks.push_back({item_name(item), check.what, {}});
-        FailedBy& tried = out.checks.at(k++);
-        if (tried.check != check.what) throw std::logic_error("other checks: " + check.what);
-        if (check.holds()) continue;
-        tried.joints.push_back(wrong[i].name);
-        is_noticed = true;
-      }
+    for_each_of_print(items_of_print(other), [&](const PaperItem&, const Check& check) {
+      if (k == failed.size()) throw std::logic_error("a wrong joint has more checks of print");
+      if (!check.holds()) failed[k].push_back(i);
+      ++k;
+    });
+    if (k != failed.size()) throw std::logic_error("a wrong joint has fewer checks of print");
+  }
+  return failed;
+}
+
+WrongJointsResult in_words(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
+                           const FailedByPlace& failed) {
+  WrongJointsResult out;
+  std::vector<bool> is_noticed(wrong.size(), false);
+  for_each_of_print(items_of_print(joint), [&](const PaperItem& item, const Check& check) {
+    FailedBy one{item_name(item), check.what, {}};
+    for (const std::size_t i : failed.at(out.checks.size())) {
+      one.joints.push_back(wrong.at(i).name);
+      is_noticed[i] = true;
     }
-    if (!is_noticed) out.unnoticed.push_back(wrong[i].name);
+    out.checks.push_back(std::move(one));
+  });
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    if (!is_noticed[i]) out.unnoticed.push_back(wrong[i].name);
   }
   return out;
 }

@@ -2,6 +2,7 @@
 // Joints that are grossly not the paper's. A check of print that none of them fails says nothing
 // about the joint.
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,11 +34,18 @@ struct WrongJointsResult {
   std::vector<std::string> unnoticed;  ///< Wrong joints that fail none: print cannot tell them.
 };
 
-/// @param wrong joints that are tried.
+/// For each check of print, in the order of items_of_print(), the places of the wrong joints that
+/// fail it.
+using FailedByPlace = std::vector<std::vector<std::size_t>>;
+
 /// @param progress is told how many joints are done, and of how many.
-/// @throw std::logic_error if the wrong joints' checks are not those of the right one.
-WrongJointsResult try_wrong_joints(
-    const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
-    const std::function<void(std::size_t, std::size_t)>& progress = {});
+/// @throw std::logic_error if a wrong joint has not as many checks of print as the right one.
+FailedByPlace try_wrong_joints(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
+                               const std::function<void(std::size_t, std::size_t)>& progress = {});
+
+/// The same in the words of the language that is set.
+/// @param wrong those that were tried.
+WrongJointsResult in_words(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
+                           const FailedByPlace& failed);
 
 }  // namespace tribolog::paper::checks
