@@ -12,6 +12,7 @@
 #include "base/input_file.h"
 #include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
+#include "inspect/survey/manifest_proposal.h"
 #include "tribolog/failure.h"
 
 namespace tribolog::cli {
@@ -43,9 +44,8 @@ void tell_added(const archive::store::Added& added, const std::string& what, Con
 }
 
 void DoubtfulIdentities::add(const calibration::Facts& facts, const std::string& now_utc) {
-  constexpr const char* unnamed = "unnamed robot";  // as init writes it
   ++all_;
-  const bool has_name = facts.of.robot != unnamed;
+  const bool has_name = facts.of.robot != inspect::survey::unnamed_robot;
   unnamed_ += has_name ? 0 : 1;
   without_serial_ += has_name && facts.of.serial.empty() ? 1 : 0;
   ahead_ += facts.time_is_stated && facts.measured_at > now_utc ? 1 : 0;

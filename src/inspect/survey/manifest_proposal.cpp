@@ -120,7 +120,7 @@ class ManifestText {
 
   /// @throw UsageError: a name that no manifest takes.
   [[nodiscard]] std::string robot_name() const {
-    return options_.robot ? named(*options_.robot, "robot") : "unnamed robot";
+    return options_.robot ? named(*options_.robot, "robot") : unnamed_robot;
   }
 
   /// @throw UsageError: a text that no manifest takes.

@@ -54,6 +54,9 @@ std::string describe(const motion::MotionSegment& segment);
 
 // The manifest.
 
+/// The robot's name in a manifest for which nobody stated one.
+inline constexpr const char* unnamed_robot = "unnamed robot";
+
 /// What the user knows beside the logs.
 struct ProposalOptions {
   std::optional<std::string> joint;  ///< Absent: the one that moves most.

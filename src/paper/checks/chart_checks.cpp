@@ -151,9 +151,9 @@ Checks check_lugre_diagram(const PapersJoint& joint) {
     const drawings::SignalValues values =
         drawings::evaluate(graph, {{"speed", speed}}, {{"deflection", z}});
     const double rate = friction.deflection_rate_rad_s(z, speed);
-    rate_apart = std::max(rate_apart, std::abs(values.at("rate") - rate));
-    torque_apart = std::max(torque_apart,
-                            std::abs(values.at("friction") - friction.torque_Nm(z, rate, speed)));
+    rate_apart = larger_size(rate_apart, values.at("rate") - rate);
+    torque_apart =
+        larger_size(torque_apart, values.at("friction") - friction.torque_Nm(z, rate, speed));
   }
   return {vanishing(tr("dz/dt through the drawn blocks against eq. (4), at 1000 states: largest"),
                     rate_apart, 1e-12, "rad/s", tr("rounding")),
@@ -175,7 +175,7 @@ Checks check_drive_diagram(const PapersJoint& joint) {
             drawings::drive_graph({n, J, [friction](double) { return friction; }}),
             {{"motor torque", torque}, {"motor speed", 0}, {"motor acceleration", acceleration}})
             .at("arm torque");
-    apart = std::max(apart, std::abs(drawn - n * (torque - J * acceleration - friction)));
+    apart = larger_size(apart, drawn - n * (torque - J * acceleration - friction));
   }
   return {vanishing(tr("Through the drawn blocks against eq. (8), at 1000 states: largest"), apart,
                     1e-10, "N·m", tr("rounding"))};
@@ -203,7 +203,7 @@ Checks check_joint_diagram(const PapersJoint& joint) {
                             {"arm speed", joint.oscillation_speed_rad_s(t) / n},
                             {"arm acceleration", joint.oscillation_acceleration_rad_s2(t) / n}})
             .at("measured torque");
-    apart = std::max(apart, std::abs(drawn - log.torque_Nm[i]));
+    apart = larger_size(apart, drawn - log.torque_Nm[i]);
   }
   return {
       vanishing(tr("Measured torque through the drawn blocks against the simulated log: largest"),
@@ -219,8 +219,7 @@ Checks check_gear_diagram(const PapersJoint& joint) {
     const drawings::SignalValues values = drawings::evaluate(
         drawings::gear_graph(joint.scenario.gear_ratio, joint.scenario.motor_inertia_kgm2),
         {{"shaft torque", torque}, {"motor angle", turn}, {"motor acceleration", 0}});
-    lost =
-        std::max(lost, std::abs(values.at("arm torque") * values.at("arm angle") - torque * turn));
+    lost = larger_size(lost, values.at("arm torque") * values.at("arm angle") - torque * turn);
   }
   return {vanishing(tr("An ideal gear loses no work, at 1000 states: largest loss"), lost, 1e-12,
                     "J", tr("rounding"))};
