@@ -15,6 +15,7 @@
 #include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/log/row_clock.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -192,13 +193,7 @@ void make_clock(const manifest::ColumnEntry& time, const std::string& path, log:
         {fmt::format("{} rows cannot be used, in a log without a clock", table.bad_rows), "",
          "rows without a gap, of which each is one step of the rate", ""});
   }
-  log::LogColumn clock;
-  clock.header = {time.name, time.name, ""};
-  clock.values.resize(table.rows);
-  for (std::size_t i = 0; i < table.rows; ++i) {
-    clock.values[i] = static_cast<double>(i) / present(time.rate_Hz);
-  }
-  table.columns.insert(table.columns.begin(), std::move(clock));
+  table.columns.insert(table.columns.begin(), log::row_clock(present(time.rate_Hz), table.rows));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "ingest/log/row_clock.h"
 #include "ingest/manifest/manifest_tables.h"
 
 namespace tribolog::ingest::manifest {
@@ -76,7 +77,7 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   entry.quantity = quantity;
   if (quantity == log::Quantity::time && table->has("rate_Hz")) {
     entry.rate_Hz = table->number("rate_Hz", Sign::positive);
-    entry.name = fmt::format("row / {} Hz", *entry.rate_Hz);
+    entry.name = log::name_of_row_clock(*entry.rate_Hz);
     entry.unit = "s";
     entry.where = table->where("rate_Hz");
     table->refuse_unknown_keys();

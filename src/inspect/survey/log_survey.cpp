@@ -6,13 +6,12 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
+#include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
 #include "inspect/survey/column_guess.h"
@@ -236,15 +235,6 @@ void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) 
   }
 }
 
-/// The clock of a log that has none.
-ingest::log::LogColumn made_clock(double rate_Hz, std::size_t rows) {
-  ingest::log::LogColumn clock;
-  clock.header.full = clock.header.name = fmt::format("row / {} Hz", rate_Hz);
-  clock.values.resize(rows);
-  for (std::size_t i = 0; i < rows; ++i) clock.values[i] = static_cast<double>(i) / rate_Hz;
-  return clock;
-}
-
 /// @param missing receives the stated columns that the table has not.
 TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
                          const ingest::text::TextLogRules& rules, const StatedColumns& stated,
@@ -252,7 +242,7 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   TableSurvey table;
   table.group = data.group;
   table.rows = data.rows;
-  if (stated.rate_Hz) data.columns.push_back(made_clock(*stated.rate_Hz, data.rows));
+  if (stated.rate_Hz) data.columns.push_back(ingest::log::row_clock(*stated.rate_Hz, data.rows));
   std::vector<ingest::log::ColumnHeader> header;
   for (const ingest::log::LogColumn& column : data.columns) header.push_back(column.header);
   ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
