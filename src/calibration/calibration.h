@@ -20,6 +20,7 @@
 #include "method/hysteresis/surrogate_masses.h"
 #include "method/intervals/bootstrap.h"
 #include "method/intervals/cross_checks.h"
+#include "method/motion/false_stamps.h"
 #include "method/motion/plateaus.h"
 #include "method/motion/torque_lag.h"
 #include "method/motion/torque_outliers.h"
@@ -126,6 +127,7 @@ struct Calibration {
   std::vector<Statement> notes;  ///< From reading the input.
   std::vector<method::motion::SpeedSource> speed_sources;
 
+  method::motion::FalseStamps false_stamps;
   method::motion::TorqueOutliers torque_outliers;
   method::motion::TorqueLag torque_lag;
   method::checks::DataChecksResult data_checks;

@@ -155,6 +155,8 @@ Json recording(const method::hysteresis::LuGreLoop& loop) {
   return {{"recording", loop.recording},
           {"gravity_Nm", interval(loop.gravity_Nm)},
           {"start_deflection_rad", number(loop.start_deflection_rad)},
+          {"samples_left_out", loop.samples_left_out},
+          {"left_out_s", number(loop.left_out_s)},
           {"residual_Nm", number(loop.residual_Nm)},
           {"height_Nm", number(loop.height_Nm)},
           {"systematic_Nm", number(loop.systematic_Nm)},

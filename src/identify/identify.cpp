@@ -38,7 +38,8 @@ struct Progress {
   bool corrects_drift{true};
   /// false in a simulation: its runs start and stop without inertia and show no lag.
   bool finds_lag{true};
-  joint::Dataset cleaned;  ///< The same without outliers of the torque, where there are some.
+  joint::Dataset
+      cleaned;  ///< Without outliers of the torque and false stamps, where there are some.
   std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
 
   const double n = dataset.manifest.drive.gear_ratio();
@@ -56,7 +57,7 @@ struct Progress {
 
   /// Which all steps look at: the sweeps refer to them.
   [[nodiscard]] const joint::Dataset& used() const {
-    return c.torque_outliers.replaced > 0 ? cleaned : dataset;
+    return c.torque_outliers.replaced > 0 || c.false_stamps.replaced > 0 ? cleaned : dataset;
   }
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
     return used().with_role(role);
@@ -192,8 +193,9 @@ constexpr Step papers_chain[] = {
     {"",
      [](Progress& p) {
        std::vector<joint::Recording> recordings = p.dataset.recordings;
+       p.c.false_stamps = method::motion::replace_false_stamps(recordings);
        p.c.torque_outliers = method::motion::replace_torque_outliers(recordings);
-       if (p.c.torque_outliers.replaced > 0) p.cleaned.recordings = std::move(recordings);
+       if (&p.used() == &p.cleaned) p.cleaned.recordings = std::move(recordings);
      }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {

@@ -161,6 +161,8 @@ class Smoother {
   double left_{};
 };
 
+constexpr std::size_t fewest_points = 4;
+
 /// Powers of ten between which the weight is searched: from next to no smoothing to nearly a
 /// straight line.
 constexpr double lowest_power = -4;
@@ -173,18 +175,29 @@ constexpr double resolution = 0.05;  // of the power
 constexpr std::size_t most_points_to_weigh = 20'000;
 constexpr std::size_t stretches_to_weigh = 10;
 
-std::vector<Smoother> stretches_of(const CurvePoints& p) {
-  std::vector<Smoother> stretches;
+CurvePoints cut(const CurvePoints& p, std::size_t first, std::size_t size) {
+  const auto part = [&](const std::vector<double>& v) {
+    const auto begin = v.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(size));
+  };
+  return {part(p.t), part(p.y), part(p.error)};
+}
+
+/// None: the whole curve.
+std::vector<Smoother> parts_to_weigh(const CurvePoints& p, double weighed_from) {
+  std::vector<Smoother> parts;
+  const auto begin = static_cast<std::size_t>(
+      std::lower_bound(p.t.begin(), p.t.end(), weighed_from) - p.t.begin());
+  const std::size_t points = p.t.size() - begin;
   constexpr std::size_t size = most_points_to_weigh / stretches_to_weigh;
-  for (std::size_t k = 0; k < stretches_to_weigh; ++k) {
-    const auto first =
-        static_cast<std::ptrdiff_t>((p.t.size() - size) * k / (stretches_to_weigh - 1));
-    const auto cut = [&](const std::vector<double>& v) {
-      return std::vector<double>(v.begin() + first, v.begin() + first + size);
-    };
-    stretches.emplace_back(CurvePoints{cut(p.t), cut(p.y), cut(p.error)});
+  if (points <= most_points_to_weigh) {
+    if (begin > 0 && points >= fewest_points) parts.emplace_back(cut(p, begin, points));
+    return parts;
   }
-  return stretches;
+  for (std::size_t k = 0; k < stretches_to_weigh; ++k) {
+    parts.emplace_back(cut(p, begin + (points - size) * k / (stretches_to_weigh - 1), size));
+  }
+  return parts;
 }
 
 /// The score of generalised cross-validation over all parts.
@@ -226,13 +239,12 @@ double best_power(std::span<Smoother> parts, const Smoother& whole, double from,
 }
 
 void require_points(const CurvePoints& p) {
-  constexpr std::size_t fewest = 4;
-  if (p.t.size() < fewest || p.y.size() != p.t.size() || p.error.size() != p.t.size()) {
+  if (p.t.size() < fewest_points || p.y.size() != p.t.size() || p.error.size() != p.t.size()) {
     throw Refusal({"spline.wrong_sizes",
                    {{"times", p.t.size()},
                     {"values", p.y.size()},
                     {"errors", p.error.size()},
-                    {"needed", fewest}}});
+                    {"needed", fewest_points}}});
   }
   for (std::size_t i = 0; i < p.t.size(); ++i) {
     if (i > 0 && !(p.t[i] > p.t[i - 1])) {
@@ -246,13 +258,15 @@ void require_points(const CurvePoints& p) {
 
 }  // namespace
 
-SmoothingSpline::SmoothingSpline(const CurvePoints& points) : SmoothingSpline(points, nullptr) {}
+SmoothingSpline::SmoothingSpline(const CurvePoints& points, double weighed_from)
+    : SmoothingSpline(points, weighed_from, nullptr) {}
 
 SmoothingSpline::SmoothingSpline(const CurvePoints& points, const SmoothingSpline& found)
-    : SmoothingSpline(points, &found) {}
+    : SmoothingSpline(points, found.weighed_from_, &found) {}
 
-SmoothingSpline::SmoothingSpline(const CurvePoints& points, const SmoothingSpline* found)
-    : t_(points.t) {
+SmoothingSpline::SmoothingSpline(const CurvePoints& points, double weighed_from,
+                                 const SmoothingSpline* found)
+    : t_(points.t), weighed_from_(weighed_from) {
   require_points(points);
   Smoother smoother(points);
   double from = lowest_power;
@@ -264,11 +278,9 @@ SmoothingSpline::SmoothingSpline(const CurvePoints& points, const SmoothingSplin
     to = std::min(highest_power, power + beside);
     grid = beside;
   }
-  const bool is_long = points.t.size() > most_points_to_weigh;
-  std::vector<Smoother> stretches;
-  if (is_long) stretches = stretches_of(points);
+  std::vector<Smoother> parts = parts_to_weigh(points, weighed_from);
   const std::span<Smoother> weighed =
-      is_long ? std::span<Smoother>(stretches) : std::span<Smoother>(&smoother, 1);
+      parts.empty() ? std::span<Smoother>(&smoother, 1) : std::span<Smoother>(parts);
   const double weight = std::pow(10, best_power(weighed, smoother, from, to, grid));
   smoother.solve_with(weight);
   weight_ = weight * smoother.unit_of_weight();

@@ -10,6 +10,7 @@
 // weight is chosen on ten stretches spread over them; the curve is fitted to all points.
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace tribolog::statistics {
@@ -29,9 +30,12 @@ class SmoothingSpline {
     double curvature{};  ///< s''
   };
 
+  /// @param weighed_from points before this time do not choose the weight: a blow at the beginning
+  /// would have the whole curve follow its noise.
   /// @throw Refusal if there are fewer than four points, vectors of different sizes, times that do
   /// not increase or errors that are not > 0.
-  explicit SmoothingSpline(const CurvePoints& points);
+  explicit SmoothingSpline(const CurvePoints& points,
+                           double weighed_from = std::numeric_limits<double>::lowest());
   /// For points of the same curve recorded once more: the weight is searched within half a power of
   /// ten of the one in `found`, which takes a third of the work.
   SmoothingSpline(const CurvePoints& points, const SmoothingSpline& found);
@@ -43,7 +47,7 @@ class SmoothingSpline {
   [[nodiscard]] double degrees_of_freedom() const { return freedom_; }
 
  private:
-  SmoothingSpline(const CurvePoints& points, const SmoothingSpline* found);
+  SmoothingSpline(const CurvePoints& points, double weighed_from, const SmoothingSpline* found);
   [[nodiscard]] std::size_t piece_of(double t) const;
 
   std::vector<double> t_;
@@ -51,6 +55,7 @@ class SmoothingSpline {
   std::vector<double> curvature_;  // at the points; linear between them
   double freedom_{};
   double weight_{};
+  double weighed_from_{};
 };
 
 }  // namespace tribolog::statistics

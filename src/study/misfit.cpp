@@ -358,7 +358,7 @@ std::vector<Disturbance> all_disturbances() {
       {"jittered_clock",
        {0.0002, 0.001, 0.003},
        [](Scenario& s, double x) { s.noise.clock_jitter_s = x; },
-       {"check.clock_jitter"}},
+       {"cause.false_stamps", "check.clock_jitter"}},
       {"no_gravity",
        {0.05, 0.01, 0.001},
        [](Scenario& s, double x) {

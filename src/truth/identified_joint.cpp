@@ -10,6 +10,7 @@
 #include "friction/static_laws.h"
 #include "method/hysteresis/lugre_problem.h"
 #include "method/motion/encoder_resolution.h"
+#include "method/motion/followed_motion.h"
 #include "method/motion/moving_part.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/waiboer_fit.h"
@@ -180,13 +181,10 @@ class Maker {
       why_not = {"truth.no_loop_model"};
       return {};
     }
-    const auto motion = method::motion::fit_oscillation_motion(r);
-    const bool is_harmonic =
-        motion && motion->follows_the_angle(method::motion::common_step(r.q_rad));
-    const method::motion::MotionTrace trace =
-        is_harmonic ? method::motion::MotionTrace{} : method::motion::trace_motion(r);
-    if (!motion && !trace.motion) {
-      why_not = {"truth.no_whole_cycle", {{"why", trace.refusal}}};
+    const method::motion::FollowedMotion followed =
+        method::motion::follow_the_angle(r, method::motion::common_step(r.q_rad));
+    if (!followed.is_followed && !followed.harmonic) {
+      why_not = {"truth.no_whole_cycle", {{"why", followed.why_not_traced}}};
       return {};
     }
     const method::hysteresis::LuGreFit& fit = *c_.lugre;
@@ -209,8 +207,9 @@ class Maker {
          size_of(LuGreParameterName::viscous), weakens ? coulomb->value : level->value,
          level->value, weakens ? stribeck->value : 1.0});
     const double inertia = size_of(LuGreParameterName::inertia);
-    const method::hysteresis::LuGreInput input{&r, motion ? &*motion : nullptr,
-                                               trace.motion ? &*trace.motion : nullptr};
+    const method::hysteresis::LuGreInput input{&r,
+                                               followed.harmonic ? &*followed.harmonic : nullptr,
+                                               followed.traced ? &*followed.traced : nullptr};
     const std::shared_ptr<const simulate::Motion> along = input.motor_motion(n_);
     const simulate::Motion& motor = *along;
     const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);

@@ -314,6 +314,16 @@ std::optional<Measured> torque_outliers(const Calibration& c) {
                     {"largest_Nm", found.largest_Nm}}}};
 }
 
+/// Scatter of stamps that are not those of the sampling, of the recording where it is largest.
+std::optional<Measured> false_stamps(const Calibration& c) {
+  const method::motion::FalseStamps& found = c.false_stamps;
+  return Measured{found.worst_percent,
+                  {"cause.false_stamps",
+                   {{"recording", found.recording},
+                    {"percent", found.worst_percent},
+                    {"interval_ms", 1e3 * found.interval_s}}}};
+}
+
 std::vector<Rule> with_those_of_gravity_and_session(const std::vector<Rule>& of_friction) {
   std::vector<Rule> all = gravity_rules();
   for (const std::vector<Rule>& more : {of_friction, session_rules()}) {
@@ -414,6 +424,8 @@ const std::vector<Rule>& rules() {
        {Quantity::break_away_torque},
        "record.ramps",
        stribeck_exponent_without_ramps},
+      // Replaced by the clock of the sampling, which leaves nothing to doubt.
+      {"false_stamps", "%", 0, Verdict::usable, {}, "clock.log_time_of_sampling", false_stamps},
       {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
       {"many_torque_outliers",
        "%",

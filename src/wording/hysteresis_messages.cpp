@@ -86,6 +86,9 @@ const Messages& hysteresis_messages() {
             "break-away torque is extrapolated: a larger amplitude would show it")},
       {"lugre.neighbours_averaged",
        text("{recording}: means of {samples} neighbouring samples are fitted")},
+      {"lugre.start_left_out",
+       text("the beginning of {loops} of the loops, where the drive starts the motion, is left out "
+            "of the fit: {samples} samples, the first {longest_s:.2g} s of {recording} at most")},
       {"lugre.misfit",
        text("{recording}: the model leaves {residual_Nm:.2g} N·m (standard deviation) where the "
             "noise of angle and torque explains {explained_Nm:.2g} N·m: this joint's friction does "

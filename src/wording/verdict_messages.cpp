@@ -43,6 +43,7 @@ const Messages& verdict_messages() {
       {"rule.ramps_that_slide", text("Friction less at the speed of ramps that slid than at rest")},
       {"rule.inertia_at_break_away", text("Ramps read without the inertia that accelerates")},
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
+      {"rule.false_stamps", text("Time stamps about the clock of the sampling, of its interval")},
       {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.amplitude_over_deflection",
@@ -202,6 +203,10 @@ const Messages& verdict_messages() {
             "loop's height, that noise does not explain: the contact follows another law, and the "
             "numbers are those of the closest LuGre model, not the joint's")},
 
+      {"cause.false_stamps",
+       text("the time stamps scatter by {percent:.2g} % of the sampling interval of "
+            "{interval_ms:.4g} ms ({recording}), but the angle was sampled evenly: they are those "
+            "of writing, and the even clock that runs through them is used")},
       {"cause.outliers",
        text("{samples} samples of the torque lie far off their neighbours, up to {largest_Nm:.2g} "
             "N·m, and were replaced by the line between these ({recording}: {percent:.2g} % of its "

@@ -262,10 +262,15 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   std::size_t k = 0;
   for (const joint::Recording* whole : dataset.with_role(joint::Role::oscillation)) {
     const method::hysteresis::LuGreLoop& loop = f.loops[k];
-    EXPECT_EQ(loop.motion, method::hysteresis::LoopMotion::spline);
-    ASSERT_TRUE(loop.traced && loop.traced->model_turn_stiffness_Nm_rad);
-    EXPECT_TRUE(
-        overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
+    EXPECT_LT(loop.systematic_Nm / loop.height_Nm, 0.05) << loop.recording;
+    if (loop.traced) {
+      ASSERT_TRUE(loop.traced->model_turn_stiffness_Nm_rad);
+      EXPECT_TRUE(
+          overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
+      // The tangent behind a reversal is between one and two times the bristles' stiffness.
+      EXPECT_GT(loop.traced->turn_stiffness_Nm_rad->high, stiffness->low);
+      EXPECT_LT(loop.traced->turn_stiffness_Nm_rad->low, 2 * stiffness->high);
+    }
     // The same by the other way: the shape of the loop that the model's torque makes.
     joint::Recording model = *whole;
     const method::hysteresis::LoopTrace& trace = c.curves.loops[k];
@@ -283,9 +288,6 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
       EXPECT_NE(wording::words(f.reason).find("does not follow LuGre"), std::string::npos)
           << wording::words(f.reason);
     }
-    // The tangent behind a reversal is between one and two times the bristles' stiffness.
-    EXPECT_GT(loop.traced->turn_stiffness_Nm_rad->high, stiffness->low);
-    EXPECT_LT(loop.traced->turn_stiffness_Nm_rad->low, 2 * stiffness->high);
     ++k;
   }
   // The joint holds far more in the ramps than the 6 N·m of the loops, which creep.

@@ -129,14 +129,14 @@ TEST(OscillationMotion, OneCycleIsEnoughHalfIsNot) {
 TEST(OscillationMotion, ADriftingLoopIsNotFollowed) {
   const auto sine = simulate::HarmonicMotion::sine(0, 1e-4, 1);
   joint::Recording steady = sampled(sine, 5.0, 200);
-  EXPECT_TRUE(method::motion::fit_oscillation_motion(steady)->follows_the_angle(0));
+  EXPECT_TRUE(method::motion::fit_oscillation_motion(steady)->is_near_sine(0));
   for (std::size_t i = 0; i < steady.size(); ++i) {
     steady.q_rad[i] += 1e-4 * std::exp(-static_cast<double>(i) / 200);
   }
   const auto motion = method::motion::fit_oscillation_motion(steady);
   ASSERT_TRUE(motion);
-  EXPECT_FALSE(motion->follows_the_angle(5e-6));
-  EXPECT_TRUE(motion->follows_the_angle(1e-4)) << "within a step of the encoder nothing is known";
+  EXPECT_FALSE(motion->is_near_sine(5e-6));
+  EXPECT_TRUE(motion->is_near_sine(1e-4)) << "within a step of the encoder nothing is known";
 }
 
 TEST(OscillationMotion, AStandingJointDoesNotSwing) {

@@ -59,6 +59,25 @@ TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
   EXPECT_LT(std::sqrt(squares / n), 0.25 * trace.motion->noise_rad);
 }
 
+/// Many steps from sample to sample: each sample's error is its own.
+TEST(TracedMotion, AFastAngleIsNotFollowedIntoItsSteps) {
+  constexpr double step = 1e-7;  // 30 of them between two samples at full speed
+  const auto swinging = [](double t) { return 1e-4 * std::sin(2 * M_PI * 2.4 * t); };
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(+swinging, 8, 500, step));
+  ASSERT_TRUE(trace.motion) << wording::words(trace.refusal);
+  EXPECT_NEAR(trace.motion->residual_rad / trace.motion->noise_rad, 0.9, 0.1);  // half: into them
+  const auto joint = trace.motion->motor_motion(1);
+  double squares = 0;
+  double n = 0;
+  for (double t = 0.5; t < 7.5; t += 0.0171) {
+    const double acceleration = -std::pow(2 * M_PI * 2.4, 2) * swinging(t);
+    squares += std::pow(joint->acceleration(t) - acceleration, 2);
+    n += 1;
+  }
+  EXPECT_LT(std::sqrt(squares / n), 0.05 * 1e-4 * std::pow(2 * M_PI * 2.4, 2));
+}
+
 TEST(TracedMotion, WhiteNoiseIsFoundAndSmoothed) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500, 0, 1e-6));

@@ -6,9 +6,11 @@
 
 #include "base/requirements.h"
 #include "method/hysteresis/loop_points.h"
+#include "method/hysteresis/loop_start.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/presliding_travel.h"
 #include "method/motion/encoder_resolution.h"
+#include "method/motion/followed_motion.h"
 #include "method/motion/moving_part.h"
 #include "statistics/distributions.h"
 
@@ -101,6 +103,7 @@ struct LoopResult {
   std::optional<motion::OscillationMotion> motion;  ///< Where the angle swings with a period.
   std::optional<motion::TracedMotion>
       traced;                  ///< Where harmonics do not follow it, or there are none.
+  double followed_from_s{};    ///< Since the first sample: the motion holds from here.
   Statement why_not_followed;  ///< Where no model can be driven by the angle.
   Oscillation oscillation;
   LoopTrace trace;
@@ -141,19 +144,20 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
 
 /// Finds the motion of a recording, by harmonics or else by a spline; returns why not, if neither.
 Statement follow_the_angle(double encoder_step, LoopResult& loop) {
-  loop.motion = motion::fit_oscillation_motion(loop.recording);
-  if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return {};
-  motion::MotionTrace trace = motion::trace_motion(loop.recording);
-  loop.traced = std::move(trace.motion);
-  if (loop.traced) return {};
+  motion::FollowedMotion followed = motion::follow_the_angle(loop.recording, encoder_step);
+  loop.motion = std::move(followed.harmonic);
+  loop.traced = std::move(followed.traced);
+  loop.followed_from_s = followed.from_s;
+  if (followed.is_followed) return {};
   if (!loop.motion) {
-    return {"loop.no_whole_cycle", {{"recording", loop.recording.name}, {"why", trace.refusal}}};
+    return {"loop.no_whole_cycle",
+            {{"recording", loop.recording.name}, {"why", followed.why_not_traced}}};
   }
   return {"loop.angle_not_periodic",
           {{"recording", loop.recording.name},
            {"residual_rad", loop.motion->residual_rad},
            {"amplitude_rad", loop.motion->amplitude_rad},
-           {"why", trace.refusal}}};
+           {"why", followed.why_not_traced}}};
 }
 
 /// Without cycles and noise of the torque.
@@ -192,7 +196,9 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
     }
     inputs.push_back({&loop.recording, loop.motion ? &*loop.motion : nullptr,
                       loop.traced ? &*loop.traced : nullptr,
-                      loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad});
+                      loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad,
+                      std::max(loop.followed_from_s,
+                               settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz))});
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;

@@ -54,4 +54,36 @@ LoopMisfit loop_misfit(const joint::Recording& recording, const std::vector<doub
   return out;
 }
 
+double repeated_misfit_Nm(const joint::Recording& recording, const std::vector<double>& model_Nm,
+                          const std::vector<double>& turns_s, std::size_t first) {
+  constexpr double fewest_strokes = 3;
+  std::array<std::array<Mean, bins>, 2> over_strokes{};
+  std::size_t i = first;
+  for (std::size_t k = 0; k + 1 < turns_s.size(); ++k) {
+    const double from = recording.t_s.front() + turns_s[k];
+    const double length = turns_s[k + 1] - turns_s[k];
+    if (recording.t_s[std::min(first, recording.size() - 1)] > from || !(length > 0)) continue;
+    std::array<Mean, bins> stroke{};  // its samples are not independent of each other
+    while (i < recording.size() && recording.t_s[i] < from) ++i;
+    for (; i < recording.size() && recording.t_s[i] < from + length; ++i) {
+      const double share = (recording.t_s[i] - from) / length;
+      const auto bin = std::min(bins - 1, static_cast<std::size_t>(share * bins));
+      stroke[bin].add(recording.torque_Nm[i] - model_Nm[i]);
+    }
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      if (stroke[bin].count > 0) over_strokes[k % 2][bin].add(stroke[bin].value());
+    }
+  }
+  double squares = 0;
+  double used = 0;
+  for (const auto& direction : over_strokes) {
+    for (const Mean& mean : direction) {
+      if (mean.count < fewest_strokes) continue;
+      squares += mean.square_without_scatter();
+      used += 1;
+    }
+  }
+  return squares > 0 ? std::sqrt(squares / used) : 0;
+}
+
 }  // namespace tribolog::method::hysteresis

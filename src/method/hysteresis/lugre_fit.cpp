@@ -59,8 +59,7 @@ LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio,
                         GrainOf grain) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
-                        grain(loop));
+    models.push_back(loop.model(gear_ratio, q_peak_rad, grain(loop)));
   }
   return LuGreProblem(std::move(models));
 }
@@ -98,18 +97,6 @@ LuGreClimb climb_from_coarse(const std::vector<LuGreInput>& loops, double gear_r
 /// All samples, each compared by itself.
 LuGreGrain every_sample(const LuGreInput& /*loop*/) { return {}; }
 
-Eigen::VectorXd residuals_of(const LuGreClimb& climb, const LuGreProblem& problem) {
-  Eigen::VectorXd residuals(problem.rows());
-  Eigen::Index top = 0;
-  for (std::size_t r = 0; r < problem.models().size(); ++r) {
-    const LuGreLoopModel& model = problem.models()[r];
-    residuals.segment(top, model.rows()) =
-        model.residuals(climb.point.shared, climb.point.locals[r]);
-    top += model.rows();
-  }
-  return residuals;
-}
-
 void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
                          LuGreFit& fit) {
   for (std::size_t r = 0; r < loops.size(); ++r) {
@@ -140,16 +127,45 @@ void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const
       describe_traced_loop(*input.recording, *input.traced, signals.torque_Nm, slope, gear_ratio);
 }
 
+/// What of a loop the fit compared.
+struct Compared {
+  joint::Recording recording;
+  std::vector<double> model_Nm, speed_rad_s;
+};
+
+Compared compared(const joint::Recording& r, const LuGreLoopModel& model,
+                  const std::vector<double>& model_Nm) {
+  const auto behind = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + model.rows_left_out(), all.end());
+  };
+  Compared out;
+  out.recording.name = r.name;
+  out.recording.t_s = behind(r.t_s);
+  out.recording.q_rad = behind(r.q_rad);
+  out.recording.torque_Nm = behind(r.torque_Nm);
+  out.model_Nm = behind(model_Nm);
+  out.speed_rad_s = behind(model.speed_rad_s());
+  return out;
+}
+
+/// Strokes of any size: what they repeat, or what is left beyond the noise, whichever is more.
+double systematic_of_traced(const joint::Recording& recording, const LuGreInput& input,
+                            const LuGreSignals& signals, const LuGreLoop& loop) {
+  constexpr double noise_known_to = 1.25;  // to a quarter, by the angle's and the torque's scatter
+  const double unexplained =
+      std::pow(loop.residual_Nm, 2) - std::pow(noise_known_to * loop.traced->explained_Nm, 2);
+  return std::max(repeated_misfit_Nm(recording, signals.torque_Nm, input.traced->turns_s,
+                                     loop.samples_left_out),
+                  std::sqrt(std::max(0.0, unexplained)));
+}
+
 /// Gravity of each recording, and the fit's bristle in it.
-/// @param problem of every sample, and `residuals` of them.
+/// @param problem of every sample.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
-                    const Eigen::VectorXd& residuals, const LuGreClimb& climb, double gear_ratio,
-                    FittedLuGre& made) {
+                    const LuGreClimb& climb, double gear_ratio, FittedLuGre& made) {
   LuGreFit& fit = made.fit;
-  const Eigen::Index freedom = residuals.size() - climb.linear.r_factor.cols();
-  fit.residual_Nm =
-      std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
-  Eigen::Index top = 0;
+  double squares = 0;
+  Eigen::Index samples = 0;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
     const joint::Recording& recording = *inputs[r].recording;
     const Eigen::Index column = LuGreProblem::gravity_column(climb.free, r);
@@ -157,17 +173,25 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     LuGreLoop loop;
     loop.recording = recording.name;
     LuGreSignals signals;
-    const auto rows = static_cast<Eigen::Index>(recording.size());
-    const auto part = residuals.segment(top, rows);
-    loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(rows));
+    const LuGreLoopModel& model = problem.models()[r];
+    const Eigen::VectorXd residuals = model.residuals(climb.point.shared, climb.point.locals[r]);
+    const auto part = residuals.tail(model.rows() - model.rows_left_out());
+    loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(part.size()));
+    squares += part.squaredNorm();
+    samples += part.size();
     signals.torque_Nm.reserve(recording.size());
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      signals.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
+    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+      signals.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + residuals(i));
     }
-    loop.height_Nm = problem.models()[r].height_Nm();
-    loop.misfit = loop_misfit(recording, signals.torque_Nm, problem.models()[r].speed_rad_s());
+    loop.height_Nm = model.height_Nm();
+    loop.samples_left_out = static_cast<std::size_t>(model.rows_left_out());
+    if (loop.samples_left_out > 0) {
+      loop.left_out_s = recording.t_s[loop.samples_left_out] - recording.t_s.front();
+    }
+    const Compared seen = compared(recording, model, signals.torque_Nm);
+    loop.misfit = loop_misfit(seen.recording, seen.model_Nm, seen.speed_rad_s);
     if (inputs[r].traced == nullptr) {
-      loop.cycle_misfit = cycle_misfit(recording, signals.torque_Nm, inputs[r].frequency_Hz());
+      loop.cycle_misfit = cycle_misfit(seen.recording, seen.model_Nm, inputs[r].frequency_Hz());
     }
     if (climb.free.starts) {
       loop.gravity_Nm = statistics::symmetric_estimate(
@@ -178,19 +202,18 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
       const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
                                ? 0.0
                                : loop.start_deflection_rad;
-      problem.models()[r].bristle(climb.point.shared, start, signals.z_rad, signals.dz_rad_s);
+      model.bristle(climb.point.shared, start, signals.z_rad, signals.dz_rad_s);
     }
-    describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, signals, loop);
+    describe_motion(inputs[r], model, climb, gear_ratio, signals, loop);
     // Loops of other sizes cross the same angle at other torques: bins of the angle mix them.
-    loop.systematic_Nm = loop.traced
-                             ? std::sqrt(std::max(0.0, std::pow(loop.residual_Nm, 2) -
-                                                           std::pow(loop.traced->explained_Nm, 2)))
+    loop.systematic_Nm = loop.traced ? systematic_of_traced(recording, inputs[r], signals, loop)
                          : loop.cycle_misfit.is_known() ? loop.cycle_misfit.systematic_Nm
                                                         : loop.misfit.systematic_Nm;
-    top += rows;
     fit.loops.push_back(std::move(loop));
     made.signals.push_back(std::move(signals));
   }
+  const Eigen::Index freedom = samples - climb.linear.r_factor.cols();
+  fit.residual_Nm = std::sqrt(squares / std::max(1.0, static_cast<double>(freedom)));
 }
 
 PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const LuGreFit& fit,
@@ -311,6 +334,23 @@ void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   }
 }
 
+/// States where the start of a loop was left out, by the longest.
+void add_starts(LuGreFit& fit) {
+  const auto longest = std::max_element(
+      fit.loops.begin(), fit.loops.end(),
+      [](const LuGreLoop& a, const LuGreLoop& b) { return a.left_out_s < b.left_out_s; });
+  if (longest == fit.loops.end() || longest->samples_left_out == 0) return;
+  const auto loops = std::count_if(fit.loops.begin(), fit.loops.end(),
+                                   [](const LuGreLoop& l) { return l.samples_left_out > 0; });
+  std::size_t samples = 0;
+  for (const LuGreLoop& loop : fit.loops) samples += loop.samples_left_out;
+  fit.reason.add({"lugre.start_left_out",
+                  {{"loops", static_cast<std::size_t>(loops)},
+                   {"samples", samples},
+                   {"recording", longest->recording},
+                   {"longest_s", longest->left_out_s}}});
+}
+
 /// The misfit of the loop that noise explains worst; empty where it explains all of them.
 Statement worst_misfit(const LuGreFit& fit) {
   const LuGreLoop* worst = nullptr;
@@ -405,10 +445,8 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
                   [](std::size_t together) { return together > 1; })) {
     problem = LuGreProblem({});  // its room is wanted for the next
     problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
-    describe_loops(loops, problem, residuals_of(climb, problem), climb, gear_ratio, made);
-  } else {
-    describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, made);
   }
+  describe_loops(loops, problem, climb, gear_ratio, made);
   if (climb.free.starts) {
     made.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
     fit.gravity_Nm = made.positions->freedom > 0
@@ -424,6 +462,7 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
                       100 * fit.motor_amplitude_rad * stiffness->value / level->value}}});
   }
   add_grain(samples_in_row, fit);
+  add_starts(fit);
   fit.reason.add(worst_misfit(fit));
   made.linearised = std::make_shared<statistics::LinearisedFit>(
       linearised(climb, std::move(readings.readings), loops.size(), samples_in_row.front()));

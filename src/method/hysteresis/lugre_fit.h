@@ -100,7 +100,9 @@ struct LuGreLoop {
   std::optional<statistics::Estimate>
       gravity_Nm;  ///< At the gravity peak; ripple of its position included.
   double start_deflection_rad{};
-  double residual_Nm{};  ///< Standard deviation of T - model.
+  std::size_t samples_left_out{};  ///< At the beginning, where the drive starts the motion.
+  double left_out_s{};             ///< Their duration.
+  double residual_Nm{};            ///< Standard deviation of T - model.
   LoopMisfit misfit;
   CycleMisfit cycle_misfit;  ///< Only of a periodic loop.
   double height_Nm{};        ///< Largest minus smallest torque, without the jump of a start.

@@ -154,6 +154,11 @@ LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
       samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
   add_instants(instants, gear_ratio, q_peak_rad);
   add_ways(instants);
+  if (grain.compared_from_s > 0) {
+    const std::vector<double> times = row_times_s();
+    rows_left_out_ =
+        std::lower_bound(times.begin(), times.end(), grain.compared_from_s) - times.begin();
+  }
 }
 
 void LuGreLoopModel::add_instants(const std::vector<double>& times_s, double gear_ratio,
@@ -315,6 +320,8 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   for (Eigen::Index row = 0; row < residuals.size(); ++row) {
     residuals(row) -= measured_Nm_[static_cast<std::size_t>(row)];
   }
+  residuals.head(rows_left_out_).setZero();
+  derivatives.topRows(rows_left_out_).setZero();
 }
 
 /// Turns values at the instants of evaluation into means over the rows' samples. For a row
@@ -384,12 +391,13 @@ double LuGreLoopModel::motor_amplitude_rad() const {
   return (*high - *low) / 2;
 }
 
-double LuGreLoopModel::height_Nm() const { return statistics::range_without_ends(measured_Nm_); }
+double LuGreLoopModel::height_Nm() const {
+  return statistics::range_without_ends(
+      {measured_Nm_.begin() + rows_left_out_, measured_Nm_.end()});
+}
 
 double LuGreLoopModel::mean_torque_Nm() const {
-  double sum = 0;
-  for (const double torque : measured_Nm_) sum += torque;
-  return sum / static_cast<double>(measured_Nm_.size());
+  return measured().tail(rows() - rows_left_out_).mean();
 }
 
 }  // namespace tribolog::method::hysteresis

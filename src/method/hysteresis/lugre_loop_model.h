@@ -42,6 +42,8 @@ struct LuGreGrain {
   std::size_t stride{1};          ///< Every `stride`-th sample is used; the others are skipped.
   std::size_t samples_in_row{1};  ///< Neighbours averaged before comparison, as is the model.
   std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< Counted from the first.
+  /// Rows before are not compared: the drive starts the motion there [s since the first sample].
+  double compared_from_s{0};
 };
 
 class LuGreLoopModel {
@@ -64,12 +66,14 @@ class LuGreLoopModel {
   /// Motor speed there, by the motion.
   [[nodiscard]] Eigen::VectorXd row_speeds_rad_s() const;
   [[nodiscard]] Eigen::VectorXd measured() const;
-  /// Residuals T_model - T_measured, and their derivatives.
+  /// Residuals T_model - T_measured, and their derivatives; zero in rows that are not compared.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
   /// micro-speed limit is integrated at half the cost.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
-  /// Residuals alone. @pre a row is a sample
+  /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s).
+  [[nodiscard]] Eigen::Index rows_left_out() const { return rows_left_out_; }
+  /// Residuals alone, of all rows. @pre a row is a sample
   [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
                                           const LuGreLocal& local) const;
   /// z and dz/dt of the model at the samples. @pre a row is a sample
@@ -81,7 +85,7 @@ class LuGreLoopModel {
   [[nodiscard]] double peak_speed_rad_s() const;
   /// Half the distance between the extremes of the motion [rad, motor].
   [[nodiscard]] double motor_amplitude_rad() const;
-  /// Largest minus smallest torque, without its jump where a drive starts at once [N·m].
+  /// Largest minus smallest torque that is compared, without jumps [N·m].
   [[nodiscard]] double height_Nm() const;
   [[nodiscard]] double mean_torque_Nm() const;
 
@@ -109,6 +113,7 @@ class LuGreLoopModel {
 
   std::shared_ptr<const simulate::Motion> motion_;
   std::size_t samples_in_row_;
+  Eigen::Index rows_left_out_{0};
   [[nodiscard]] Eigen::Index row_of(Eigen::Index instant) const;
   void average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const;
 

@@ -13,6 +13,11 @@ std::shared_ptr<const simulate::Motion> LuGreInput::motor_motion(double gear_rat
   return std::make_shared<simulate::HarmonicMotion>(motion->motor_motion(gear_ratio));
 }
 
+LuGreLoopModel LuGreInput::model(double gear_ratio, double q_peak_rad, LuGreGrain grain) const {
+  grain.compared_from_s = settled_from_s;
+  return {*recording, motor_motion(gear_ratio), gear_ratio, q_peak_rad, grain};
+}
+
 double LuGreInput::frequency_Hz() const {
   return traced != nullptr ? traced->frequency_Hz : motion->frequency_Hz;
 }

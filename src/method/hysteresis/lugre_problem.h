@@ -24,9 +24,12 @@ struct LuGreInput {
                                               ///< given.
   const motion::TracedMotion* traced{};       ///< Used instead where given.
   double encoder_step_rad{};                  ///< Of the angle, joint side; 0: it looks continuous.
+  double settled_from_s{};  ///< The drive starts the motion before (loop_start.h).
 
   /// Motion as a function of the time since the recording's first sample.
   [[nodiscard]] std::shared_ptr<const simulate::Motion> motor_motion(double gear_ratio) const;
+  /// LuGre along this motion, compared with the recording from where it is settled.
+  [[nodiscard]] LuGreLoopModel model(double gear_ratio, double q_peak_rad, LuGreGrain grain) const;
   [[nodiscard]] double frequency_Hz() const;
   [[nodiscard]] double centre_rad() const;
   /// Half loop of each sample, counted from 0: half cycles of the frequency, or the strokes between

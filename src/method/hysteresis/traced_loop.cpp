@@ -112,8 +112,7 @@ Eigen::VectorXd step_along(const std::vector<LuGreInput>& loops, const LuGreClim
                            double gear_ratio, double q_peak_rad) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
-                        grain_of(loop));
+    models.push_back(loop.model(gear_ratio, q_peak_rad, grain_of(loop)));
   }
   const statistics::LinearisedFit fit =
       LuGreProblem(std::move(models)).linearise(climb.free, climb.point, {}).fit;

@@ -326,7 +326,7 @@ class HigherOrders {
 
 }  // namespace
 
-bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
+bool OscillationMotion::is_near_sine(double encoder_step_rad) const {
   constexpr double largest_share = 0.02;
   return near_sine_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
 }

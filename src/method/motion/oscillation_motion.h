@@ -33,9 +33,8 @@ struct OscillationMotion {
   /// explains.
   [[nodiscard]] bool has_even_harmonics() const;
   /// Whether the motion is about a sine: what three harmonics leave is below a fiftieth of the
-  /// amplitude, or below a step of the encoder. A joint driven by torque creeps and drifts; its
-  /// loops are not periodic.
-  [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
+  /// amplitude, or below a step of the encoder.
+  [[nodiscard]] bool is_near_sine(double encoder_step_rad) const;
   /// Motor-side motion as a function of the time since start_s.
   [[nodiscard]] simulate::HarmonicMotion motor_motion(double gear_ratio) const;
 };

@@ -18,7 +18,9 @@ namespace tribolog::method::motion {
 // A quantised angle that changes slowly is best known where it steps: between two samples there it
 // is at the edge between two steps, to within its travel from one sample to the next. The samples
 // on a step only show that the angle is within it; they count where the angle reverses or the
-// recording begins or ends, and no edge shows more.
+// recording begins or ends, and no edge shows more. Where it changes so fast that a step holds a
+// single sample, each sample is a point: edges between them would share samples, and errors that
+// are not independent would be taken for motion.
 
 namespace {
 
@@ -55,15 +57,18 @@ statistics::CurvePoints angle_points(const std::vector<double>& t, const std::ve
     out.error.push_back(error);
   };
   const auto rise = [&](std::size_t k) { return q[treads[k + 1].first] - q[treads[k].first]; };
+  const auto is_single = [&](std::size_t k) { return treads[k].last - treads[k].first == 1; };
+  const auto has_edge_behind = [&](std::size_t k) { return !is_single(k) && !is_single(k + 1); };
   for (std::size_t k = 0; k < treads.size(); ++k) {
     const Tread& tread = treads[k];
     const bool at_end = k == 0 || k + 1 == treads.size();
-    if (at_end || rise(k - 1) * rise(k) < 0) {
+    if (at_end || rise(k - 1) * rise(k) < 0 || !(has_edge_behind(k - 1) || has_edge_behind(k))) {
       const std::size_t last = tread.last - 1;
       const double time = k == 0 ? t.front() : at_end ? t.back() : (t[tread.first] + t[last]) / 2;
       add(time, q[tread.first], rounding * step_rad);
     }
     if (k + 1 == treads.size()) break;
+    if (!has_edge_behind(k)) continue;
     const Tread& next = treads[k + 1];
     const double samples =
         std::clamp(std::min(tread.samples(), next.samples()), 1.0, most_samples_on_step);
@@ -108,13 +113,6 @@ class SplineMotion final : public simulate::Motion {
   double gear_ratio_;
 };
 
-/// Standard deviation of the angle's noise.
-double noise_of_angle(const std::vector<double>& q, double step) {
-  // Slow motion over steps has third differences that are not those of noise.
-  const double white = statistics::white_sd_beside_jumps(statistics::third_differences(q));
-  return white < step ? step / std::sqrt(12.0) : white;
-}
-
 double way_of(const std::vector<double>& q) {
   double way = 0;
   for (std::size_t i = 0; i + 1 < q.size(); ++i) way += std::abs(q[i + 1] - q[i]);
@@ -125,6 +123,12 @@ MotionTrace refused(Statement why) { return {std::nullopt, std::move(why)}; }
 
 }  // namespace
 
+double noise_of_angle(const std::vector<double>& q_rad, double encoder_step_rad) {
+  // Slow motion over steps has third differences that are not those of noise.
+  const double white = statistics::white_sd_beside_jumps(statistics::third_differences(q_rad));
+  return white < encoder_step_rad ? rounding * encoder_step_rad : white;
+}
+
 Statement TracedMotion::noise_source() const {
   if (is_stepped()) return {"motion.encoder_step", {{"step_rad", encoder_step_rad}}};
   return {"motion.sample_scatter", {{"noise_rad", noise_rad}}};
@@ -134,7 +138,8 @@ std::unique_ptr<simulate::Motion> TracedMotion::motor_motion(double gear_ratio) 
   return std::make_unique<SplineMotion>(spline, origin_rad, gear_ratio);
 }
 
-MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
+MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found,
+                         double weighed_from_s) {
   if (r.size() < fewest_samples) {
     return refused({"motion.too_few_samples", {{"samples", r.size()}, {"needed", fewest_samples}}});
   }
@@ -164,7 +169,7 @@ MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
       angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0);
   out.spline = found != nullptr
                    ? std::make_shared<statistics::SmoothingSpline>(points, *found->spline)
-                   : std::make_shared<statistics::SmoothingSpline>(points);
+                   : std::make_shared<statistics::SmoothingSpline>(points, weighed_from_s);
   std::vector<double> smooth;
   double squares = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -44,9 +44,16 @@ struct MotionTrace {
   Statement refusal;  ///< Why there is none, with the number; empty if there is one.
 };
 
+/// Standard deviation of the noise of an angle [rad], joint side: of rounding to the encoder's
+/// step, or of the samples where they scatter by more.
+double noise_of_angle(const std::vector<double>& q_rad, double encoder_step_rad);
+
 /// Refuses an angle that is too short, does not reverse twice, is sampled too coarsely for its
 /// strokes, or is too rough to have a speed.
 /// @param found the same motion, traced before: it is smoothed about as much (see SmoothingSpline).
-MotionTrace trace_motion(const joint::Recording& recording, const TracedMotion* found = nullptr);
+/// @param weighed_from_s since the first sample: what comes before does not choose how much is
+/// smoothed. A drive that starts at once moves as the joint never does later.
+MotionTrace trace_motion(const joint::Recording& recording, const TracedMotion* found = nullptr,
+                         double weighed_from_s = 0);
 
 }  // namespace tribolog::method::motion
