@@ -195,7 +195,9 @@ constexpr Step papers_chain[] = {
        std::vector<joint::Recording> recordings = p.dataset.recordings;
        p.c.false_stamps = method::motion::replace_false_stamps(recordings);
        p.c.torque_outliers = method::motion::replace_torque_outliers(recordings);
-       if (&p.used() == &p.cleaned) p.cleaned.recordings = std::move(recordings);
+       if (&p.used() == &p.dataset) return;
+       p.cleaned = p.dataset;
+       p.cleaned.recordings = std::move(recordings);
      }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {
@@ -297,8 +299,8 @@ constexpr Step papers_chain[] = {
 constexpr Step further_steps[] = {
     {"checks on the data",
      [](Progress& p) {
-       p.c.data_checks = method::checks::check_recordings(
-           p.dataset, {p.c.rough, p.c.run_gravity, p.c.q_peak_rad});
+       p.c.data_checks =
+           method::checks::check_recordings(p.used(), {p.c.rough, p.c.run_gravity, p.c.q_peak_rad});
      }},
     {"laws of the friction curve",
      [](Progress& p) {
@@ -380,7 +382,7 @@ void check_known_truth(Progress& p) {
     return std::move(chain.c);
   };
   p.c.truth_check = truth::check_known_truth(
-      p.dataset, p.c, numbers_of, {p.options.truth_runs, p.options.seed, p.options.threads});
+      p.used(), p.c, numbers_of, {p.options.truth_runs, p.options.seed, p.options.threads});
 }
 
 constexpr Step truth_step{"known-truth check", check_known_truth};

@@ -55,6 +55,14 @@ TEST(FalseStamps, GiveWayToTheClockOfTheSampling) {
   }
 }
 
+/// Some stamps lie behind the next sample then; readers sort them.
+TEST(FalseStamps, OfMoreThanAQuarterOfTheIntervalToo) {
+  Log log = scattered(0.28 * interval_s, false);
+  std::vector<joint::Recording> recordings{log.stamped};
+  EXPECT_EQ(method::motion::replace_false_stamps(recordings).replaced, log.stamped.size());
+  EXPECT_NEAR(recordings[0].t_s.back(), log.sampled_s.back(), 0.1 * interval_s);
+}
+
 TEST(FalseStamps, AClockThatScattersAsItsSamplesDidIsNone) {
   std::vector<joint::Recording> recordings{scattered(0.1 * interval_s, true).stamped};
   const std::vector<double> stamps = recordings[0].t_s;

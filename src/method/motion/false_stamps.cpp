@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "statistics/order_statistics.h"
 
@@ -13,8 +15,8 @@ namespace {
 struct EvenClock {
   std::vector<double> count;
   double start_s{};
-  double interval_s{};
-  double scatter_s{};  ///< Standard deviation of the stamps about it.
+  double interval_s{};  ///< 0: there is none.
+  double scatter_s{};   ///< Standard deviation of the stamps about it.
 };
 
 /// Counts that a clock of this interval gives the stamps, each from where the last ones were: a
@@ -33,9 +35,9 @@ std::vector<double> counts_of(const std::vector<double>& t_s, double interval_s)
 }
 
 /// The straight line through stamps and counts.
-EvenClock clock_through(const std::vector<double>& t_s, double interval_s) {
+EvenClock clock_through(const std::vector<double>& t_s, std::vector<double> count) {
   EvenClock out;
-  out.count = counts_of(t_s, interval_s);
+  out.count = std::move(count);
   const auto n = static_cast<double>(t_s.size());
   double mean_t = 0;
   double mean_count = 0;
@@ -60,6 +62,20 @@ EvenClock clock_through(const std::vector<double>& t_s, double interval_s) {
   return out;
 }
 
+/// Where samples were lost, the stamps tell which: a clock that scatters by more than a part of its
+/// interval cannot. Where none was, each stamp is one further.
+EvenClock clock_through(const std::vector<double>& t_s) {
+  constexpr double most_of_none_lost = 0.4;  // of the interval
+  std::vector<double> each(t_s.size());
+  std::iota(each.begin(), each.end(), 0.0);
+  EvenClock none_lost = clock_through(t_s, std::move(each));
+  if (none_lost.scatter_s < most_of_none_lost * none_lost.interval_s) return none_lost;
+  constexpr double most_of_some_lost = 0.15;
+  EvenClock some_lost = clock_through(t_s, counts_of(t_s, statistics::even_interval(t_s)));
+  if (some_lost.scatter_s > most_of_some_lost * some_lost.interval_s) some_lost.interval_s = 0;
+  return some_lost;
+}
+
 /// Sum of squares by which samples lie off the straight line between their neighbours.
 template <class Time>
 double roughness(const std::vector<double>& q, const std::vector<double>& count, Time time) {
@@ -76,14 +92,10 @@ double roughness(const std::vector<double>& q, const std::vector<double>& count,
 std::optional<EvenClock> sampling_of(const joint::Recording& r) {
   constexpr std::size_t fewest_samples = 200;
   constexpr double least_scatter = 0.01;  // of the interval: no speed shows less
-  constexpr double most_scatter = 0.5;    // counts are not certain beyond
   constexpr double smoother = 0.5;
   if (r.size() < fewest_samples) return std::nullopt;
-  const double interval = statistics::even_interval(r.t_s);
-  if (!(interval > 0)) return std::nullopt;
-  EvenClock clock = clock_through(r.t_s, interval);
-  if (clock.scatter_s < least_scatter * clock.interval_s ||
-      clock.scatter_s > most_scatter * clock.interval_s) {
+  EvenClock clock = clock_through(r.t_s);
+  if (!(clock.interval_s > 0) || clock.scatter_s < least_scatter * clock.interval_s) {
     return std::nullopt;
   }
   const double by_stamps = roughness(r.q_rad, clock.count, [&](std::size_t i) { return r.t_s[i]; });
