@@ -170,8 +170,7 @@ Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
 
 Json out_of_proportion(const std::optional<method::viscous::TorqueProportion>& torque) {
   if (!torque) return nullptr;
-  const bool saturates = torque->form == method::viscous::OutOfProportion::saturation;
-  return {{"form", saturates ? "saturation" : "dead_zone"}, {"share", interval(torque->share)}};
+  return {{"form", to_string(torque->form)}, {"share", interval(torque->share)}};
 }
 
 Json load_dependence(const method::viscous::LoadDependenceResult& l) {

@@ -291,7 +291,7 @@ std::vector<Disturbance> all_disturbances() {
        [](Scenario& s, double x) {
          s.noise.effects.saturation_per_Nm2 = x / std::pow(motor_gravity(s), 2);
        },
-       {"cause.torque_saturates", "cause.load"}},
+       {"cause.torque_saturates", "cause.saturation_or_offset", "cause.load"}},
       {"dead_zone",
        {0.003, 0.01, 0.03},
        [](Scenario& s, double x) { s.noise.effects.dead_zone_Nm = x * motor_gravity(s); },

@@ -70,10 +70,31 @@ std::optional<Measured> torque_out_of_proportion(const Calibration& c) {
       c.load_dependence.out_of_proportion;
   if (!found) return Measured{};
   const double percent = 100 * found->share.value;
-  return Measured{percent,
-                  {found->form == OutOfProportion::saturation ? Code{"cause.torque_saturates"}
-                                                              : Code{"cause.dead_zone"},
-                   {{"percent", percent}, {"half_width", 100 * found->share.half_width()}}}};
+  const auto cause = [&]() -> Code {
+    switch (found->form) {
+      case OutOfProportion::saturation:
+        return {"cause.torque_saturates"};
+      case OutOfProportion::dead_zone:
+        return {"cause.dead_zone"};
+      case OutOfProportion::saturation_or_offset:
+        return {"cause.saturation_or_offset"};
+    }
+    return {};
+  };
+  return Measured{
+      std::abs(percent),
+      {cause(), {{"percent", percent}, {"half_width", 100 * found->share.half_width()}}}};
+}
+
+/// What it does to friction at the peak: a cube's slope is three times its share there.
+std::optional<Measured> slope_out_of_proportion(const Calibration& c) {
+  constexpr double slope_of_cube = 3;
+  std::optional<Measured> found = torque_out_of_proportion(c);
+  const auto& torque = c.load_dependence.out_of_proportion;
+  if (!found || !torque || torque->form == method::viscous::OutOfProportion::dead_zone)
+    return found;
+  found->value *= slope_of_cube;
+  return found;
 }
 
 std::optional<Measured> gear_twist(const Calibration& c) {
@@ -215,6 +236,13 @@ std::vector<Rule> gravity_rules() {
        other_joint_on_friction},
       {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_at_loads",
        torque_out_of_proportion},
+      {"slope_out_of_proportion",
+       "%",
+       2,
+       Verdict::doubtful,
+       {Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::coulomb_torque},
+       "record.torque_at_loads",
+       slope_out_of_proportion},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
       // Over part of a turn, what such a torque has in common with gravity cannot be told from it:

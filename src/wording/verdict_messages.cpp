@@ -49,6 +49,8 @@ const Messages& verdict_messages() {
       {"rule.amplitude_over_deflection",
        text("Amplitude of the smallest loop, over the deflection at which the bristle slides")},
       {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
+      {"rule.slope_out_of_proportion",
+       text("A torque out of proportion, in what it does to friction")},
       {"rule.torque_out_of_proportion",
        text("Torque that is not in proportion to the joint's, at the gravity peak")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
@@ -198,6 +200,10 @@ const Messages& verdict_messages() {
       {"cause.dead_zone", text("the torque has a dead zone: {percent:.2g} ± {half_width:.2g} % of "
                                "the gravity torque is "
                                "logged on either side of zero before the joint gets any")},
+      {"cause.saturation_or_offset",
+       text("the sweep shows an offset of the torque, or a torque out of proportion, by "
+            "{percent:.2g} ± {half_width:.2g} % at the gravity peak: over these angles both look "
+            "alike")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "

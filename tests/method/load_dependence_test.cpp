@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,39 @@ TEST(LoadDependence, ADeadZoneShowsWhereTheTorqueChangesItsSign) {
     // Where it does not, it is an offset of the torque.
     EXPECT_FALSE(identify_strokes(0, coulomb_Nm, seed, beyond_zone).load.out_of_proportion) << seed;
   }
+}
+
+/// A slow sine about the gravity peak, of this amplitude.
+joint::Recording about_the_peak(double amplitude_rad, double offset_Nm, double saturation) {
+  statistics::RandomStream random(4, 0);
+  joint::Recording r;
+  r.role = joint::Role::rough_sweep;
+  constexpr double w = 2 * std::numbers::pi * 0.05;
+  for (int i = 0; i < 6000; ++i) {
+    const double t = 0.01 * i;
+    const double q = amplitude_rad * std::sin(w * t);
+    const double v = amplitude_rad * w * std::cos(w * t);
+    const double torque =
+        gravity_Nm * std::cos(q) + (v > 0 ? 1 : -1) * coulomb_Nm + viscous_Nms_rad * v;
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.torque_Nm.push_back(torque * (1 - saturation * std::pow(torque / gravity_Nm, 2)) + offset_Nm +
+                          0.5 * random.normal());
+  }
+  return r;
+}
+
+TEST(LoadDependence, NearThePeakAnOffsetAndASaturationLookAlike) {
+  using method::viscous::OutOfProportion;
+  for (const auto& [offset, saturation] : {std::pair{0.0, 0.02}, std::pair{3.0, 0.0}}) {
+    const Result narrow = identify(about_the_peak(0.7, offset, saturation));
+    ASSERT_TRUE(narrow.load.out_of_proportion) << saturation;
+    EXPECT_EQ(narrow.load.out_of_proportion->form, OutOfProportion::saturation_or_offset);
+    EXPECT_NEAR(narrow.load.out_of_proportion->share.value, saturation > 0 ? -0.02 : -0.025, 0.01);
+  }
+  EXPECT_FALSE(identify(about_the_peak(0.7, 0, 0)).load.out_of_proportion);
+  EXPECT_FALSE(identify(about_the_peak(1.9, 3, 0)).load.out_of_proportion)
+      << "further away they do not";
 }
 
 TEST(LoadDependence, LittleChangeOfLoadIsSaid) {

@@ -158,22 +158,36 @@ void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
 
 /// The torques of both directions over the angle, one row each.
 struct BothDirections {
-  Eigen::MatrixXd columns;  ///< Gravity in two parts, offset, friction; and what the angle adds.
+  /// Gravity in two parts, offset, friction; and what the angle adds, and the speed to friction.
+  Eigen::MatrixXd columns;
   Eigen::VectorXd torque_Nm;
   std::vector<std::size_t> blocks;
 };
 
+/// What a sweep's torque holds beside gravity, offset and a friction that is the same throughout.
+struct Beside {
+  bool of_angle{};
+  bool of_speed{};
+};
+
 /// @param blocks of the rows.
 BothDirections both_directions(const std::vector<Row>& rows, const std::vector<std::size_t>& blocks,
-                               bool more_of_angle) {
+                               const Beside& beside) {
   const auto n = static_cast<Eigen::Index>(rows.size());
-  BothDirections out{Eigen::MatrixXd(2 * n, more_of_angle ? 6 : 4), Eigen::VectorXd(2 * n), {}};
+  const Eigen::Index columns = 4 + (beside.of_angle ? 2 : 0) + (beside.of_speed ? 2 : 0);
+  BothDirections out{Eigen::MatrixXd(2 * n, columns), Eigen::VectorXd(2 * n), {}};
+  double fastest = 0;
+  for (const Row& row : rows) fastest = std::max(fastest, row.speed_rad_s);
   for (Eigen::Index i = 0; i < 2 * n; ++i) {
     const Row& row = rows[static_cast<std::size_t>(i / 2)];
     const bool rises = i % 2 == 0;
     const double q = rises ? row.rising_rad : row.falling_rad;
     out.columns.row(i).head<4>() << std::cos(q), std::sin(q), 1, rises ? 1 : -1;
-    if (more_of_angle) out.columns.row(i).tail<2>() << std::cos(2 * q), std::sin(2 * q);
+    if (beside.of_angle) out.columns.row(i).segment<2>(4) << std::cos(2 * q), std::sin(2 * q);
+    if (beside.of_speed) {
+      const double speed = row.speed_rad_s / fastest;
+      out.columns.row(i).tail<2>() << out.columns(i, 3) * speed, out.columns(i, 3) * speed * speed;
+    }
     out.torque_Nm(i) = rises ? row.rising_Nm : row.falling_Nm;
     out.blocks.push_back(blocks[static_cast<std::size_t>(i / 2)]);
   }
@@ -191,12 +205,35 @@ statistics::BlockRegression with_columns(const BothDirections& all,
   return statistics::block_regression(columns, all.torque_Nm, all.blocks);
 }
 
+/// A saturation that would do what an offset of the torque does: near the gravity peak both make
+/// the cosine's amplitude look smaller.
+std::optional<TorqueProportion> saturation_for_offset(const BothDirections& all,
+                                                      const statistics::BlockRegression& plain,
+                                                      const Eigen::VectorXd& cube, double unit_Nm) {
+  constexpr double beyond_doubt = 1.5;  // half widths
+  constexpr double about_as_well = 1.05;
+  constexpr Eigen::Index offset = 2;
+  if (std::abs(plain.coefficients(offset)) < beyond_doubt * plain.half_width(offset)) {
+    return std::nullopt;
+  }
+  BothDirections without = all;
+  without.columns.col(offset) = cube;
+  const statistics::BlockRegression fit = with_columns(without, {});
+  if (fit.residuals.squaredNorm() > about_as_well * plain.residuals.squaredNorm()) {
+    return std::nullopt;
+  }
+  return TorqueProportion{OutOfProportion::saturation_or_offset,
+                          statistics::symmetric_estimate(fit.coefficients(offset) / unit_Nm,
+                                                         fit.half_width(offset) / unit_Nm,
+                                                         {"interval.paired_strokes"})};
+}
+
 /// @param blocks of the rows.
 /// @param load_found whether friction seems to grow with the load.
 std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>& rows,
                                                          const std::vector<std::size_t>& blocks,
-                                                         bool more_of_angle, bool load_found) {
-  const BothDirections all = both_directions(rows, blocks, more_of_angle);
+                                                         const Beside& beside, bool load_found) {
+  const BothDirections all = both_directions(rows, blocks, beside);
   const statistics::BlockRegression plain = with_columns(all, {});
   const double gravity = std::hypot(plain.coefficients(0), plain.coefficients(1));
   const double friction = plain.coefficients(3);
@@ -229,6 +266,7 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
   }
   // At the peak the mean of G + F and G - F has 1 + 3 (F/G)^2 of the cube.
   const double unit_Nm = gravity / (1 + 3 * std::pow(friction / gravity, 2));
+  if (beside.of_speed) return saturation_for_offset(all, plain, cube, unit_Nm);
   const statistics::Estimate alone = share_of(saturated, unit_Nm);
   const statistics::BlockRegression both = with_columns(all, {load, cube});
   const Eigen::Index of_load_in_both = all.columns.cols();
@@ -236,18 +274,30 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
   const bool needs_load =
       both.coefficients(of_load_in_both) > beyond_doubt * both.half_width(of_load_in_both);
   if (needs_load) {
-    const statistics::Estimate beside = share_of(both, unit_Nm);
-    return beside.low > 0 ? std::optional(TorqueProportion{OutOfProportion::saturation, beside})
-                          : std::nullopt;
+    const statistics::Estimate share = share_of(both, unit_Nm);
+    return share.low > 0 ? std::optional(TorqueProportion{OutOfProportion::saturation, share})
+                         : std::nullopt;
   }
   const double certainty = load_found ? 1 : beyond_doubt;  // friction by load is common
   if (alone.value > certainty * alone.half_width()) {
     return TorqueProportion{OutOfProportion::saturation, alone};
   }
-  return std::nullopt;
+  return saturation_for_offset(all, plain, cube, unit_Nm);
 }
 
 }  // namespace
+
+std::string to_string(OutOfProportion form) {
+  switch (form) {
+    case OutOfProportion::saturation:
+      return "saturation";
+    case OutOfProportion::dead_zone:
+      return "dead_zone";
+    case OutOfProportion::saturation_or_offset:
+      return "saturation_or_offset";
+  }
+  return "";
+}
 
 LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
                                               const gravity::CogSweepResult& rough,
@@ -311,10 +361,8 @@ LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
   add_points(rows, fit.residuals, out);
   out.examined = true;
   out.found = out.per_load.low > 0 && pays(errors_without, errors);
-  if (!speed_changes) {
-    const bool more_of_angle = rough.of_angle || rough.twist_rad;
-    out.out_of_proportion = torque_out_of_proportion(rows, blocks, more_of_angle, out.found);
-  }
+  const Beside beside{rough.of_angle || rough.twist_rad, speed_changes};
+  out.out_of_proportion = torque_out_of_proportion(rows, blocks, beside, out.found);
   if (!out.found) {
     out.sentence = {"load_dependence.does_not_show",
                     {{"share_percent", 100 * out.per_load.value},

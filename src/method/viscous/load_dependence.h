@@ -21,6 +21,7 @@
 //   sgn T               a dead zone: what it takes before the output moves.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/statement.h"
@@ -38,7 +39,11 @@ struct LoadPoint {
   double fit_Nm{};
 };
 
-enum class OutOfProportion { saturation, dead_zone };
+/// The last: an offset of the torque describes the sweep as well as a saturation without one.
+enum class OutOfProportion { saturation, dead_zone, saturation_or_offset };
+
+/// As in JSON.
+std::string to_string(OutOfProportion form);
 
 /// A torque that is not in proportion to the joint's.
 struct TorqueProportion {
