@@ -65,8 +65,7 @@ EvenClock clock_through(const std::vector<double>& t_s, std::vector<double> coun
 /// Where samples were lost, the stamps tell which: a clock that scatters by more than a part of its
 /// interval cannot. Where none was, each stamp is one further.
 EvenClock clock_through(const std::vector<double>& t_s) {
-  constexpr double most_of_none_lost =
-      0.35;  // of the interval: beyond, it is no clock (check_clock_jitter)
+  constexpr double most_of_none_lost = 0.35;  // of the interval; see check_clock_jitter() beyond
   std::vector<double> each(t_s.size());
   std::iota(each.begin(), each.end(), 0.0);
   EvenClock none_lost = clock_through(t_s, std::move(each));
