@@ -192,12 +192,10 @@ std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
 constexpr Step papers_chain[] = {
     {"",
      [](Progress& p) {
-       std::vector<joint::Recording> recordings = p.dataset.recordings;
-       p.c.false_stamps = method::motion::replace_false_stamps(recordings);
-       p.c.torque_outliers = method::motion::replace_torque_outliers(recordings);
-       if (&p.used() == &p.dataset) return;
-       p.cleaned = p.dataset;
-       p.cleaned.recordings = std::move(recordings);
+       joint::Dataset cleaned = p.dataset;
+       p.c.false_stamps = method::motion::replace_false_stamps(cleaned.recordings);
+       p.c.torque_outliers = method::motion::replace_torque_outliers(cleaned.recordings);
+       if (&p.used() == &p.cleaned) p.cleaned = std::move(cleaned);
      }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {

@@ -183,7 +183,7 @@ class Maker {
     }
     const method::motion::FollowedMotion followed =
         method::motion::follow_the_angle(r, method::motion::common_step(r.q_rad));
-    if (!followed.is_followed && !followed.harmonic) {
+    if (!followed.harmonic && !followed.traced) {
       why_not = {"truth.no_whole_cycle", {{"why", followed.why_not_traced}}};
       return {};
     }

@@ -216,9 +216,10 @@ std::optional<TorqueProportion> saturation_for_offset(const BothDirections& all,
   if (std::abs(plain.coefficients(offset)) < beyond_doubt * plain.half_width(offset)) {
     return std::nullopt;
   }
-  BothDirections without = all;
-  without.columns.col(offset) = cube;
-  const statistics::BlockRegression fit = with_columns(without, {});
+  Eigen::MatrixXd columns = all.columns;
+  columns.col(offset) = cube;
+  const statistics::BlockRegression fit =
+      statistics::block_regression(columns, all.torque_Nm, all.blocks);
   if (fit.residuals.squaredNorm() > about_as_well * plain.residuals.squaredNorm()) {
     return std::nullopt;
   }
