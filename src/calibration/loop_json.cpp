@@ -207,6 +207,7 @@ Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_r
                      {"torque_Nm", number(r.torque_Nm)},
                      {"friction_Nm", number(r.friction_Nm)},
                      {"inertia_Nm", number(r.inertia_Nm)},
+                     {"inertia_half_width_Nm", number(r.inertia_half_width_Nm)},
                      {"level_Nm", number(r.level_Nm)},
                      {"q_start_rad", number(r.q_start_rad)},
                      {"travel_rad", number(r.travel_rad)},

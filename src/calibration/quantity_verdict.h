@@ -74,6 +74,7 @@ struct RuleOutcome {
   std::vector<joint::Quantity> quantities;  ///< Lowered if it is broken.
   Verdict lowers_to{Verdict::doubtful};
   Statement finding;  ///< What was found; empty unless broken.
+  bool is_note{};     ///< Told after all other findings.
 };
 
 /// Lowers the verdict to `to` if it is better than that, and adds the reason, in front if the

@@ -13,6 +13,7 @@
 #include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
+#include "method/motion/steady_runs.h"
 #include "method/selection/independent_gravity.h"
 #include "method/session/session_friction.h"
 #include "truth/truth_check.h"
@@ -45,6 +46,9 @@ struct Progress {
   const double n = dataset.manifest.drive.gear_ratio();
   method::motion::Sweep rough_sweep;
   method::motion::Sweep precise_sweep;
+  /// From the runs' own starts and stops.
+  std::optional<statistics::Estimate> inertia_of_runs;
+  method::motion::SteadyRuns runs;  ///< At constant speed.
   /// Oscillations without the lag of their torque, and without the ripple within them.
   std::vector<joint::Recording> prepared;
   method::gravity::CogSweep rough;
@@ -197,13 +201,17 @@ constexpr Step papers_chain[] = {
        p.c.torque_outliers = method::motion::replace_torque_outliers(cleaned.recordings);
        if (&p.used() == &p.cleaned) p.cleaned = std::move(cleaned);
      }},
+    {"",
+     [](Progress& p) {
+       if (p.finds_lag) p.inertia_of_runs = inertia_of_runs(p);
+       p.runs = method::motion::SteadyRuns(p.recordings(Role::constant_speed),
+                                           p.inertia_of_runs ? p.n * p.inertia_of_runs->value : 0);
+     }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
        method::gravity::KnownOfSweep known = p.known_of_sweep();
-       if (!p.rough_sweep.samples.constant_speed && p.finds_lag) {
-         known.inertia_kgm2 = inertia_of_runs(p);
-       }
+       if (!p.rough_sweep.samples.constant_speed) known.inertia_kgm2 = p.inertia_of_runs;
        p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n, known);
        p.c.rough = p.rough.result;
      }},
@@ -222,8 +230,7 @@ constexpr Step papers_chain[] = {
      }},
     {"",
      [](Progress& p) {
-       p.c.run_gravity =
-           method::gravity::identify_run_gravity(p.recordings(Role::constant_speed), p.n);
+       p.c.run_gravity = method::gravity::identify_run_gravity(p.runs.recordings(), p.n);
      }},
     {"",
      [](Progress& p) {
@@ -268,8 +275,8 @@ constexpr Step papers_chain[] = {
     {"viscous curves",
      [](Progress& p) {
        p.curves = method::viscous::identify_viscous_curves(
-           p.recordings(Role::constant_speed), p.dataset.friction_points, p.rough_sweep, p.c.rough,
-           p.c.masses, p.c.q_peak_rad, p.n, stated_gravity(p.c));
+           p.runs, p.dataset.friction_points, p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
+           p.n, stated_gravity(p.c));
        p.c.viscous = p.curves.result;
      }},
     {"quality errors",

@@ -62,14 +62,31 @@ std::optional<Measured> torque_of_angle(const Calibration& c) {
                    {{"amplitude_Nm", c.rough.of_angle->amplitude_Nm}, {"percent", percent}}}};
 }
 
+/// Where gravity changes too little over the sweep to show whether torque is logged in proportion:
+/// an offset beside a friction that differs between the directions is what a saturation leaves
+/// there. It takes more from the torque that lifts than from the one that lowers.
+std::optional<Measured> offset_beside_asymmetry(const Calibration& c) {
+  const std::optional<statistics::Estimate>& offset = c.torque_balance.offset_Nm;
+  const std::optional<statistics::Estimate>& asymmetry = c.torque_balance.asymmetry;
+  if (!c.rough.found || !offset || !asymmetry) return std::nullopt;
+  constexpr double beyond_doubt = 1.5;  // half widths
+  const bool shows_both = sure(*offset) > 0 &&
+                          std::abs(asymmetry->value) > beyond_doubt * asymmetry->half_width() &&
+                          (offset->value > 0) != (asymmetry->value > 0);
+  return Measured{shows_both ? 100 * std::abs(offset->value) / c.rough.gravity_Nm.value : 0.0,
+                  {"cause.saturation_or_offset_of_any_size"}};
+}
+
 /// A torque that is logged out of proportion, in percent of gravity.
 std::optional<Measured> torque_out_of_proportion(const Calibration& c) {
   using method::viscous::OutOfProportion;
-  if (!c.load_dependence.examined) return std::nullopt;
+  if (!c.load_dependence.examined) return offset_beside_asymmetry(c);
   const std::optional<method::viscous::TorqueProportion>& found =
       c.load_dependence.out_of_proportion;
   if (!found) return Measured{};
   const double percent = 100 * found->share.value;
+  const double half_width = 100 * found->share.half_width();
+  constexpr double widest_percent = 10;  // beyond it the size is no news
   const auto cause = [&]() -> Code {
     switch (found->form) {
       case OutOfProportion::saturation:
@@ -77,13 +94,12 @@ std::optional<Measured> torque_out_of_proportion(const Calibration& c) {
       case OutOfProportion::dead_zone:
         return {"cause.dead_zone"};
       case OutOfProportion::saturation_or_offset:
-        return {"cause.saturation_or_offset"};
+        return half_width < widest_percent ? Code{"cause.saturation_or_offset"}
+                                           : Code{"cause.saturation_or_offset_of_any_size"};
     }
     return {};
   };
-  return Measured{
-      std::abs(percent),
-      {cause(), {{"percent", percent}, {"half_width", 100 * found->share.half_width()}}}};
+  return Measured{std::abs(percent), {cause(), {{"percent", percent}, {"half_width", half_width}}}};
 }
 
 /// What it does to friction at the peak: a cube's slope is three times its share there.
@@ -259,7 +275,15 @@ std::vector<Rule> gravity_rules() {
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
       {"sweep_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
       {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
-      {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics},
+      {"motion_harmonics",
+       "%",
+       0.5,
+       told,
+       of_mass,
+       "record.better_motion",
+       motion_harmonics,
+       {},
+       true},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
       {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise},

@@ -259,7 +259,9 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     add(finding_of(*check));
   }
   const auto checks = static_cast<std::ptrdiff_t>(findings.size());
-  for (const calibration::RuleOutcome& rule : judgement.rules) add(rule.finding);
+  for (const calibration::RuleOutcome& rule : judgement.rules) {
+    if (!rule.is_note) add(rule.finding);
+  }
   if (c.position_plan)
     add(method::hysteresis::why_more_positions(*c.position_plan, c.rough.ripple));
   for (const Statement& one : disagreements) add(one);
@@ -281,6 +283,9 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     add(finding_of(*check));
   }
   add(which_model(c));
+  for (const calibration::RuleOutcome& rule : judgement.rules) {
+    if (rule.is_note) add(rule.finding);
+  }
   add(what_is_not_stated(c, judgement.quantities));
   std::stable_sort(findings.begin() + checks, findings.end(),
                    [&](const Statement& a, const Statement& b) {

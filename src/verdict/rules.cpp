@@ -486,7 +486,8 @@ std::vector<calibration::RuleOutcome> apply_rules(
                                rule.unit,
                                rule.quantities,
                                rule.lowers_to,
-                               {}};
+                               {},
+                               rule.is_note};
     if (const std::optional<Measured> found = rule.measure(c)) {
       o.value = found->value;
       o.state = found->value > rule.threshold ? calibration::RuleState::broken

@@ -31,6 +31,8 @@ struct Rule {
   std::optional<Measured> (*measure)(const calibration::Calibration& calibration);
   /// Why the quantities are doubtful where the data do not show it; empty: they are not.
   Code unknown{};
+  /// No news where it is as usual: told after all other findings.
+  bool is_note{};
 };
 
 /// In the order in which their findings are reported, most important first.

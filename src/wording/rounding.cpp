@@ -71,6 +71,21 @@ std::string significant(double value, int digits) {
   return fixed(value, decimals);
 }
 
+std::string without_exponent(std::string printed) {
+  const std::size_t e = printed.find('e');
+  if (e == std::string::npos) return printed;
+  const std::string mantissa = printed.substr(0, e);
+  const int exponent = std::stoi(printed.substr(e + 1));
+  if (exponent >= 9 || exponent < 0) {
+    return (mantissa == "1" ? "" : mantissa + "×") + "10" + raised(exponent);
+  }
+  const auto digits =
+      std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return '0' <= c && c <= '9'; });
+  const int decimals = std::max(0, static_cast<int>(digits) - 1 - exponent);
+  const bool has_plus = mantissa.starts_with('+');
+  return fmt::format("{}{:.{}f}", has_plus ? "+" : "", std::stod(printed), decimals);
+}
+
 std::string as_stated(double value) {
   return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : tr("unknown");
 }

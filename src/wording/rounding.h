@@ -51,6 +51,10 @@ std::string fixed(double value, int decimals);
 /// So many significant digits, in fixed notation between 1e-6 and 1e9, else "1.2×10⁻⁹".
 std::string significant(double value, int digits);
 
+/// A number that was printed with an exponent, without one: "6e+02" is "600", a small one or one of
+/// 1e9 and more "3.8×10⁻⁵". Others stay as they are.
+std::string without_exponent(std::string printed);
+
 /// A number as somebody stated it, with up to ten significant digits and no zeros behind:
 /// "100", "9.81".
 std::string as_stated(double value);

@@ -204,6 +204,9 @@ const Messages& verdict_messages() {
        text("the sweep shows an offset of the torque, or a torque out of proportion, by "
             "{percent:.2g} ± {half_width:.2g} % at the gravity peak: over these angles both look "
             "alike")},
+      {"cause.saturation_or_offset_of_any_size",
+       text("the sweep shows an offset of the torque, or a torque out of proportion: over these "
+            "angles both look alike, and how large either is cannot be told")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "

@@ -17,11 +17,17 @@
 #include "base/error.h"
 #include "base/utf8.h"
 #include "wording/messages.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/translation.h"
 
 namespace tribolog::wording {
 namespace {
+
+/// A number as a message has it, without an exponent.
+struct Shown {
+  double value;
+};
 
 /// Words of several statements; the text between two of them stands where a number has its format.
 struct Listed {
@@ -30,6 +36,24 @@ struct Listed {
 
 }  // namespace
 }  // namespace tribolog::wording
+
+template <>
+struct fmt::formatter<tribolog::wording::Shown> {
+  constexpr auto parse(format_parse_context& context) {
+    const auto* end = context.begin();
+    while (end != context.end() && *end != '}') ++end;
+    format_ = {context.begin(), static_cast<std::size_t>(end - context.begin())};
+    return end;
+  }
+  auto format(const tribolog::wording::Shown& number, format_context& context) const {
+    const std::string field = format_.empty() ? "{}" : "{:" + std::string(format_) + "}";
+    const std::string printed = fmt::format(fmt::runtime(field), number.value);
+    return fmt::format_to(context.out(), "{}", tribolog::wording::without_exponent(printed));
+  }
+
+ private:
+  std::string_view format_;
+};
 
 template <>
 struct fmt::formatter<tribolog::wording::Listed> {
@@ -99,7 +123,7 @@ std::string with_values(std::string_view message, std::span<const StatedValue> v
   for (const StatedValue& one : values) {
     const char* const name = one.name.c_str();
     if (const auto* number = std::get_if<double>(&one.value)) {
-      arguments.push_back(fmt::arg(name, *number));
+      arguments.push_back(fmt::arg(name, Shown{*number}));
     } else if (const auto* count = std::get_if<std::int64_t>(&one.value)) {
       arguments.push_back(fmt::arg(name, *count));
     } else if (const auto* text = std::get_if<std::string>(&one.value)) {

@@ -193,7 +193,7 @@ TEST(RecordingRows, ImplausibleUnitsAreNotedNeverConverted) {
   EXPECT_EQ(notes[0], "run.csv: the joint's angle reaches 90 rad, read as rad: degrees?");
   EXPECT_EQ(
       notes[1],
-      "run.csv: the joint's torque reaches 2.45e+05 N·m, read as Nm: another unit, or the other "
+      "run.csv: the joint's torque reaches 245000 N·m, read as Nm: another unit, or the other "
       "side of the gear?");
   EXPECT_EQ(notes[2], "run.csv: 8 samples per second, read in s: another unit of time?");
 }

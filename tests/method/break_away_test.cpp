@@ -141,6 +141,54 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   EXPECT_LT(result.ramps.front().friction_Nm, bare.ramps.front().friction_Nm);
 }
 
+/// Such a joint is seen to run away when its friction has fallen to Coulomb torque already.
+TEST(BreakAway, AHeavyJointIsReadWhereItHeldMost) {
+  Ramp fast{0.5, 3};
+  fast.arm_inertia_kgm2 = 20;
+  const joint::Recording r = ramp_of(fast);
+  const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
+  const auto result =
+      method::hysteresis::identify_break_away({&r, &r}, true_gravity, inertia_at_joint);
+  const method::hysteresis::BreakAwayRamp& ramp = result.ramps.front();
+  EXPECT_NEAR(ramp.friction_Nm, static_Nm, 0.04 * static_Nm);
+  EXPECT_GE(ramp.inertia_half_width_Nm, 0.25 * std::abs(ramp.inertia_Nm) - 1e-12);
+}
+
+/// One ramp of three that does not bend far enough does not take the level from the others.
+TEST(BreakAway, MostRampsTellTheLevel) {
+  const joint::Recording fine = ramp_of({0.1, 12});
+  joint::Recording coarse = fine;
+  const double step = static_Nm / 465 / gear_ratio;
+  for (double& q : coarse.q_rad) q = step * std::round(q / step);
+  const auto all = method::hysteresis::identify_break_away({&fine, &fine, &coarse}, true_gravity);
+  ASSERT_FALSE(all.ramps.back().level_Nm);
+  EXPECT_TRUE(all.is_level);
+  EXPECT_NEAR(all.rising_Nm ? all.rising_Nm->value : 0, static_Nm, 0.01 * static_Nm);
+  EXPECT_FALSE(
+      method::hysteresis::identify_break_away({&fine, &coarse, &coarse}, true_gravity).is_level);
+}
+
+/// What accelerates shifts both directions alike: their mean is no better known for it.
+TEST(BreakAway, TheInertiaIsNotAveragedAwayOverTheDirections) {
+  Ramp rising{0.5, 3};
+  rising.arm_inertia_kgm2 = 20;
+  Ramp falling = rising;
+  falling.rate_Nm_s = -falling.rate_Nm_s;
+  std::deque<joint::Recording> ramps{ramp_of(rising), ramp_of(falling)};
+  for (joint::Recording& r : ramps) {
+    for (double& q : r.q_rad) q = 1e-4 * std::round(q / 1e-4);  // no level is seen
+  }
+  const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
+  const auto result = method::hysteresis::identify_break_away(
+      {&ramps[0], &ramps[0], &ramps[1], &ramps[1]}, true_gravity, inertia_at_joint);
+  ASSERT_FALSE(result.is_level);
+  ASSERT_TRUE(result.mean_Nm);
+  double of_inertia = 0;
+  for (const auto& ramp : result.ramps) of_inertia += ramp.inertia_half_width_Nm / 4;
+  ASSERT_GT(of_inertia, 0);
+  EXPECT_GE(result.mean_Nm->half_width(), 0.999 * of_inertia);
+}
+
 /// The joint bends by some ten steps of the encoder, wherever within a step it starts.
 TEST(BreakAway, AnEncoderOfFewStepsDoesNotShiftTheLevel) {
   const joint::Recording fine = ramp_of({0.1, 12});

@@ -93,7 +93,7 @@ TEST(TracedMotion, RoughAngleIsRefusedWithItsNoise) {
   EXPECT_FALSE(trace.motion);
   EXPECT_NE(wording::words(trace.refusal).find("too noisy to give a speed"), std::string::npos)
       << wording::words(trace.refusal);
-  EXPECT_NE(wording::words(trace.refusal).find("2e-05 rad"), std::string::npos)
+  EXPECT_NE(wording::words(trace.refusal).find("2×10⁻⁵ rad"), std::string::npos)
       << wording::words(trace.refusal);
 }
 

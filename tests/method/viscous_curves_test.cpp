@@ -27,10 +27,10 @@ Chain run(const simulate::Scenario& s) {
       method::gravity::identify_cog_sweep(method::gravity::SweepKind::rough, sweep, 100).result;
   c.masses = method::hysteresis::identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100,
                                                            0.5, 9.81);
-  c.viscous =
-      method::viscous::identify_viscous_curves(c.dataset.with_role(joint::Role::constant_speed), {},
-                                               sweep, c.rough, c.masses, c.rough.q_peak_rad, 100)
-          .result;
+  c.viscous = method::viscous::identify_viscous_curves(
+                  method::motion::SteadyRuns(c.dataset.with_role(joint::Role::constant_speed)), {},
+                  sweep, c.rough, c.masses, c.rough.q_peak_rad, 100)
+                  .result;
   return c;
 }
 

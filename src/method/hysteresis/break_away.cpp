@@ -185,10 +185,9 @@ std::optional<double> slip_until_stop(const joint::Recording& r, const statistic
   return std::nullopt;
 }
 
-/// Acceleration about a sample: of a parabola through `beside` samples on either side.
-double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t beside) {
-  const std::size_t first = at > beside ? at - beside : 0;
-  const std::size_t last = std::min(r.size() - 1, at + beside);
+/// Acceleration of a parabola through the samples [first, last], of which `at` is one.
+double acceleration_of(const joint::Recording& r, std::size_t first, std::size_t at,
+                       std::size_t last) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const double span = r.t_s[last] - r.t_s[first];
@@ -199,6 +198,53 @@ double acceleration_at(const joint::Recording& r, std::size_t at, std::size_t be
     right += x * (r.q_rad[i] - r.q_rad[at]);
   }
   return 2 * statistics::solve_normal(normal, right)(2, 0) / (span * span);
+}
+
+/// Acceleration at a sample, and how far it may be from that.
+struct Acceleration {
+  double value{};
+  double half_width{};
+};
+
+/// The joint runs away from there: a parabola through `beside` samples on either side has more than
+/// the acceleration at the sample, one through those before it has less. It is known no better than
+/// to a quarter of itself.
+Acceleration acceleration_at(const joint::Recording& r, std::size_t at, std::size_t beside) {
+  constexpr double least = 0.25;
+  const std::size_t first = at > beside ? at - beside : 0;
+  const double most = acceleration_of(r, first, at, std::min(r.size() - 1, at + beside));
+  const double before = acceleration_of(r, first, at, at);
+  const double fewest = most > 0 ? std::clamp(before, 0.0, most) : std::clamp(before, most, 0.0);
+  const double value = (most + fewest) / 2;
+  return {value, std::max(std::abs(most - fewest) / 2, least * std::abs(value))};
+}
+
+/// Where friction was largest before a sample at which the joint runs away: an inertia that is
+/// large for the ramp is seen to run away late, when friction has fallen to what it is in sliding.
+/// @param rest_Nm torque less gravity, in the ramp's direction.
+/// @param inertia_along at the joint, signed as the ramp is.
+std::size_t where_it_held_most(const joint::Recording& r, std::size_t at, std::size_t beside,
+                               const std::vector<double>& rest_Nm, double inertia_along) {
+  const auto friction_about = [&](std::size_t i) {
+    const std::size_t first = i - std::min(i, beside / 2);
+    const std::size_t last = std::min(r.size() - 1, i + beside / 2);
+    double sum = 0;
+    for (std::size_t k = first; k <= last; ++k) sum += rest_Nm[k];
+    return sum / static_cast<double>(last - first + 1) -
+           inertia_along * acceleration_at(r, i, beside).value;
+  };
+  constexpr std::size_t farthest = 4;
+  const std::size_t step = std::max<std::size_t>(1, beside / 4);
+  const std::size_t first = at - std::min(at, farthest * beside);
+  double most = friction_about(at);
+  std::size_t held = at;
+  for (std::size_t i = at; i >= first + step; i -= step) {
+    const double before = friction_about(i - step);
+    if (before <= most) continue;
+    most = before;
+    held = i - step;
+  }
+  return held;
 }
 
 /// A LuGre contact is seen to yield at this share of its static torque.
@@ -243,20 +289,15 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
   }
   constexpr std::size_t fewest_beside = 3;
   constexpr std::size_t beside_the_end = 10;
-  const auto friction_until = [&](std::size_t end) {
-    std::vector<double> friction;
-    for (std::size_t i = 0; i < end; ++i) {
-      friction.push_back(result.torque_along(ramp.is_rising, r.torque_Nm[i], r.q_rad[i]));
-    }
-    return friction;
-  };
+  std::vector<double> rest_Nm;  // torque less gravity
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    rest_Nm.push_back(result.torque_along(ramp.is_rising, r.torque_Nm[i], r.q_rad[i]));
+  }
   if (!ramp.broke_away) {
     at = furthest_at_rest;
     beside = beside_the_end;
     // An angle that flickers by a step while a torque is held does not slide.
-    const auto level = travel.back() >= least
-                           ? level_of_even_slide(travel, friction_until(r.size()))
-                           : std::nullopt;
+    const auto level = travel.back() >= least ? level_of_even_slide(travel, rest_Nm) : std::nullopt;
     if (level) {
       ramp.broke_away = true;
       ramp.level_Nm = level;
@@ -264,17 +305,25 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
       beside = 0;
     }
   }
+  if (ramp.broke_away && beside >= fewest_beside && inertia_at_joint > 0) {
+    at = where_it_held_most(r, at, beside, rest_Nm, sign * inertia_at_joint);
+  }
   ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, largest, sign);
   if (beside >= fewest_beside) {
-    ramp.inertia_Nm = sign * inertia_at_joint * acceleration_at(r, at, beside);
-    if (!ramp.broke_away) ramp.inertia_Nm = std::max(0.0, ramp.inertia_Nm);  // it stays a bound
+    const Acceleration acceleration = acceleration_at(r, at, beside);
+    ramp.inertia_Nm = sign * inertia_at_joint * acceleration.value;
+    ramp.inertia_half_width_Nm = inertia_at_joint * acceleration.half_width;
+    if (!ramp.broke_away) {  // it stays a bound
+      ramp.inertia_Nm = std::max(0.0, ramp.inertia_Nm + ramp.inertia_half_width_Nm);
+    }
   }
   ramp.friction_Nm =
       result.torque_along(ramp.is_rising, ramp.torque_Nm, r.q_rad[at]) - ramp.inertia_Nm;
   if (ramp.level_Nm) {
     ramp.friction_Nm = share_at_reading * *ramp.level_Nm;
   } else if (ramp.broke_away) {
-    ramp.level_Nm = level_at_rest(travel, friction_until(at), ramp.friction_Nm);
+    rest_Nm.resize(at);
+    ramp.level_Nm = level_at_rest(travel, rest_Nm, ramp.friction_Nm);
   }
   ramp.travel_rad = travel[at];
   if (ramp.broke_away && !ramp.even_slide_rad_s)
@@ -365,20 +414,42 @@ class OverAngles {
   double between_{0};
 };
 
-/// Of one direction. What the angles leave is common to both.
+/// Half widths of what may shift both directions alike.
+struct InCommon {
+  double by_angle_Nm{};
+  double by_inertia_Nm{};
+  double by_contact_Nm{};  ///< Between reading and level: the interval holds both.
+};
+
+/// Of one direction.
 struct DirectionMean {
   statistics::Estimate torque_Nm;  ///< All in.
   double own_Nm{};                 ///< Half width of what is this direction's own.
-  double by_angle_Nm{};
+  InCommon in_common;
 };
 
-DirectionMean direction_mean(double value, double own_Nm, double by_angle_Nm, Code method) {
+DirectionMean direction_mean(double value, double own_Nm, const InCommon& common, Code method) {
   const Statement plain{method};
-  const Statement why =
-      by_angle_Nm > 0 ? Statement{"interval.widened_by_friction_of_angle", {{"interval", plain}}}
-                      : plain;
-  const double half_width = by_angle_Nm > 0 ? std::hypot(own_Nm, by_angle_Nm) : own_Nm;
-  return {statistics::symmetric_estimate(value, half_width, why), own_Nm, by_angle_Nm};
+  const Statement why = common.by_angle_Nm > 0 ? Statement{"interval.widened_by_friction_of_angle",
+                                                           {{"interval", plain}}}
+                                               : plain;
+  const double half_width =
+      std::hypot(own_Nm, common.by_angle_Nm, common.by_inertia_Nm) + common.by_contact_Nm;
+  return {statistics::symmetric_estimate(value, half_width, why), own_Nm, common};
+}
+
+/// Whether the ramps of a direction that broke away, if there are any, bend far enough to show
+/// their levels: two at least, and all but every third.
+bool has_levels(const std::vector<BreakAwayRamp>& ramps, bool is_rising) {
+  std::size_t broke_away = 0;
+  std::size_t levels = 0;
+  for (const BreakAwayRamp& ramp : ramps) {
+    if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
+    ++broke_away;
+    levels += ramp.level_Nm ? 1 : 0;
+  }
+  constexpr std::size_t fewest = 2;
+  return levels == broke_away || (levels >= fewest && 3 * levels >= 2 * broke_away);
 }
 
 /// @param is_level the levels at rest are the values, and are compared with the readings.
@@ -396,9 +467,9 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   for (const BreakAwayRamp& ramp : ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
-    motor_angles.push_back(gear_ratio * ramp.q_start_rad);
-    if (is_level) levels.push_back(present(ramp.level_Nm));
-    by_inertia += std::abs(ramp.inertia_Nm);
+    if (is_level && ramp.level_Nm) levels.push_back(*ramp.level_Nm);
+    if (!is_level || ramp.level_Nm) motor_angles.push_back(gear_ratio * ramp.q_start_rad);
+    by_inertia += ramp.inertia_half_width_Nm;
     if (gravity) {
       by_gravity += gravity->amplitude_Nm.half_width() *
                     std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
@@ -416,9 +487,8 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   if (!is_level) {
     const double by_angle = angles.take(readings, *reading);
     told();
-    // What accelerates at the moment of breaking away is known no better than to its own size.
-    return direction_mean(reading->value, std::hypot(reading->scatter, by_gravity, by_inertia),
-                          by_angle, "interval.scatter_of_ramps");
+    return direction_mean(reading->value, std::hypot(reading->scatter, by_gravity),
+                          {by_angle, by_inertia, 0}, "interval.scatter_of_ramps");
   }
   RampMean level = present(mean_over(levels));
   const double difference = std::abs(reading->value - share_at_reading * level.value);
@@ -429,16 +499,20 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   result.apart = std::max(result.apart, by_contact / level.value);
   const double by_angle = angles.take(levels, level);
   told();
-  return direction_mean(level.value, std::hypot(level.scatter, by_gravity) + by_contact, by_angle,
-                        "interval.scatter_of_ramps_at_rest");
+  return direction_mean(level.value, std::hypot(level.scatter, by_gravity),
+                        {by_angle, 0, by_contact}, "interval.scatter_of_ramps_at_rest");
 }
 
-/// Of both directions: their own errors average, that of the angles does not.
+/// Of both directions: their own errors average, what they have in common does not.
 statistics::Estimate mean_of_both(const DirectionMean& rising, const DirectionMean& falling) {
-  return direction_mean((rising.torque_Nm.value + falling.torque_Nm.value) / 2,
-                        std::hypot(rising.own_Nm, falling.own_Nm) / 2,
-                        (rising.by_angle_Nm + falling.by_angle_Nm) / 2,
-                        "interval.scatter_of_ramps_both_directions")
+  const InCommon& up = rising.in_common;
+  const InCommon& down = falling.in_common;
+  return direction_mean(
+             (rising.torque_Nm.value + falling.torque_Nm.value) / 2,
+             std::hypot(rising.own_Nm, falling.own_Nm) / 2,
+             {(up.by_angle_Nm + down.by_angle_Nm) / 2, (up.by_inertia_Nm + down.by_inertia_Nm) / 2,
+              (up.by_contact_Nm + down.by_contact_Nm) / 2},
+             "interval.scatter_of_ramps_both_directions")
       .torque_Nm;
 }
 
@@ -484,10 +558,8 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
     out.ramps.push_back(read_ramp(*r, out, inertia_at_joint));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
   }
-  out.is_level = gravity && out.censored < out.ramps.size() &&
-                 std::all_of(
-                     out.ramps.begin(), out.ramps.end(),
-                     [](const auto& ramp) { return !ramp.broke_away || ramp.level_Nm; });
+  out.is_level = gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
+                 has_levels(out.ramps, false);
   const auto rising = mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep, out);
   const auto falling = mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep, out);
   if (rising) out.rising_Nm = rising->torque_Nm;

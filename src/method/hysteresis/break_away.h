@@ -17,9 +17,9 @@
 //   Tf(x) = Ts - (Ts - T0) exp(-x / d)
 //
 // (LuGre over a travel x in the limit of zero speed; T0 at the start, d = Ts / s0), and Ts is the
-// level to which that part tends. That level is stated where every ramp bends far enough to show
-// it; it is compared with the reading, and their difference goes into the interval, for another
-// contact has a different bend.
+// level to which that part tends. That level is stated where the ramps bend far enough to show it,
+// all but a third; it is compared with the reading, and their difference goes into the interval,
+// for another contact has a different bend.
 //
 // Friction may change with the motor's angle, and a ramp has that of the angle at which it starts.
 // The break-away torque meant is the mean over all angles: the variance between ramps at several
@@ -56,12 +56,13 @@ struct KnownGravity {
 
 struct BreakAwayRamp {
   std::string recording;
-  bool is_rising{};      ///< The torque rises to positive values.
-  bool broke_away{};     ///< false: censored, friction_Nm is a lower bound.
-  double rate_Nm_s{};    ///< Mean rate of the torque up to break-away, motor side, >= 0.
-  double torque_Nm{};    ///< Driving torque at break-away, motor side, signed.
-  double friction_Nm{};  ///< Magnitude, gravity and inertia subtracted (if known).
-  double inertia_Nm{};   ///< What was subtracted for inertia, in the ramp's direction.
+  bool is_rising{};                ///< The torque rises to positive values.
+  bool broke_away{};               ///< false: censored, friction_Nm is a lower bound.
+  double rate_Nm_s{};              ///< Mean rate of the torque up to break-away, motor side, >= 0.
+  double torque_Nm{};              ///< Driving torque at break-away, motor side, signed.
+  double friction_Nm{};            ///< Magnitude, gravity and inertia subtracted (if known).
+  double inertia_Nm{};             ///< What was subtracted for inertia, in the ramp's direction.
+  double inertia_half_width_Nm{};  ///< Within which that is known: the joint runs away just then.
   /// Level to which friction tends in the resting part, a magnitude; absent where that does not
   /// bend over, or shows too few distinct angles.
   std::optional<double> level_Nm;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
@@ -50,6 +51,36 @@ std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, st
   first += begin;
   last -= end;
   return {first, last};
+}
+
+/// Whether a plateau is the crest of a drive's overshoot: beside a much longer one of the same
+/// stroke at nearly its speed.
+bool is_overshoot(const Plateau& one, const Plateau& beside, const std::vector<double>& v,
+                  double rest) {
+  constexpr std::size_t times_longer = 3;
+  constexpr double nearly = 0.15;
+  if (beside.size() < times_longer * one.size()) return false;
+  if (std::abs(one.speed_rad_s / beside.speed_rad_s - 1) > nearly) return false;
+  const auto at = [&](std::size_t i) { return v.begin() + static_cast<std::ptrdiff_t>(i); };
+  return std::all_of(at(std::min(one.last, beside.last)), at(std::max(one.first, beside.first)),
+                     [&](double speed) { return std::abs(speed) > rest; });
+}
+
+/// Takes them off the plateaus.
+void leave_out_overshoots(MotionSegments& motion, double rest) {
+  const std::vector<Plateau> all = std::move(motion.plateaus);
+  motion.plateaus.clear();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto of = [&](std::size_t other) {
+      return is_overshoot(all[k], all[other], motion.speed_rad_s, rest);
+    };
+    if ((k > 0 && of(k - 1)) || (k + 1 < all.size() && of(k + 1))) {
+      motion.samples_on_plateaus -= all[k].size();
+      motion.samples_trimmed += all[k].size();
+    } else {
+      motion.plateaus.push_back(all[k]);
+    }
+  }
 }
 
 }  // namespace
@@ -123,6 +154,7 @@ MotionSegments find_plateaus(const joint::Recording& recording, const PlateauOpt
     out.plateaus.push_back(plateau);
     i = end;
   }
+  leave_out_overshoots(out, rest);
   return out;
 }
 

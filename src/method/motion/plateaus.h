@@ -26,7 +26,7 @@ struct MotionSegments {
   std::size_t samples_on_plateaus{};
   std::size_t samples_at_rest{};
   std::size_t samples_accelerating{};  ///< Speeding up, slowing down, reversing.
-  std::size_t samples_trimmed{};       ///< Cut off a plateau's ends as settling.
+  std::size_t samples_trimmed{};       ///< Settling: cut off a plateau's ends, overshoots.
   double fastest_rad_s{};              ///< Largest |local slope|.
   std::size_t window{};                ///< Number of samples that a local slope is computed from.
   /// Share of the moving samples that lie on plateaus; low for a sine.

@@ -483,7 +483,10 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     return out;
   }
   const Apart apart = starts_and_stops_apart(rows, knots, lag_s, fit);
-  const double inertia_half_width = std::hypot(fit.half_width(inertia), apart.inertia);
+  // Friction of a start is first the bristle's, and not that of its speed.
+  constexpr double share_of_model = 0.003;
+  const double inertia_half_width = std::hypot(fit.half_width(inertia), apart.inertia,
+                                               share_of_model * fit.coefficients(inertia));
   if (!(fit.coefficients(inertia) > 2 * inertia_half_width)) {
     out.why_not = {"lag.inertia_not_shown"};
     return out;

@@ -46,7 +46,9 @@ PlateauSamples samples_that_count(const joint::Recording& recording, const motio
   std::transform(friction_Nm.begin(), friction_Nm.end(), off.begin(),
                  [&](double f) { return std::abs(f - middle); });
   const double deviation = statistics::normal_sd_by_median_size * statistics::median(off);
-  const double fence = farthest * std::max(deviation, step);
+  // A log without noise has no scatter to speak of, and then no outliers.
+  constexpr double least_deviation = 2e-4;  // of friction
+  const double fence = farthest * std::max({deviation, step, least_deviation * std::abs(middle)});
   if (!(fence > 0)) return out;
   for (std::size_t i = 0; i < off.size(); ++i) {
     if (off[i] <= fence) continue;

@@ -4,7 +4,7 @@
 // An outlier, or the end of a ramp that the plateau still includes, lies far outside the scatter of
 // the plateau's other samples; the mean must not depend on it. Samples farther from the median than
 // five standard deviations (estimated from the median absolute deviation, which they hardly affect)
-// are left out if they are few: where they are many, it is no plateau.
+// and than a thousandth of it are left out if they are few: where they are many, it is no plateau.
 
 #include <cstddef>
 #include <vector>

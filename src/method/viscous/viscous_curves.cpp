@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "joint/degrees.h"
-#include "method/motion/encoder_resolution.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/paired_sweep.h"
 #include "method/viscous/plateau_samples.h"
@@ -431,7 +430,7 @@ const ViscousCurve* ViscousCurvesResult::find(
   return it == curves.end() ? nullptr : &*it;
 }
 
-ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& recordings,
+ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
                                       const std::vector<joint::FrictionPoints>& points,
                                       const motion::Sweep& sweep,
                                       const gravity::CogSweepResult& rough,
@@ -448,11 +447,7 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
                          : of_runs != nullptr ? of_runs->gravity_Nm.value
                                               : 0.0;
   std::vector<RunSource> sources;
-  // A slow run may stay on one value all along: the others tell the step.
-  double step_Nm = 0;
-  for (const joint::Recording* r : recordings) {
-    step_Nm = std::max(step_Nm, motion::common_step(r->torque_Nm));
-  }
+  const std::vector<const joint::Recording*> recordings = steady.recordings();
   const FrictionOfAngle of_angle = friction_of_runs(recordings, rough, gear_ratio);
   for (const joint::Recording* r : recordings) {
     const motion::MotionSegments motion = motion::find_plateaus(*r);
@@ -461,7 +456,7 @@ ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>
       made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
       out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, of_angle,
-                                  step_Nm, samples, made.block_friction_Nm.back()));
+                                  steady.torque_step_Nm(), samples, made.block_friction_Nm.back()));
       out.samples_used += samples.size();
       out.samples_left_out += samples.left_out;
     }

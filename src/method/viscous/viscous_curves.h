@@ -15,6 +15,7 @@
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/surrogate_masses.h"
+#include "method/motion/steady_runs.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::viscous {
@@ -99,7 +100,7 @@ struct ViscousCurves {
 /// recorded.
 /// @param stated gravity known beforehand: the curve Estimator::stated, at its own angle of the
 /// peak.
-ViscousCurves identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
+ViscousCurves identify_viscous_curves(const motion::SteadyRuns& runs,
                                       const std::vector<joint::FrictionPoints>& points,
                                       const motion::Sweep& sweep,
                                       const gravity::CogSweepResult& rough,

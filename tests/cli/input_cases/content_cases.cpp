@@ -66,7 +66,7 @@ std::vector<InputCase> content_cases() {
       found(
           "37b", "MillinewtonMetresReadAsNewtonMetres",
           [](int, Row& row) { row[2] = scaled(row[2], 1e3); }, "",
-          "log.csv: the joint's torque reaches 3.5e+05 N·m, read as Nm: another unit, or the "
+          "log.csv: the joint's torque reaches 350000 N·m, read as Nm: another unit, or the "
           "other side of the gear?"),
       rpm,
       found(
