@@ -105,8 +105,6 @@ const Messages& selection_messages() {
             "would be within its interval; {cause}")},
       {"cross_check.ripple_at_position",
        text("ripple at the position of the oscillation would explain it")},
-      {"cross_check.motion_has_harmonics",
-       text("the second harmonic of the motion would explain it")},
       {"cross_check.loop_not_steady", text("a loop that is not yet steady would explain it")},
       {"cross_check.friction_beyond_lugre",
        text("friction that LuGre does not describe would explain it")},

@@ -41,9 +41,26 @@ const statistics::Estimate* gravity_by(const GravityMethod& method, const ChainR
   return way == nullptr ? nullptr : &way->gravity_Nm;
 }
 
+/// Half width of what a method's gravity shifts by if the sweep's offset is friction by direction.
+double offset_ambiguity_Nm(const GravityMethod& method, const ChainResults& r) {
+  const auto* estimator = std::get_if<Estimator>(&method);
+  const hysteresis::SurrogateMass* mass =
+      estimator == nullptr ? nullptr : r.masses.find(*estimator);
+  return mass == nullptr ? 0.0 : mass->offset.ambiguity_Nm;
+}
+
 bool is_pair_mean(const GravityMethod& method) {
   const auto* estimator = std::get_if<Estimator>(&method);
   return estimator != nullptr && hysteresis::points_of_pair(*estimator);
+}
+
+/// Whether points that lie opposite each other on a sine do not on these loops.
+bool is_no_sine(const hysteresis::HysteresisResult& loops) {
+  constexpr double largest_harmonic = 0.005;
+  return loops.midline_by_angle || std::any_of(loops.oscillations.begin(), loops.oscillations.end(),
+                                               [](const hysteresis::Oscillation& o) {
+                                                 return o.third_harmonic > largest_harmonic;
+                                               });
 }
 
 /// The methods at hand, in the order of the table above.
@@ -55,7 +72,7 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
     CrossCheck check;
     check.method = one.method;
     check.gravity_Nm = *gravity;
-    check.is_biased = r.hysteresis.midline_by_angle && is_pair_mean(one.method);
+    check.is_biased = is_no_sine(r.hysteresis) && is_pair_mean(one.method);
     checks.push_back(std::move(check));
   }
   return checks;
@@ -68,9 +85,13 @@ const GravityDifference* find(const std::vector<GravityDifference>& all,
   return it == all.end() ? nullptr : &*it;
 }
 
-Statement cause_of(const GravityMethod& method) {
+/// @param recommended with which it disagrees.
+Statement cause_of(const CrossCheck& check, const CrossCheck& recommended, const ChainResults& r) {
+  const bool is_of_offset =
+      offset_ambiguity_Nm(check.method, r) > 0 && offset_ambiguity_Nm(recommended.method, r) > 0;
+  if (is_pair_mean(check.method) && is_of_offset) return {"cross_check.offset_or_direction"};
   for (const Compared& one : compared) {
-    if (one.method == method) return one.cause;
+    if (one.method == check.method) return one.cause;
   }
   return {};
 }
@@ -79,7 +100,7 @@ Statement name_of(const GravityMethod& method) {
   return Code::of("estimator." + to_string(method));
 }
 
-Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
+Statement finding(const CrossCheck& check, const CrossCheck& recommended, const ChainResults& r) {
   return {"cross_check.disagree",
           {{"recommended", name_of(recommended.method)},
            {"other", name_of(check.method)},
@@ -87,8 +108,7 @@ Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
            {"other_kg", check.mass_kg.value},
            {"difference_percent", check.difference_percent},
            {"interval_percent", check.difference_half_width_percent},
-           {"cause", check.is_biased ? Statement{"cross_check.motion_has_harmonics"}
-                                     : cause_of(check.method)}}};
+           {"cause", cause_of(check, recommended, r)}}};
 }
 
 /// Probability of as large a difference between estimates of the same quantity.
@@ -155,6 +175,9 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
       half_width = resampled->difference_Nm.half_width();
     }
     half_width = std::hypot(half_width, numerical_share * ours.value);
+    // No resample draws it: all shift in the same sense, each by its own friction.
+    half_width += std::abs(offset_ambiguity_Nm(check.method, r) -
+                           offset_ambiguity_Nm(recommended->method, r));
     if (check.is_recommended) half_width = 0;
     const double difference = check.gravity_Nm.value - ours.value;
     check.difference_percent = 100 * difference / ours.value;
@@ -174,7 +197,10 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
       wide.half_width() > ours.half_width() && wide.half_width() > largest_spread * ours.value;
   if (wide.half_width() > ours.half_width() && !out.doubtful) out.widened_gravity_Nm = wide;
   for (const CrossCheck& check : checks) {
-    if (check.disagrees) out.findings.push_back(finding(check, *recommended));
+    // What the motion biases is told where its harmonics are, and is in the table.
+    if (check.disagrees && !check.is_biased) {
+      out.findings.push_back(finding(check, *recommended, r));
+    }
   }
   out.checks = std::move(checks);
   return out;

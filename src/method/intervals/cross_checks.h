@@ -18,8 +18,8 @@ struct CrossCheck {
   statistics::Estimate mass_kg;                      ///< The same, as a surrogate mass.
   std::optional<statistics::Estimate> resampled_kg;  ///< With the interval of the bootstrap.
   bool is_recommended{};
-  bool is_biased{};             ///< A pair mean of a loop whose motion has even harmonics; not
-                                ///< expected to agree.
+  bool is_biased{};             ///< A pair mean of a loop whose motion has harmonics; not expected
+                                ///< to agree.
   double difference_percent{};  ///< Of the recommended mass.
   double difference_half_width_percent{};
   /// |difference| in units of its 95 % half width; above 1 the difference is significant. 0 if both
