@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/parallel_for.h"
+#include "joint/degrees.h"
 #include "statistics/order_statistics.h"
 #include "truth/identified_joint.h"
 #include "truth/what_if.h"
@@ -76,11 +77,13 @@ Statement finding_of(const calibration::ReturnedQuantity& q, std::size_t runs) {
   if (q.found == 0) {
     return {"truth.not_found", {{"reading", name}, {"runs", runs}}};
   }
+  const bool is_angle = q.unit == "rad";
+  const double scale = is_angle ? joint::degrees_per_rad : 1;
   return {"truth.does_not_come_back",
           {{"reading", name},
-           {"put_in", q.put_in},
-           {"unit", q.unit},
-           {"came_back", q.came_back},
+           {"put_in", scale * q.put_in},
+           {"unit", is_angle ? "deg" : q.unit},
+           {"came_back", scale * q.came_back},
            {"inside", q.inside},
            {"runs", runs}}};
 }

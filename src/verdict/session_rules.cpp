@@ -113,6 +113,15 @@ std::optional<Measured> by_direction(const Calibration& c) {
                     {"cause.asymmetry_or_offset",
                      {{"percent", 100 * share}, {"offset_Nm", d.offset_Nm.value}}}};
   }
+  // Where the runs say it too, it is said once.
+  const std::optional<statistics::Estimate>& of_runs = c.torque_balance.asymmetry;
+  if (of_runs && of_runs->value * d.asymmetry.value > 0 &&
+      std::abs(of_runs->value) > of_runs->half_width()) {
+    return Measured{
+        percent_if(d.asymmetry_found, d.asymmetry.value),
+        {"cause.asymmetry_of_runs",
+         {{"percent", 100 * of_runs->value}, {"half_width", 100 * of_runs->half_width()}}}};
+  }
   return Measured{percent_if(d.asymmetry_found, d.asymmetry.value),
                   {"cause.asymmetry",
                    {{"percent", 100 * d.asymmetry.value},
