@@ -13,15 +13,21 @@ namespace tribolog {
 
 Dataset::Dataset(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
 
-Dataset Dataset::read(const std::string& manifest) {
+Dataset Dataset::read(const std::string& manifest) { return read(manifest, {}); }
+
+Dataset Dataset::read(const std::string& manifest, const std::string& joint) {
   return api::guarded([&] {
     // HDF5 takes one thread at a time, and a process forked while another thread reads would keep
     // what that one has locked.
     static std::mutex reading;
     const std::lock_guard lock(reading);
     return Dataset(std::make_shared<const Contents>(
-        Contents{manifest, ingest::dataset::read_dataset(manifest)}));
+        Contents{manifest, ingest::dataset::read_dataset(manifest, joint)}));
   });
+}
+
+std::vector<std::string> Dataset::joints_in(const std::string& manifest) {
+  return api::guarded([&] { return ingest::dataset::joints_of_robot(manifest); });
 }
 
 Joint Dataset::joint() const {

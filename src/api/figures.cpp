@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "api/contents.h"
 #include "api/figure_files.h"
@@ -11,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "figures/figure_set.h"
+#include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/manifest_file.h"
 #include "paper/scenes/scene_figures.h"
 #include "tribolog/files.h"
@@ -23,7 +26,10 @@ using render::workers::Prepared;
 
 /// Scenes too, if the manifest names a description of the robot.
 Prepared drawings_of(const std::string& manifest) {
-  return ingest::manifest::read_manifest(manifest).manifest.robot_description.empty()
+  // A robot's is the same for all of its joints.
+  const std::vector<std::string> joints = ingest::dataset::joints_of_robot(manifest);
+  const std::string joint = joints.empty() ? std::string() : joints.front();
+  return ingest::manifest::read_manifest(manifest, joint).manifest.robot_description.empty()
              ? Prepared::charts
              : Prepared::charts_and_scenes;
 }

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "cli/archiving.h"
 #include "cli/console.h"
+#include "cli/identification.h"
 #include "inspect/survey/manifest_proposal.h"
 #include "joint/dataset.h"
 #include "tribolog/figures.h"
@@ -25,7 +26,7 @@ struct SimulateOptions {
 };
 
 struct IdentifyArguments {
-  std::string dataset;
+  DatasetChoice dataset;
   std::string output;
   std::size_t truth_runs{20};         ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;     ///< This verdict or a worse one is exit status 1.
@@ -34,7 +35,7 @@ struct IdentifyArguments {
 };
 
 struct FiguresOptions {
-  std::string dataset;
+  DatasetChoice dataset;
   std::string directory;
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureStyle style{FigureStyle::report};
@@ -44,7 +45,7 @@ struct FiguresOptions {
 };
 
 struct ReportOptions {
-  std::string dataset;
+  DatasetChoice dataset;
   std::string output;
   std::string calibration;  ///< Empty: beside the report.
   std::size_t truth_runs{20};

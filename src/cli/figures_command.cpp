@@ -37,8 +37,9 @@ std::string listed_formats(const std::vector<FigureFormat>& formats) {
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   std::optional<Renderer> renderer;
-  if (needs_renderer(options.dataset, options.formats)) {  // starts while the numbers are computed
-    renderer.emplace(RendererOptions{options.processes, options.dataset});
+  // Starts while the numbers are computed.
+  if (needs_renderer(options.dataset.manifest, options.formats)) {
+    renderer.emplace(RendererOptions{options.processes, options.dataset.manifest});
   }
   const Dataset dataset = load_dataset(options.dataset, console);
   AtomicFiles files;
@@ -63,7 +64,7 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
 
 CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   CLI::App& command = *app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");
-  command.add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
+  add_dataset(command, figures.dataset);
   command.add_option("-o,--output", figures.directory, "directory to write to")->required();
   command
       .add_option_function<std::vector<std::string>>(

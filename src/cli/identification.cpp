@@ -118,9 +118,9 @@ Progress progress_on(Console& console) {
   };
 }
 
-Dataset load_dataset(const std::string& manifest, Console& console) {
-  console.progress("reading " + printable(manifest), 0, 1);
-  Dataset dataset = Dataset::read(manifest);
+Dataset load_dataset(const DatasetChoice& choice, Console& console) {
+  console.progress("reading " + printable(choice.manifest), 0, 1);
+  Dataset dataset = Dataset::read(choice.manifest, choice.joint);
   for (const Message& note : dataset.notes()) {
     console.warn("note: " + printable(note.words, longest_reading_note));
   }

@@ -16,8 +16,14 @@
 
 namespace tribolog::cli {
 
+/// What is to be read.
+struct DatasetChoice {
+  std::string manifest;
+  std::string joint;  ///< Of a whole robot's manifest, by name; empty: it is a single joint's.
+};
+
 /// Reads the manifest and its recordings; notes go to the console.
-Dataset load_dataset(const std::string& manifest, Console& console);
+Dataset load_dataset(const DatasetChoice& choice, Console& console);
 
 /// Refuses an output that is one of the dataset's own files.
 /// @throw UsageError

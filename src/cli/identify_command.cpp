@@ -11,7 +11,7 @@ namespace tribolog::cli {
 
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console) {
-  check_output_can_be_written(options.output, {options.dataset, options.archiving.file()});
+  check_output_can_be_written(options.output, {options.dataset.manifest, options.archiving.file()});
   console.make_way_for(options.output);
   static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
   Archiving archiving(options.archiving);
@@ -21,7 +21,7 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
       run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(options.output, calibration.to_json());
-  archiving.keep_numbers(calibration.to_json(), options.output, options.dataset, console);
+  archiving.keep_numbers(calibration.to_json(), options.output, options.dataset.manifest, console);
   files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));
@@ -85,7 +85,7 @@ joint", describes every key.)";
 CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
   CLI::App& command =
       *app.add_subcommand("identify", "identify a joint: numbers with intervals, as JSON");
-  command.add_option("DATASET", identify.dataset, "dataset manifest (TOML)")->required();
+  add_dataset(command, identify.dataset);
   command.add_option("-o,--output", identify.output, "calibration file (JSON) to write")
       ->required();
   add_truth_runs(command, identify.truth_runs);
@@ -98,7 +98,7 @@ CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
 
 CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
-  command.add_option("DATASET", report.dataset, "dataset manifest (TOML)")->required();
+  add_dataset(command, report.dataset);
   command.add_option("-o,--output", report.output, "report (HTML) to write")->required();
   command.add_option("--calibration", report.calibration,
                      "where to write the numbers (JSON); default: next to the report");

@@ -38,7 +38,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
                       Console& console) {
   const std::string numbers = calibration_of(options);
   for (const std::string& output : {options.output, numbers}) {
-    check_output_can_be_written(output, {options.dataset, options.archiving.file()});
+    check_output_can_be_written(output, {options.dataset.manifest, options.archiving.file()});
     console.make_way_for(output);
   }
   check_outputs_differ({options.output, numbers});
@@ -46,7 +46,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   Archiving archiving(options.archiving);
 
   std::optional<Renderer> renderer;  // starts while the numbers are computed
-  if (options.figures) renderer.emplace(RendererOptions{options.processes, options.dataset});
+  if (options.figures) {
+    renderer.emplace(RendererOptions{options.processes, options.dataset.manifest});
+  }
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.output);
   protect_inputs(dataset, numbers);
@@ -54,7 +56,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
       run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(numbers, calibration.to_json());
-  archiving.keep_numbers(calibration.to_json(), numbers, options.dataset, console);
+  archiving.keep_numbers(calibration.to_json(), numbers, options.dataset.manifest, console);
 
   const Report report = make_report(
       calibration,

@@ -106,6 +106,14 @@ void add_processes(CLI::App& command, int& processes) {
       ->capture_default_str();
 }
 
+void add_dataset(CLI::App& command, DatasetChoice& dataset) {
+  command.add_option("DATASET", dataset.manifest, "dataset manifest (TOML)")->required();
+  command
+      .add_option("--joint", dataset.joint,
+                  "one joint of a whole robot's manifest, [[joints]], by its name")
+      ->type_name("NAME");
+}
+
 void add_truth_runs(CLI::App& command, std::size_t& truth_runs) {
   constexpr std::size_t most = 10'000;
   command

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/archiving.h"
+#include "cli/identification.h"
 #include "joint/dataset.h"
 #include "tribolog/values.h"
 #include "wording/language.h"
@@ -27,6 +28,8 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving);
 /// `-j,--processes`
 void add_processes(CLI::App& command, int& processes);
 /// `--truth-runs`
+/// DATASET and --joint.
+void add_dataset(CLI::App& command, DatasetChoice& dataset);
 void add_truth_runs(CLI::App& command, std::size_t& truth_runs);
 /// `--threads`
 void add_threads(CLI::App& command, std::size_t& threads);

@@ -24,6 +24,13 @@ class TRIBOLOG_EXPORT Dataset {
   /// @throw Failure input_refused: the manifest or a log cannot be used, at file, line and column.
   static Dataset read(const std::string& manifest);
 
+  /// One joint of a whole robot's manifest, by its name.
+  /// @throw Failure input_refused: as above, or it has no joint of that name.
+  static Dataset read(const std::string& manifest, const std::string& joint);
+  /// The joints of a whole robot's manifest, in their order; none: it is a single joint's.
+  /// @throw Failure input_refused: the manifest cannot be used.
+  static std::vector<std::string> joints_in(const std::string& manifest);
+
   [[nodiscard]] Joint joint() const;
   /// What the reader noticed and the user should know. @throw Failure usage: no such language.
   [[nodiscard]] std::vector<Message> notes(const std::string& language = "en") const;

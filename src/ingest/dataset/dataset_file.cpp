@@ -188,9 +188,14 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
 
 }  // namespace
 
-joint::Dataset read_dataset(const std::string& manifest_path) {
+std::vector<std::string> joints_of_robot(const std::string& manifest_path) {
+  return manifest::joints_in_manifest(read_file(manifest_path, manifest::largest_manifest_bytes),
+                                      manifest_path);
+}
+
+joint::Dataset read_dataset(const std::string& manifest_path, const std::string& joint) {
   const std::string text = read_file(manifest_path, manifest::largest_manifest_bytes);
-  manifest::ManifestFile manifest = manifest::parse_manifest(text, manifest_path);
+  manifest::ManifestFile manifest = manifest::parse_manifest(text, manifest_path, joint);
   const std::filesystem::path path(manifest_path);
   joint::Dataset dataset;
   dataset.manifest = std::move(manifest.manifest);
@@ -203,7 +208,11 @@ joint::Dataset read_dataset(const std::string& manifest_path) {
     const bool is_points = entry.role == joint::Role::friction_points;
     (is_points ? add_points : add_recording)(entry, manifest, logs, dataset, unused);
   }
-  if (const Statement note = unused.note(); !note.empty()) dataset.notes.push_back(note);
+  // Those of a robot are its other joints'.
+  const bool is_of_robot = !joint.empty();
+  if (const Statement note = unused.note(); !note.empty() && !is_of_robot) {
+    dataset.notes.push_back(note);
+  }
   if (dataset.robot) compare_angles(dataset);
   return dataset;
 }

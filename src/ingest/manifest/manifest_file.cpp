@@ -9,7 +9,9 @@
 #include "ingest/log/log_format.h"
 #include "ingest/manifest/manifest_tables.h"
 #include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/robot_joints.h"
 #include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/fields.h"
@@ -245,11 +247,34 @@ void refuse_what_is_no_manifest(std::string_view text, const std::string& file) 
        "--help shows it"});
 }
 
+/// The joint's part of a robot's manifest, or the whole of a single joint's.
+TomlNode document_of(TomlNode document, const std::string& file, const std::string& joint) {
+  const std::vector<std::string> names = joint_names(document, file);
+  if (names.empty() && joint.empty()) return document;
+  const auto it = std::find(names.begin(), names.end(), joint);
+  if (it != names.end()) return manifest_of_joint(std::move(document), joint);
+  if (names.empty()) {
+    throw InputError({file, 0, 0}, {"is the manifest of a single joint", "--joint " + joint, "",
+                                    "[[joints]] are the joints of a whole robot"});
+  }
+  throw InputError({file, 0, 0}, {joint.empty() ? "holds several joints" : "has no such joint",
+                                  joint.empty() ? "" : in_quotes(joint),
+                                  "--joint NAME, of " + list_of_names(names), ""});
+}
+
 }  // namespace
 
-ManifestFile parse_manifest(std::string_view text, const std::string& file) {
+std::vector<std::string> joints_in_manifest(std::string_view text, const std::string& file) {
   refuse_what_is_no_manifest(text, file);
-  const TomlTable top = TomlTable::parse(text, file);
+  precheck_toml(text, file);
+  return joint_names(parse_toml(text, file), file);
+}
+
+ManifestFile parse_manifest(std::string_view text, const std::string& file,
+                            const std::string& of_joint) {
+  refuse_what_is_no_manifest(text, file);
+  precheck_toml(text, file);
+  const TomlTable top = TomlTable::of(document_of(parse_toml(text, file), file, of_joint), file);
   (void)top.choice("schema", {"tribolog-dataset-1"});
   ManifestFile result;
   read_identity(top, result.manifest);
@@ -294,8 +319,8 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   return result;
 }
 
-ManifestFile read_manifest(const std::string& path) {
-  return parse_manifest(read_file(path, largest_manifest_bytes), path);
+ManifestFile read_manifest(const std::string& path, const std::string& joint) {
+  return parse_manifest(read_file(path, largest_manifest_bytes), path, joint);
 }
 
 bool is_impossible_time(const std::string& text) {

@@ -82,9 +82,18 @@ inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
 bool is_impossible_time(const std::string& text);
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
-ManifestFile read_manifest(const std::string& path);
+ManifestFile read_manifest(const std::string& path, const std::string& joint = {});
 
 /// The same from a text. @param file its name, for messages.
-ManifestFile parse_manifest(std::string_view text, const std::string& file);
+/// @param joint whose manifest is meant, in that of a whole robot (robot_joints.h); empty: the
+/// manifest is a single joint's.
+/// @throw InputError too: the robot has no joint of that name, or there is no name where one is
+/// needed.
+ManifestFile parse_manifest(std::string_view text, const std::string& file,
+                            const std::string& joint = {});
+
+/// The joints of a whole robot's manifest, in their order; none: it is a single joint's.
+/// @throw InputError as parse_manifest().
+std::vector<std::string> joints_in_manifest(std::string_view text, const std::string& file);
 
 }  // namespace tribolog::ingest::manifest

@@ -80,9 +80,13 @@ std::optional<InputError::Problem> problem_of(const TomlNode& node, Sign sign,
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
   precheck_toml(text, file);
-  auto document = std::make_shared<const TomlNode>(parse_toml(text, file));
-  const TomlNode* top = document.get();
-  return TomlTable(std::make_shared<View>(View{std::move(document), top, file, ""}));
+  return of(parse_toml(text, file), file);
+}
+
+TomlTable TomlTable::of(TomlNode document, const std::string& file) {
+  auto kept = std::make_shared<const TomlNode>(std::move(document));
+  const TomlNode* top = kept.get();
+  return TomlTable(std::make_shared<View>(View{std::move(kept), top, file, ""}));
 }
 
 bool TomlTable::has(const std::string& key) const { return view_->find(key) != nullptr; }

@@ -17,6 +17,8 @@
 
 namespace tribolog::ingest::manifest {
 
+struct TomlNode;
+
 /// Which numbers a key takes. In every case finite, and in the range of its unit (range_of_key()).
 enum class Sign { any, not_negative, positive };
 
@@ -26,6 +28,9 @@ class TomlTable {
   /// @throw InputError for a syntax error, a key given twice, broken UTF-8, or absurdly deep
   /// nesting.
   static TomlTable parse(std::string_view text, const std::string& file);
+
+  /// The same of a document that was parsed already. @param file its name, for messages.
+  static TomlTable of(TomlNode document, const std::string& file);
 
   // Required keys. @throw InputError if missing (with the hint) or of another type or range.
   [[nodiscard]] std::string text(const std::string& key, const std::string& hint = {}) const;
