@@ -68,6 +68,14 @@ std::vector<double> local_slope(const std::vector<double>& t, const std::vector<
   return slope;
 }
 
+std::vector<double> local_curvature(const std::vector<double>& t, const std::vector<double>& y,
+                                    std::size_t h) {
+  std::vector<double> curvature = local_slope(t, local_slope(t, y, h), h);
+  if (!curvature.empty()) curvature.erase(curvature.begin());
+  curvature.resize(y.size(), curvature.empty() ? 0.0 : curvature.back());
+  return curvature;
+}
+
 double cut_off_of_slope_Hz(std::size_t h, double interval_s) {
   constexpr double at_half_power = 0.318917;  // sinc^2(x) = 1/sqrt(2)
   return at_half_power / (static_cast<double>(h) * interval_s);

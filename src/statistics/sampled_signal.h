@@ -51,6 +51,12 @@ std::size_t half_window_of_slope(std::size_t samples);
 std::vector<double> local_slope(const std::vector<double>& t, const std::vector<double>& y,
                                 std::size_t h);
 
+/// Its slope. The samples from i on lie half an interval later than i: a local slope is that of
+/// half an interval before, and the slope of slopes that of a whole one, which is put right here.
+/// @return as many values.
+std::vector<double> local_curvature(const std::vector<double>& t, const std::vector<double>& y,
+                                    std::size_t h);
+
 /// Where the gain has fallen to 1/sqrt(2) (-3 dB) [Hz].
 /// @param interval_s between samples, > 0.
 double cut_off_of_slope_Hz(std::size_t h, double interval_s);

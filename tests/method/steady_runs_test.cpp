@@ -66,6 +66,29 @@ TEST(SteadyRuns, TheTorqueStepIsThatOfTheLog) {
   EXPECT_NEAR(method::motion::SteadyRuns({&r}, inertia_kgm2).torque_step_Nm(), 0.002, 1e-9);
 }
 
+/// The crest of an S-curve: it speeds up and slows down as much, and friction is what it is at the
+/// crest only if the acceleration is that of its own sample.
+TEST(SteadyRuns, AnAccelerationIsThatOfItsSample) {
+  joint::Recording r;
+  r.role = joint::Role::constant_speed;
+  constexpr double half_s = 0.1;
+  constexpr double share = 0.015;  // of the speed that is missing at the crest's ends
+  for (int i = 0; i <= 200; ++i) {
+    const double t = i * interval_s - half_s;
+    const double place = t / half_s;
+    r.t_s.push_back(t + half_s);
+    r.q_rad.push_back(speed_rad_s * (t - share * half_s * place * place * place / 3));
+    r.torque_Nm.push_back(friction_Nm - inertia_kgm2 * speed_rad_s * share * 2 * place / half_s);
+  }
+  const method::motion::SteadyRuns steady({&r}, inertia_kgm2);
+  const joint::Recording& freed = *steady.recordings().front();
+  const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
+  ASSERT_EQ(motion.plateaus.size(), 1U);
+  for (std::size_t i = motion.plateaus[0].first; i < motion.plateaus[0].last; ++i) {
+    EXPECT_NEAR(freed.torque_Nm[i], friction_Nm, 1e-6 * friction_Nm) << i;
+  }
+}
+
 /// The crest of an overshoot stands still for a moment: no run at a speed of its own.
 TEST(SteadyRuns, TheCrestOfAnOvershootIsNoPlateau) {
   joint::Recording r;

@@ -247,6 +247,14 @@ std::size_t where_it_held_most(const joint::Recording& r, std::size_t at, std::s
   return held;
 }
 
+/// @param rest_Nm of the ramp's first samples, in its direction.
+/// @param half_window over which the angle's slopes are taken.
+void take_off_inertia(const joint::Recording& r, std::size_t half_window, double inertia_along,
+                      std::vector<double>& rest_Nm) {
+  const std::vector<double> acceleration = statistics::local_curvature(r.t_s, r.q_rad, half_window);
+  for (std::size_t i = 0; i < rest_Nm.size(); ++i) rest_Nm[i] -= inertia_along * acceleration[i];
+}
+
 /// A LuGre contact is seen to yield at this share of its static torque.
 constexpr double share_at_reading = 0.993;
 
@@ -323,6 +331,9 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
     ramp.friction_Nm = share_at_reading * *ramp.level_Nm;
   } else if (ramp.broke_away) {
     rest_Nm.resize(at);
+    if (beside >= fewest_beside && inertia_at_joint > 0) {
+      take_off_inertia(r, beside, sign * inertia_at_joint, rest_Nm);
+    }
     ramp.level_Nm = level_at_rest(travel, rest_Nm, ramp.friction_Nm);
   }
   ramp.travel_rad = travel[at];

@@ -25,8 +25,7 @@ std::vector<double> accelerations(const joint::Recording& r, const Plateau& plat
                                signal.begin() + static_cast<std::ptrdiff_t>(last));
   };
   const std::vector<double> t = part(r.t_s);
-  const std::vector<double> all =
-      statistics::local_slope(t, statistics::local_slope(t, part(r.q_rad), h), h);
+  const std::vector<double> all = statistics::local_curvature(t, part(r.q_rad), h);
   const auto from = all.begin() + static_cast<std::ptrdiff_t>(plateau.first - first);
   return {from, from + static_cast<std::ptrdiff_t>(plateau.size())};
 }
@@ -42,14 +41,22 @@ SteadyRuns::SteadyRuns(std::vector<const joint::Recording*> recordings, double i
   without_inertia_.reserve(logged_.size());
   for (const joint::Recording* r : logged_) {
     joint::Recording& steady = without_inertia_.emplace_back(*r);
+    std::vector<double>& taken_off_Nm = taken_off_Nm_.emplace_back(r->size(), 0.0);
     const MotionSegments motion = find_plateaus(*r);
     for (const Plateau& plateau : motion.plateaus) {
       const std::vector<double> acceleration = accelerations(*r, plateau, motion.window / 2);
       for (std::size_t k = 0; k < plateau.size(); ++k) {
-        steady.torque_Nm[plateau.first + k] -= inertia_kgm2 * acceleration[k];
+        const std::size_t i = plateau.first + k;
+        taken_off_Nm[i] = inertia_kgm2 * acceleration[k];
+        steady.torque_Nm[i] -= taken_off_Nm[i];
       }
     }
   }
+}
+
+const std::vector<double>& SteadyRuns::taken_off_Nm(std::size_t recording) const {
+  static const std::vector<double> nothing;
+  return taken_off_Nm_.empty() ? nothing : taken_off_Nm_[recording];
 }
 
 std::vector<const joint::Recording*> SteadyRuns::recordings() const {

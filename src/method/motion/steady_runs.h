@@ -6,6 +6,7 @@
 // acceleration stands in the torque. Fast runs are short, so that most of it stays in their mean:
 // friction grows or shrinks with the speed by it, and so does the viscous coefficient.
 
+#include <cstddef>
 #include <vector>
 
 #include "joint/recording.h"
@@ -23,6 +24,8 @@ class SteadyRuns {
 
   /// In the order given.
   [[nodiscard]] std::vector<const joint::Recording*> recordings() const;
+  /// What was taken off the torque of one of them, sample by sample; empty: nothing.
+  [[nodiscard]] const std::vector<double>& taken_off_Nm(std::size_t recording) const;
   /// That the logged torque is rounded to; 0: to none. A slow run may stay on one value all along:
   /// the others tell the step.
   [[nodiscard]] double torque_step_Nm() const { return torque_step_Nm_; }
@@ -30,6 +33,7 @@ class SteadyRuns {
  private:
   std::vector<const joint::Recording*> logged_;
   std::vector<joint::Recording> without_inertia_;  ///< Empty: as logged.
+  std::vector<std::vector<double>> taken_off_Nm_;  ///< One for each of these.
   double torque_step_Nm_{};
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
@@ -25,10 +26,27 @@ bool is_on_few_levels(const std::vector<double>& torque, double step) {
   return static_cast<double>(two) > nearly_all * static_cast<double>(torque.size());
 }
 
+void leave_out_accelerated(const std::vector<double>& taken_off_Nm, double friction_Nm,
+                           PlateauSamples& samples) {
+  constexpr double most_of_friction = 0.05;
+  if (taken_off_Nm.empty()) return;
+  std::vector<char> counts = samples.counts;
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (std::abs(taken_off_Nm[samples.first + i]) <= most_of_friction * friction_Nm) continue;
+    counts[i] = 0;
+    ++left_out;
+  }
+  if (2 * left_out > counts.size()) return;
+  samples.counts = std::move(counts);
+  samples.left_out = left_out;
+}
+
 }  // namespace
 
 PlateauSamples samples_that_count(const joint::Recording& recording, const motion::Plateau& plateau,
-                                  const std::vector<double>& friction_Nm, double step) {
+                                  const std::vector<double>& friction_Nm,
+                                  const std::vector<double>& taken_off_Nm, double step) {
   PlateauSamples out{plateau.first, plateau.last, std::vector<char>(plateau.size(), 1), 0, 0};
   const auto at = [&](std::size_t i) {
     return recording.torque_Nm.begin() + static_cast<std::ptrdiff_t>(i);
@@ -42,6 +60,7 @@ PlateauSamples samples_that_count(const joint::Recording& recording, const motio
   }
 
   const double middle = statistics::median(friction_Nm);
+  leave_out_accelerated(taken_off_Nm, std::abs(middle), out);
   std::vector<double> off(friction_Nm.size());
   std::transform(friction_Nm.begin(), friction_Nm.end(), off.begin(),
                  [&](double f) { return std::abs(f - middle); });
@@ -50,16 +69,14 @@ PlateauSamples samples_that_count(const joint::Recording& recording, const motio
   constexpr double least_deviation = 2e-4;  // of friction
   const double fence = farthest * std::max({deviation, step, least_deviation * std::abs(middle)});
   if (!(fence > 0)) return out;
+  PlateauSamples without = out;
   for (std::size_t i = 0; i < off.size(); ++i) {
-    if (off[i] <= fence) continue;
-    out.counts[i] = 0;
-    ++out.left_out;
+    if (off[i] <= fence || without.counts[i] == 0) continue;
+    without.counts[i] = 0;
+    ++without.left_out;
   }
-  if (static_cast<double>(out.left_out) > most_left_out * static_cast<double>(off.size())) {
-    std::fill(out.counts.begin(), out.counts.end(), 1);
-    out.left_out = 0;
-  }
-  return out;
+  const auto outliers = static_cast<double>(without.left_out - out.left_out);
+  return outliers > most_left_out * static_cast<double>(off.size()) ? out : without;
 }
 
 }  // namespace tribolog::method::viscous

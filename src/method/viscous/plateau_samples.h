@@ -27,8 +27,12 @@ struct PlateauSamples {
 };
 
 /// @param friction_Nm torque less gravity, one per sample of the plateau.
+/// @param taken_off_Nm for the inertia, one per sample of the recording: where it is more than a
+/// twentieth of friction, what smoothing the acceleration left of it would count; those samples are
+/// left out, unless they are most. Empty: nothing was taken off.
 /// @param step_Nm that the torque is rounded to; 0: it is not.
 PlateauSamples samples_that_count(const joint::Recording& recording, const motion::Plateau& plateau,
-                                  const std::vector<double>& friction_Nm, double step_Nm);
+                                  const std::vector<double>& friction_Nm,
+                                  const std::vector<double>& taken_off_Nm, double step_Nm);
 
 }  // namespace tribolog::method::viscous

@@ -127,13 +127,14 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
 /// Friction that changes with the motor's angle is subtracted too: a slow run crosses only part of
 /// its period.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
+/// @param taken_off_Nm of the recording's torque, for the inertia (SteadyRuns).
 /// @param samples receives those of the plateau that count.
 /// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
                           const gravity::Ripple& ripple, const FrictionOfAngle& friction_of_angle,
-                          double torque_step_Nm, PlateauSamples& samples,
-                          std::vector<double>& blocks_Nm) {
+                          double torque_step_Nm, const std::vector<double>& taken_off_Nm,
+                          PlateauSamples& samples, std::vector<double>& blocks_Nm) {
   const std::vector<double> of_angle = friction_of_angle.torque_Nm(r, plateau);
   const auto torque_at = [&](std::size_t i) {
     return r.torque_Nm[i] - of_angle[i - plateau.first];
@@ -144,7 +145,7 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   std::vector<double> friction_Nm;
   friction_Nm.reserve(plateau.size());
   for (std::size_t i = plateau.first; i < plateau.last; ++i) friction_Nm.push_back(friction_at(i));
-  samples = samples_that_count(r, plateau, friction_Nm, torque_step_Nm);
+  samples = samples_that_count(r, plateau, friction_Nm, taken_off_Nm, torque_step_Nm);
 
   ConstantSpeedRun run;
   run.recording = r.name;
@@ -449,14 +450,16 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
   std::vector<RunSource> sources;
   const std::vector<const joint::Recording*> recordings = steady.recordings();
   const FrictionOfAngle of_angle = friction_of_runs(recordings, rough, gear_ratio);
-  for (const joint::Recording* r : recordings) {
+  for (std::size_t k = 0; k < recordings.size(); ++k) {
+    const joint::Recording* r = recordings[k];
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, {}});
       made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
       out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, of_angle,
-                                  steady.torque_step_Nm(), samples, made.block_friction_Nm.back()));
+                                  steady.torque_step_Nm(), steady.taken_off_Nm(k), samples,
+                                  made.block_friction_Nm.back()));
       out.samples_used += samples.size();
       out.samples_left_out += samples.left_out;
     }
