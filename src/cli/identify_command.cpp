@@ -77,8 +77,9 @@ The manifest says, for example:
   q_peak_deg = 90
 
 Each role may occur any number of times, and each is optional: if one is absent,
-the stages that need it say so; the rest still runs. README.md, "Your own
-joint", describes every key.)";
+the stages that need it say so; the rest still runs. The joints of one robot
+can share a manifest, each in [[joints]]: --joint NAME picks one. README.md,
+"Your own joint", describes every key.)";
 
 }  // namespace
 
