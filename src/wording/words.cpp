@@ -34,41 +34,34 @@ struct Listed {
   std::vector<std::string> parts;
 };
 
+/// Keeps what a field has behind its colon.
+struct FieldText {
+  constexpr auto parse(fmt::format_parse_context& context) {
+    const auto* end = context.begin();
+    while (end != context.end() && *end != '}') ++end;
+    behind_colon = {context.begin(), static_cast<std::size_t>(end - context.begin())};
+    return end;
+  }
+  std::string_view behind_colon;
+};
+
 }  // namespace
 }  // namespace tribolog::wording
 
 template <>
-struct fmt::formatter<tribolog::wording::Shown> {
-  constexpr auto parse(format_parse_context& context) {
-    const auto* end = context.begin();
-    while (end != context.end() && *end != '}') ++end;
-    format_ = {context.begin(), static_cast<std::size_t>(end - context.begin())};
-    return end;
-  }
+struct fmt::formatter<tribolog::wording::Shown> : tribolog::wording::FieldText {
   auto format(const tribolog::wording::Shown& number, format_context& context) const {
-    const std::string field = format_.empty() ? "{}" : "{:" + std::string(format_) + "}";
+    const std::string field = behind_colon.empty() ? "{}" : "{:" + std::string(behind_colon) + "}";
     const std::string printed = fmt::format(fmt::runtime(field), number.value);
     return fmt::format_to(context.out(), "{}", tribolog::wording::without_exponent(printed));
   }
-
- private:
-  std::string_view format_;
 };
 
 template <>
-struct fmt::formatter<tribolog::wording::Listed> {
-  constexpr auto parse(format_parse_context& context) {
-    const auto* end = context.begin();
-    while (end != context.end() && *end != '}') ++end;
-    between_ = {context.begin(), static_cast<std::size_t>(end - context.begin())};
-    return end;
-  }
+struct fmt::formatter<tribolog::wording::Listed> : tribolog::wording::FieldText {
   auto format(const tribolog::wording::Listed& listed, format_context& context) const {
-    return fmt::format_to(context.out(), "{}", fmt::join(listed.parts, between_));
+    return fmt::format_to(context.out(), "{}", fmt::join(listed.parts, behind_colon));
   }
-
- private:
-  std::string_view between_;
 };
 
 namespace tribolog::wording {

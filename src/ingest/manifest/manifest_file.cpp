@@ -247,6 +247,12 @@ void refuse_what_is_no_manifest(std::string_view text, const std::string& file) 
        "--help shows it"});
 }
 
+TomlNode document_in(std::string_view text, const std::string& file) {
+  refuse_what_is_no_manifest(text, file);
+  precheck_toml(text, file);
+  return parse_toml(text, file);
+}
+
 /// The joint's part of a robot's manifest, or the whole of a single joint's.
 TomlNode document_of(TomlNode document, const std::string& file, const std::string& joint) {
   const std::vector<std::string> names = joint_names(document, file);
@@ -265,16 +271,12 @@ TomlNode document_of(TomlNode document, const std::string& file, const std::stri
 }  // namespace
 
 std::vector<std::string> joints_in_manifest(std::string_view text, const std::string& file) {
-  refuse_what_is_no_manifest(text, file);
-  precheck_toml(text, file);
-  return joint_names(parse_toml(text, file), file);
+  return joint_names(document_in(text, file), file);
 }
 
 ManifestFile parse_manifest(std::string_view text, const std::string& file,
                             const std::string& of_joint) {
-  refuse_what_is_no_manifest(text, file);
-  precheck_toml(text, file);
-  const TomlTable top = TomlTable::of(document_of(parse_toml(text, file), file, of_joint), file);
+  const TomlTable top = TomlTable::of(document_of(document_in(text, file), file, of_joint), file);
   (void)top.choice("schema", {"tribolog-dataset-1"});
   ManifestFile result;
   read_identity(top, result.manifest);
