@@ -313,11 +313,13 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
       beside = 0;
     }
   }
-  if (ramp.broke_away && beside >= fewest_beside && inertia_at_joint > 0) {
+  const bool shows_acceleration = beside >= fewest_beside;
+  const bool knows_inertia = shows_acceleration && inertia_at_joint > 0;
+  if (ramp.broke_away && knows_inertia) {
     at = where_it_held_most(r, at, beside, rest_Nm, sign * inertia_at_joint);
   }
   ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, largest, sign);
-  if (beside >= fewest_beside) {
+  if (shows_acceleration) {
     const Acceleration acceleration = acceleration_at(r, at, beside);
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration.value;
     ramp.inertia_half_width_Nm = inertia_at_joint * acceleration.half_width;
@@ -331,9 +333,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
     ramp.friction_Nm = share_at_reading * *ramp.level_Nm;
   } else if (ramp.broke_away) {
     rest_Nm.resize(at);
-    if (beside >= fewest_beside && inertia_at_joint > 0) {
-      take_off_inertia(r, beside, sign * inertia_at_joint, rest_Nm);
-    }
+    if (knows_inertia) take_off_inertia(r, beside, sign * inertia_at_joint, rest_Nm);
     ramp.level_Nm = level_at_rest(travel, rest_Nm, ramp.friction_Nm);
   }
   ramp.travel_rad = travel[at];
