@@ -123,8 +123,17 @@ Json speeds(const std::vector<method::motion::SpeedSource>& sources) {
 
 Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio) {
   const bool is_found = lag.inertia_kgm2.has_value();
+  Json rivals = Json::array();
+  for (const method::motion::LagRival& rival : lag.rivals) {
+    rivals.push_back({{"shape", to_string(rival.shape)},
+                      {"size_s", number(rival.size_s)},
+                      {"half_width_s", number(rival.half_width_s)},
+                      {"residual_Nm", number(rival.residual_Nm)}});
+  }
   return {{"lag_s", interval(lag.lag_s)},
           {"is_clear", lag.is_clear()},
+          {"shape", lag.shape ? Json(to_string(*lag.shape)) : Json(nullptr)},
+          {"rivals", rivals},
           {"inertia_kgm2",
            is_found ? both_sides(*lag.inertia_kgm2, gear_ratio * gear_ratio) : Json(nullptr)},
           {"inertia_apart", is_found ? number(lag.inertia_apart) : Json(nullptr)},

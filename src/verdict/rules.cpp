@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "calibration/headline.h"
 #include "method/hysteresis/lugre_fit.h"
@@ -17,6 +18,7 @@ using calibration::Calibration;
 using calibration::InertiaSource;
 using calibration::Verdict;
 using joint::Quantity;
+using method::motion::LagShape;
 
 const std::vector<Quantity> of_curve{Quantity::coulomb_torque, Quantity::viscous_coefficient,
                                      Quantity::stribeck_speed, Quantity::viscous_curve};
@@ -63,6 +65,17 @@ std::optional<Measured> fall_of_damping(const Calibration& c) {
       {"cause.damping_falls", {{"half_at_rad_s", fall->half_at_rad_s}, {"percent", percent}}}};
 }
 
+/// Which channel is late, and by what.
+Code lag_code(const statistics::Estimate& lag, const std::optional<LagShape>& shape) {
+  const bool of_torque = lag.value > 0;
+  if (shape == LagShape::delay)
+    return of_torque ? Code{"cause.lag_delay"} : Code{"cause.lag_delay_of_angle"};
+  if (shape == LagShape::filter) {
+    return of_torque ? Code{"cause.lag_filter"} : Code{"cause.lag_filter_of_angle"};
+  }
+  return of_torque ? Code{"cause.lag"} : Code{"cause.lag_of_angle"};
+}
+
 /// Lag between torque and angle, as far as it is certain.
 std::optional<Measured> torque_lag(const Calibration& c) {
   const std::optional<statistics::Estimate>& lag = c.torque_lag.lag_s;
@@ -70,22 +83,33 @@ std::optional<Measured> torque_lag(const Calibration& c) {
   const double sure_s = std::max({0.0, lag->low, -lag->high});
   return Measured{
       1e3 * sure_s,
-      {lag->value > 0 ? Code{"cause.lag"} : Code{"cause.lag_of_angle"},
+      {lag_code(*lag, c.torque_lag.shape),
        {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
 }
 
-/// Stiffness times a clear lag, as a share of the bristle damping: a delay and a filter, which look
-/// alike where the joint starts and stops, differ by a part of that in the loops.
+/// The shortest oscillation of a gear that starts and stops show to be elastic.
+std::optional<Measured> elastic_gear_of_starts(const Calibration& c) {
+  if (!c.torque_lag.lag_s) return std::nullopt;
+  if (c.torque_lag.shape != LagShape::elastic_gear) return Measured{0, {}};
+  const double time_s = 2 * std::numbers::pi * c.torque_lag.rival(LagShape::elastic_gear)->size_s;
+  return Measured{1e3 * time_s, {"cause.elastic_gear_of_starts", {{"frequency_Hz", 1 / time_s}}}};
+}
+
+/// Stiffness times a clear lag, as a share of the bristle damping: a delay and a filter differ by a
+/// part of that in the loops, and only a delay is taken off them as what it is.
 std::optional<Measured> lag_in_damping(const Calibration& c) {
   using method::hysteresis::LuGreParameterName;
   if (!c.lugre || !c.torque_lag.lag_s) return std::nullopt;
   const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
   const auto damping = c.lugre->shown(LuGreParameterName::bristle_damping);
   if (!stiffness || !damping || damping->value == 0) return std::nullopt;
-  if (!c.torque_lag.is_clear()) return Measured{0, {}};
+  if (!c.torque_lag.is_clear() || c.torque_lag.shape == LagShape::delay) return Measured{0, {}};
   const double lag_s = std::abs(c.torque_lag.lag_s->value);
   const double percent = 100 * stiffness->value * lag_s / std::abs(damping->value);
-  return Measured{percent, {"cause.lag_in_damping", {{"percent", percent}}}};
+  return Measured{percent,
+                  {c.torque_lag.shape == LagShape::filter ? Code{"cause.lag_in_damping_of_filter"}
+                                                          : Code{"cause.lag_in_damping"},
+                   {{"percent", percent}}}};
 }
 
 bool has_inertia_of(calibration::InertiaSource source, const Calibration& c) {
@@ -99,10 +123,11 @@ std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
   return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
 }
 
-/// How far a filter that is as late would bend the inertia; nothing of a lag that may be none.
+/// How far a filter that is as late would bend the inertia; nothing of a lag that may be none, or
+/// whose nature starts and stops show.
 std::optional<Measured> lag_in_inertia(const Calibration& c) {
   if (!has_inertia_of(InertiaSource::starts, c)) return std::nullopt;
-  if (!c.torque_lag.is_clear()) return Measured{0, {}};
+  if (!c.torque_lag.is_clear() || c.torque_lag.shape) return Measured{0, {}};
   const double percent = 100 * c.torque_lag.lag_over_transients;
   return Measured{percent,
                   {"cause.lag_in_inertia",
@@ -346,6 +371,13 @@ const std::vector<Rule>& rules() {
        "record.runs",
        torque_lag,
        "verdict.lag_unknown"},
+      {"elastic_gear_of_starts",
+       "ms",
+       0,
+       Verdict::usable,
+       {Quantity::inertia},
+       "record.slower_starts",
+       elastic_gear_of_starts},
       {"lag_in_damping",
        "%",
        30,

@@ -31,6 +31,8 @@ const Messages& verdict_messages() {
 
       // The verdict's rules, each by what it measures.
       {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
+      {"rule.elastic_gear_of_starts",
+       text("Oscillation of the link against the motor, by starts and stops")},
       {"rule.lag_in_damping", text("What the lag changes of the bristle damping")},
       {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
       {"rule.lag_in_inertia", text("Lag between torque and angle, of the time that a start takes")},
@@ -220,9 +222,24 @@ const Messages& verdict_messages() {
        text("{samples} samples of the torque lie far off their neighbours, up to {largest_Nm:.2g} "
             "N·m, and were replaced by the line between these ({recording}: {percent:.2g} % of its "
             "samples)")},
-      {"cause.lag", text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than "
-                         "the angle; it was "
-                         "moved back by that before the loops were fitted")},
+      {"cause.lag",
+       text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the angle, "
+            "delayed or filtered: starts and stops do not tell which; it was moved back by that "
+            "before the loops were fitted")},
+      {"cause.lag_delay",
+       text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the angle: a "
+            "pure delay, as starts and stops show; it was moved back by that before the loops were "
+            "fitted")},
+      {"cause.lag_filter",
+       text("the torque is behind a low-pass filter, {lag_ms:.2f} ± {half_width_ms:.2f} ms later "
+            "than the angle, as starts and stops show; it was moved back by that before the loops "
+            "were fitted")},
+      {"cause.elastic_gear_of_starts",
+       text("starts and stops show an elastic gear: the link swings against the motor at "
+            "{frequency_Hz:.2g} Hz at most")},
+      {"cause.lag_in_damping_of_filter",
+       text("stiffness times lag is {percent:.0f} % of the bristle damping: a filter rounds the "
+            "loop where the motion turns round, and moving the torque back does not undo that")},
       {"cause.lag_in_damping",
        text("stiffness times lag is {percent:.0f} % of the bristle damping: whether the torque is "
             "delayed or filtered changes it by a third of that, and starts and stops do not tell "
@@ -250,8 +267,17 @@ const Messages& verdict_messages() {
             "both: something other than inertia acts in them, or they are too short for the "
             "sampling")},
       {"cause.lag_of_angle",
-       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque; the "
-            "torque was moved by that before the loops were fitted")},
+       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque, "
+            "delayed or filtered: starts and stops do not tell which; the torque was moved by that "
+            "before the loops were fitted")},
+      {"cause.lag_delay_of_angle",
+       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque: a "
+            "pure delay, as starts and stops show; the torque was moved by that before the loops "
+            "were fitted")},
+      {"cause.lag_filter_of_angle",
+       text("the angle is behind a low-pass filter, {lag_ms:.2f} ± {half_width_ms:.2f} ms later "
+            "than the torque, as starts and stops show; the torque was moved by that before the "
+            "loops were fitted")},
       {"verdict.lag_unknown",
        text("the recordings do not show how late the torque is logged against the angle, and a lag "
             "looks like bristle damping")},

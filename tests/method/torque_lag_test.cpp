@@ -2,10 +2,14 @@
 
 #include "method/motion/torque_lag.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::torque_lag_test {
@@ -42,11 +46,87 @@ TEST(TorqueLag, IsFoundEitherWayAndZeroWhereThereIsNone) {
 }
 
 TEST(TorqueLag, OfAFilterIsMostOfItsTimeConstant) {
-  const double time_constant_s = 1 / (2 * 3.141592653589793 * 50);
+  const double time_constant_s = 1 / (2 * std::numbers::pi * 50);
   const method::motion::TorqueLag found = lag_in(travels({.torque_filter_Hz = 50}));
   ASSERT_TRUE(found.is_clear());
   EXPECT_GT(found.lag_s->value, 0.5 * time_constant_s);
   EXPECT_LT(found.lag_s->value, 1.1 * time_constant_s);
+}
+
+TEST(TorqueLag, DelayAndFilterAreToldApart) {
+  using method::motion::LagShape;
+  for (const double lag_s : {2e-3, 5e-3, -5e-3}) {
+    const method::motion::TorqueLag found = lag_in(travels({.torque_delay_s = lag_s}));
+    EXPECT_EQ(found.shape, LagShape::delay) << lag_s;
+    expect_holds(found, lag_s);
+    EXPECT_LT(found.lag_s->half_width(), 0.1 * std::abs(lag_s));
+  }
+  for (const double cut_off_Hz : {20.0, 50.0}) {
+    const method::motion::TorqueLag found = lag_in(travels({.torque_filter_Hz = cut_off_Hz}));
+    EXPECT_EQ(found.shape, LagShape::filter) << cut_off_Hz;
+    // A recursion over samples has that mean delay.
+    const double dt_s = 1e-3;
+    const double fade = std::exp(-2 * std::numbers::pi * cut_off_Hz * dt_s);
+    EXPECT_NEAR(found.lag_s->value / (dt_s * fade / (1 - fade)), 1, 0.05) << cut_off_Hz;
+  }
+  EXPECT_FALSE(lag_in(travels({})).shape);
+}
+
+/// Runs of a motor whose link hangs on a spring: it starts and stops without a jerk, its torque
+/// moves both.
+std::vector<joint::Recording> runs_of_an_elastic_gear(double frequency_Hz, double noise_Nm) {
+  constexpr double motor = 1e-4;
+  constexpr double link = 3e-4;
+  constexpr double start_s = 0.25;
+  constexpr double dt_s = 1e-5;
+  constexpr int steps_per_sample = 100;
+  const double stiffness = link * std::pow(2 * std::numbers::pi * frequency_Hz, 2);
+  const double damping = 0.05 * std::sqrt(stiffness * link);
+  statistics::RandomStream random(1, 1);
+  std::vector<joint::Recording> runs;
+  for (int run = 0; run < 8; ++run) {
+    const double speed = (run % 2 == 0 ? 1 : -1) * (20.0 + 5 * run);
+    joint::Recording r;
+    double twist = 0;  // of the link behind the motor
+    double twist_rate = 0;
+    double angle = 0;
+    for (int i = 0; i < 120'000; ++i) {
+      const double t = i * dt_s;
+      const auto moved = [&](double since) {  // speed and acceleration
+        const double share = std::clamp(since / start_s, 0.0, 1.0);
+        const double left = share * (1 - share);
+        return std::pair(speed * share * share * share * (10 - 15 * share + 6 * share * share),
+                         speed / start_s * 30 * left * left);
+      };
+      const auto [up, speeding] = moved(t - 0.2);
+      const auto [down, slowing] = moved(t - 0.9);
+      const double pull = stiffness * twist + damping * twist_rate;
+      if (i % steps_per_sample == 0) {
+        r.t_s.push_back(t);
+        r.q_rad.push_back(angle);
+        r.dq_rad_s.push_back(up - down);
+        r.torque_Nm.push_back(motor * (speeding - slowing) + pull +
+                              0.05 * (speed > 0 ? 1 : -1) * (up - down != 0 ? 1 : 0) +
+                              noise_Nm * random.normal());
+      }
+      twist_rate += dt_s * (speeding - slowing - pull / link);
+      twist += dt_s * twist_rate;
+      angle += dt_s * (up - down);
+    }
+    runs.push_back(std::move(r));
+  }
+  return runs;
+}
+
+TEST(TorqueLag, AnElasticGearIsNeitherDelayNorFilter) {
+  const method::motion::TorqueLag found = lag_in(runs_of_an_elastic_gear(25, 1e-4));
+  EXPECT_EQ(found.shape, method::motion::LagShape::elastic_gear);
+  ASSERT_NE(found.rival(method::motion::LagShape::elastic_gear), nullptr);
+  const double frequency_Hz =
+      1 / (2 * std::numbers::pi * found.rival(method::motion::LagShape::elastic_gear)->size_s);
+  // At most: three quarters of the inertia are behind the spring.
+  EXPECT_NEAR(frequency_Hz, 25 / std::sqrt(0.75), 5);
+  EXPECT_FALSE(lag_in(runs_of_an_elastic_gear(2000, 1e-4)).shape);
 }
 
 TEST(TorqueLag, TellsTheInertiaThatItIsFoundBy) {

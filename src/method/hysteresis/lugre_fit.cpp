@@ -282,9 +282,9 @@ Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& probl
         model.row_times_s(),
         model.measured() + climb.linear.fit.residuals.segment(top, model.rows()));
     late.col(0).segment(top, model.rows()) = torque.slope() * known.lag_half_width_s;
-    if (known.lag_taken_off_s != 0) {
+    if (known.filter_taken_off_s != 0) {
       late.col(1).segment(top, model.rows()) =
-          torque.filtered_less_delayed(std::abs(known.lag_taken_off_s));
+          torque.filtered_less_delayed(std::abs(known.filter_taken_off_s));
     }
     top += model.rows();
   }

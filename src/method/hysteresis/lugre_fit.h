@@ -148,9 +148,10 @@ struct LuGreSignals {
 
 /// What starts and stops say of the loops.
 struct KnownOfStarts {
-  double lag_taken_off_s{};   ///< Of the torque behind the angle, removed as a delay; it may have
-                              ///< been a filter's.
-  double lag_half_width_s{};  ///< 95 %; 0: known exactly.
+  /// Of the torque behind the angle, removed as a delay although it is a filter's or may be; 0: it
+  /// was a delay's, or there was none.
+  double filter_taken_off_s{};
+  double lag_half_width_s{};                         ///< 95 %; 0: known exactly.
   std::optional<statistics::Estimate> inertia_kgm2;  ///< Motor side.
 };
 

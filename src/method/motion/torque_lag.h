@@ -10,7 +10,9 @@
 // regression, repeated with the torque shifted by the lag found until none is left. Tf is a polygon
 // over the speed: no friction law is assumed. Torque, gravity and friction are smoothed over the
 // same samples as the angle's derivatives are, so that smoothing bends no coefficient. A
-// first-order filter of the torque looks the same except for the last term, which is free.
+// first-order filter of the torque looks the same except for the last term, which is free. Where a
+// lag is clear, a delay, a filter and an elastic gear compete (lag_rivals.h), and the lag is that
+// of the winner; without one it is a delay's, its interval wide enough for a filter's.
 //
 // It fails where accelerations are too short for the sampling, or too small relative to the noise;
 // the interval then shows it, or nothing is found.
@@ -19,26 +21,33 @@
 #include <vector>
 
 #include "joint/recording.h"
+#include "method/motion/lag_rivals.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::motion {
 
 struct TorqueLag {
-  /// [s]; > 0: the torque lags behind the angle. Absent: the recordings do not show it.
+  /// [s]; > 0: the torque lags behind the angle. A delay's, or a filter's time constant. Absent:
+  /// the recordings do not show it.
   std::optional<statistics::Estimate> lag_s;
+  /// Absent: no lag and no elasticity is clear, or none of the rivals wins.
+  std::optional<LagShape> shape;
+  std::vector<LagRival> rivals;  ///< That competed.
   /// Reflected inertia at the motor of all that turns with the joint [kg·m²].
   std::optional<statistics::Estimate> inertia_kgm2;
   /// Relative difference, beyond its noise, of the inertia from starts alone or stops alone,
   /// whichever is larger, to that from both. Part of the interval.
   double inertia_apart{};
   /// The lag over the time that a start takes. A delay leaves the inertia as it is; a filter that
-  /// is not much faster than the starts takes from it.
+  /// is not much faster than the starts takes from it, unless it is known as one.
   double lag_over_transients{};
   std::size_t transients{};  ///< Number of starts and stops used.
   /// There are starts and stops enough, and still they do not show the inertia.
   bool hides_inertia{};
   Statement why_not;  ///< Empty where lag_s is there.
 
+  /// @return nullptr: it did not compete, or did not converge
+  [[nodiscard]] const LagRival* rival(LagShape of) const;
   /// The interval excludes zero: the lag is then removed from the oscillations' torque.
   [[nodiscard]] bool is_clear() const { return lag_s && (lag_s->low > 0 || lag_s->high < 0); }
 };

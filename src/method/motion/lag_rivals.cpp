@@ -1,0 +1,257 @@
+#include "method/motion/lag_rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "statistics/block_regression.h"
+#include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
+
+namespace tribolog::method::motion {
+namespace {
+
+/// Columns of the regression; behind them the forces, and of an elastic gear one more.
+struct RivalColumn {
+  enum : Eigen::Index { inertia, viscous, forces };
+};
+
+/// A column of samples at an even distance, `samples` later; between them along cubics.
+Eigen::VectorXd delayed(const Eigen::Ref<const Eigen::VectorXd>& x, double samples) {
+  const Eigen::Index last = x.size() - 1;
+  const auto at = [&](Eigen::Index i) { return x(std::clamp<Eigen::Index>(i, 0, last)); };
+  Eigen::VectorXd out(x.size());
+  const double whole = std::floor(-samples);
+  const double s = -samples - whole;
+  // Lagrange's weights of the neighbours at -1, 0, 1 and 2.
+  const double a = -s * (s - 1) * (s - 2) / 6;
+  const double b = (s + 1) * (s - 1) * (s - 2) / 2;
+  const double c = -(s + 1) * s * (s - 2) / 2;
+  const double d = (s + 1) * s * (s - 1) / 6;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Eigen::Index k = i + static_cast<Eigen::Index>(whole);
+    out(i) = a * at(k - 1) + b * at(k) + c * at(k + 1) + d * at(k + 2);
+  }
+  return out;
+}
+
+/// Behind a first-order filter; the signal runs along straight lines between its samples.
+Eigen::VectorXd filtered(const Eigen::Ref<const Eigen::VectorXd>& x, double samples) {
+  if (!(samples > 0)) return x;
+  const double fade = std::exp(-1 / samples);
+  Eigen::VectorXd out(x.size());
+  double behind = 0;  // what the filter's value lacks
+  out(0) = x(0);
+  for (Eigen::Index i = 1; i < x.size(); ++i) {
+    const double rise = x(i) - x(i - 1);
+    behind = rise * samples + (behind - rise * samples) * fade;
+    out(i) = x(i) - behind;
+  }
+  return out;
+}
+
+class Rivalry {
+ public:
+  Rivalry(const Transients& transients, const std::vector<double>& knots)
+      : transients_(transients) {
+    for (const Travel& travel : transients.travels) {
+      const joint::Recording& r = *travel.recording;
+      const Eigen::Map<const Eigen::VectorXd> angle(r.q_rad.data(),
+                                                    static_cast<Eigen::Index>(r.size()));
+      const Eigen::Map<const Eigen::VectorXd> torque(r.torque_Nm.data(), angle.size());
+      signals_.push_back({angle.array() - angle.mean(), torque, forces_at_samples(travel, knots)});
+    }
+    for (const TransientRow& row : transients.rows) blocks_.push_back(row.transient);
+  }
+
+  /// The rival, and what it leaves at each row.
+  struct Fitted {
+    LagRival rival;
+    Eigen::VectorXd residuals;
+    bool converged{};
+  };
+
+  [[nodiscard]] Fitted without_lag() const {
+    const Regression r = regression(LagShape::delay, 0);
+    return described(LagShape::delay, statistics::block_regression(r.x, r.y, blocks_));
+  }
+
+  [[nodiscard]] Fitted elastic_gear() const {
+    const Regression r = regression(LagShape::elastic_gear, 0);
+    const statistics::BlockRegression fit = statistics::block_regression(r.x, r.y, blocks_);
+    const Eigen::Index last = r.x.cols() - 1;
+    const double j = fit.coefficients(RivalColumn::inertia);
+    const double square_s2 = -fit.coefficients(last) / j;
+    Fitted out = described(LagShape::elastic_gear, fit);
+    out.converged = square_s2 > 0 && j > 0;
+    if (!out.converged) return out;
+    out.rival.size_s = std::sqrt(square_s2);
+    out.rival.half_width_s = fit.half_width(last) / j / (2 * out.rival.size_s);
+    return out;
+  }
+
+  [[nodiscard]] Fitted late(LagShape shape, double size_s) const {
+    constexpr int most_steps = 15;
+    constexpr double last_step_s = 1e-6;
+    Fitted out = without_lag();
+    if (size_s == 0) return out;
+    for (int k = 0; k < most_steps; ++k) {
+      const statistics::BlockRegression fit = about(shape, size_s);
+      const Eigen::Index last = fit.coefficients.size() - 1;
+      const double step = fit.coefficients(last);
+      out = described(shape, fit);
+      if (!std::isfinite(step)) return out;
+      // A filter far from its solution is no straight line: no step to the other sign.
+      size_s = std::clamp(size_s + step, std::min(size_s / 2, size_s * 2),
+                          std::max(size_s / 2, size_s * 2));
+      if (std::abs(step) > last_step_s) continue;
+      out.rival.size_s = size_s;
+      out.rival.half_width_s = fit.half_width(last);
+      out.converged = out.rival.inertia_kgm2 > 0;
+      return out;
+    }
+    return out;
+  }
+
+ private:
+  struct Signals {
+    Eigen::VectorXd angle, torque;
+    Eigen::MatrixXd forces;
+  };
+  struct Regression {
+    Eigen::MatrixXd x;
+    Eigen::VectorXd y;
+  };
+
+  [[nodiscard]] Fitted described(LagShape shape, const statistics::BlockRegression& fit) const {
+    Fitted out;
+    out.rival.shape = shape;
+    out.rival.inertia_kgm2 = fit.coefficients(RivalColumn::inertia);
+    out.rival.inertia_half_width = fit.half_width(RivalColumn::inertia);
+    out.rival.residual_Nm =
+        std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(fit.residuals.size()));
+    out.residuals = fit.residuals;
+    return out;
+  }
+
+  /// Linearised about a size: the last coefficient is the next step.
+  [[nodiscard]] statistics::BlockRegression about(LagShape shape, double size_s) const {
+    Regression here = regression(shape, size_s);
+    const double nearby = 0.01 * std::abs(size_s);
+    const Regression less = regression(shape, size_s - nearby);
+    const Regression more = regression(shape, size_s + nearby);
+    const Eigen::VectorXd norms =
+        here.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
+    const statistics::OrthogonalColumns solved(here.x * norms.cwiseInverse().asDiagonal());
+    const Eigen::VectorXd coefficients = solved.solve(here.y).col(0).cwiseQuotient(norms);
+    here.x.conservativeResize(Eigen::NoChange, here.x.cols() + 1);
+    here.x.rightCols<1>() = ((more.x - less.x) * coefficients - (more.y - less.y)) / (2 * nearby);
+    return statistics::block_regression(here.x, here.y, blocks_);
+  }
+
+  /// Of torque on motion, the one or the other late by `size_s`.
+  [[nodiscard]] Regression regression(LagShape shape, double size_s) const {
+    const bool is_elastic = shape == LagShape::elastic_gear;
+    const Eigen::Index columns = signals_.front().forces.cols();
+    Regression out;
+    out.x.resize(static_cast<Eigen::Index>(transients_.rows.size()),
+                 RivalColumn::forces + columns + (is_elastic ? 1 : 0));
+    out.y.resize(out.x.rows());
+    Signals shifted;
+    for (std::size_t i = 0; i < transients_.rows.size(); ++i) {
+      const TransientRow& row = transients_.rows[i];
+      if (i == 0 || row.travel != transients_.rows[i - 1].travel) {
+        shifted = late_by(row.travel, shape, size_s);
+      }
+      const Travel& travel = transients_.travels[row.travel];
+      const Eigen::MatrixXd& weights = travel.smoothed.weights();
+      const auto first = static_cast<Eigen::Index>(row.index - travel.half);
+      const Eigen::VectorXd motion =
+          weights * (shifted.angle.segment(first, weights.cols()).array() -
+                     shifted.angle(static_cast<Eigen::Index>(row.index)))
+                        .matrix();
+      const auto k = static_cast<Eigen::Index>(i);
+      out.x(k, RivalColumn::inertia) = motion(2);
+      out.x(k, RivalColumn::viscous) = motion(1);
+      out.x.row(k).segment(RivalColumn::forces, columns) =
+          weights.row(0) * shifted.forces.middleRows(first, weights.cols());
+      if (is_elastic) out.x(k, RivalColumn::forces + columns) = motion(4);
+      out.y(k) = weights.row(0).dot(shifted.torque.segment(first, weights.cols()));
+    }
+    return out;
+  }
+
+  [[nodiscard]] Signals late_by(std::size_t travel, LagShape shape, double size_s) const {
+    Signals out = signals_[travel];
+    if (shape == LagShape::elastic_gear || size_s == 0) return out;
+    const double samples = std::abs(size_s) / transients_.travels[travel].dt_s;
+    const auto make_late = [&](auto&& column) {
+      const Eigen::VectorXd late =
+          shape == LagShape::delay ? delayed(column, samples) : filtered(column, samples);
+      column = late;
+    };
+    if (size_s > 0) {
+      make_late(out.angle);
+      for (Eigen::Index k = 0; k < out.forces.cols(); ++k) make_late(out.forces.col(k));
+    } else {
+      make_late(out.torque);
+    }
+    return out;
+  }
+
+  const Transients& transients_;
+  std::vector<Signals> signals_;
+  std::vector<std::size_t> blocks_;
+};
+
+/// Whether the first leaves less of the torque than the second does, beyond doubt.
+bool beats(const Rivalry::Fitted& a, const Rivalry::Fitted& b, const Transients& transients) {
+  constexpr double least_gain = 0.02;  // of what the second leaves, rms: no model is closer
+  if (a.rival.residual_Nm > (1 - least_gain) * b.rival.residual_Nm) return false;
+  Eigen::VectorXd gains = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(transients.count));
+  for (std::size_t i = 0; i < transients.rows.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    gains(static_cast<Eigen::Index>(transients.rows[i].transient)) +=
+        b.residuals(k) * b.residuals(k) - a.residuals(k) * a.residuals(k);
+  }
+  const auto count = static_cast<double>(gains.size());
+  const double mean = gains.mean();
+  const double variance = (gains.array() - mean).square().sum() / (count - 1);
+  return mean > statistics::student_t_975(count - 1) * std::sqrt(variance / count);
+}
+
+}  // namespace
+
+std::string to_string(LagShape shape) {
+  switch (shape) {
+    case LagShape::delay:
+      return "delay";
+    case LagShape::filter:
+      return "filter";
+    case LagShape::elastic_gear:
+      return "elastic_gear";
+  }
+  return "";
+}
+
+LagCompetition let_rivals_compete(const Transients& transients, const std::vector<double>& knots,
+                                  double lag_s) {
+  const Rivalry rivalry(transients, knots);
+  const std::vector<Rivalry::Fitted> all{rivalry.late(LagShape::delay, lag_s),
+                                         rivalry.late(LagShape::filter, lag_s),
+                                         rivalry.elastic_gear()};
+  const Rivalry::Fitted none = rivalry.without_lag();
+  LagCompetition out;
+  for (const Rivalry::Fitted& one : all) {
+    if (!one.converged) continue;
+    out.rivals.push_back(one.rival);
+    const bool wins = beats(one, none, transients) &&
+                      std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
+                        return &other == &one || beats(one, other, transients);
+                      });
+    if (wins) out.winner = one.rival.shape;
+  }
+  return out;
+}
+
+}  // namespace tribolog::method::motion
