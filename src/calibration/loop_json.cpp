@@ -151,6 +151,18 @@ Json traced(const std::optional<method::hysteresis::TracedLoop>& loop) {
           {"model_turn_stiffness_Nm_rad", interval(loop->model_turn_stiffness_Nm_rad)}};
 }
 
+Json contacts(const method::hysteresis::ContactContest& contest) {
+  Json rivals = Json::array();
+  for (const method::hysteresis::ContactRival& rival : contest.rivals) {
+    rivals.push_back({{"law", to_string(rival.law)},
+                      {"stiffness_Nm_rad", number(rival.stiffness_Nm_rad)},
+                      {"static_Nm", number(rival.static_Nm)},
+                      {"residual_Nm", number(rival.residual_Nm)}});
+  }
+  return {{"winner", contest.winner ? Json(to_string(*contest.winner)) : Json(nullptr)},
+          {"rivals", std::move(rivals)}};
+}
+
 Json recording(const method::hysteresis::LuGreLoop& loop) {
   return {{"recording", loop.recording},
           {"gravity_Nm", interval(loop.gravity_Nm)},
@@ -175,6 +187,7 @@ Json lugre(const method::hysteresis::LuGreFit& f, double n) {
   }
   made["gravity_Nm"] = sides_if_shown(f.gravity_Nm, n);
   made["residual_Nm"] = number(f.residual_Nm);
+  made["contacts"] = contacts(f.contacts);
   made["damping_fall"] = nullptr;
   if (f.damping_fall) {
     made["damping_fall"] = {{"half_at_rad_s", number(f.damping_fall->half_at_rad_s)},

@@ -162,6 +162,7 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (p.c.torque_lag.is_clear() && p.c.torque_lag.shape != method::motion::LagShape::delay) {
     fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.c.torque_lag.lag_s->value);
   }
+  fit = method::hysteresis::with_rival_contacts(std::move(fit));
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
   if (dip || (p.friction.waiboer && p.friction.waiboer->converged)) {
     fit = method::hysteresis::with_experiments(

@@ -6,6 +6,7 @@
 
 #include "simulate/scenario.h"
 #include "statistics/random_stream.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::simulate {
 namespace {
@@ -115,12 +116,6 @@ void delay(std::vector<double>& signal, double samples) {
   }
 }
 
-void low_pass(std::vector<double>& signal, double cut_off_Hz, double sample_rate_Hz) {
-  const double keep = std::exp(-2 * pi * cut_off_Hz / sample_rate_Hz);
-  double state = signal.front();
-  for (double& value : signal) value = state = keep * state + (1 - keep) * value;
-}
-
 void add_coloured(std::vector<double>& signal, double sd, double time_s, double sample_rate_Hz,
                   statistics::RandomStream& random) {
   const double keep = std::exp(-1 / (time_s * sample_rate_Hz));
@@ -158,7 +153,9 @@ void add_torque_effects(joint::Recording& r, const LogEffects& e, double sample_
     torque[i] += e.vibration_Nm * std::sin(2 * pi * e.vibration_Hz * r.t_s[i] + vibration_phase) +
                  e.neighbour_Nm * std::sin(2 * pi * e.neighbour_Hz * r.t_s[i] + neighbour_phase);
   }
-  if (e.torque_filter_Hz > 0) low_pass(torque, e.torque_filter_Hz, sample_rate_Hz);
+  if (e.torque_filter_Hz > 0) {
+    statistics::low_pass(torque, sample_rate_Hz / (2 * pi * e.torque_filter_Hz));
+  }
   if (e.torque_delay_s != 0) delay(torque, e.torque_delay_s * sample_rate_Hz);
   if (e.coloured_Nm > 0)
     add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);

@@ -81,4 +81,17 @@ double cut_off_of_slope_Hz(std::size_t h, double interval_s) {
   return at_half_power / (static_cast<double>(h) * interval_s);
 }
 
+void low_pass(std::span<double> signal, double time_constant) {
+  if (!(time_constant > 0) || signal.empty()) return;
+  const double fade = std::exp(-1 / time_constant);
+  double lacks = 0;  // of the signal's value
+  double before = signal.front();
+  for (double& value : signal) {
+    const double settled = (value - before) * time_constant;
+    lacks = settled + (lacks - settled) * fade;
+    before = value;
+    value -= lacks;
+  }
+}
+
 }  // namespace tribolog::statistics

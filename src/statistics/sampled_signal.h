@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,11 @@ std::vector<double> local_curvature(const std::vector<double>& t, const std::vec
 /// Where the gain has fallen to 1/sqrt(2) (-3 dB) [Hz].
 /// @param interval_s between samples, > 0.
 double cut_off_of_slope_Hz(std::size_t h, double interval_s);
+
+/// Puts a signal at an even distance behind a first-order low pass, exactly for one that runs along
+/// straight lines between its samples. It has rested at its first value before.
+/// @param time_constant in samples; 0: the signal stays as it is.
+void low_pass(std::span<double> signal, double time_constant);
 
 // Where a long signal first reaches a value, without visiting every sample before it.
 

@@ -18,6 +18,9 @@ using calibration::Calibration;
 using calibration::InertiaSource;
 using calibration::Verdict;
 using joint::Quantity;
+using method::hysteresis::ContactContest;
+using method::hysteresis::ContactLaw;
+using method::hysteresis::ContactRival;
 using method::motion::LagShape;
 
 const std::vector<Quantity> of_curve{Quantity::coulomb_torque, Quantity::viscous_coefficient,
@@ -31,11 +34,19 @@ std::optional<Measured> loop_misfit(const Calibration& c) {
   const method::hysteresis::LuGreLoop* worst = c.lugre->worst_described();
   if (worst == nullptr || !(worst->height_Nm > 0)) return std::nullopt;
   const double percent = 100 * worst->systematic_Nm / worst->height_Nm;
-  return Measured{percent,
-                  {"cause.other_contact",
-                   {{"recording", worst->recording},
-                    {"misfit_Nm", worst->systematic_Nm},
-                    {"percent", percent}}}};
+  std::vector<StatedValue> values{
+      {"recording", worst->recording}, {"misfit_Nm", worst->systematic_Nm}, {"percent", percent}};
+  const ContactContest& contest = c.lugre->contacts;
+  if (!contest.winner || contest.winner == ContactLaw::lugre) {
+    return Measured{percent, Statement::with("cause.other_contact", std::move(values))};
+  }
+  const ContactRival& found = *contest.find(*contest.winner);
+  values.insert(values.end(),
+                {{"stiffness_Nm_rad", found.stiffness_Nm_rad}, {"static_Nm", found.static_Nm}});
+  return Measured{percent, Statement::with(contest.winner == ContactLaw::elasto_plastic
+                                               ? Code{"cause.other_contact_elasto_plastic"}
+                                               : Code{"cause.other_contact_maxwell_slip"},
+                                           std::move(values))};
 }
 
 /// Amplitude of the smallest loop over the deflection at which the bristle slides: the larger, the

@@ -41,6 +41,10 @@ const Messages& general_messages() {
        text("{interval}, and the error of the inertia of starts and stops")},
       {"interval.widened_by_filter",
        text("{interval}, and what a filter in place of a delay would do at the reversals")},
+      {"interval.widened_by_contacts",
+       text(
+           "{interval}, and what an elasto-plastic contact would have, which the loops do not tell "
+           "from LuGre's")},
       {"interval.widened_by_ripple_of_loops",
        text("{interval}, and the torque ripple within the loops, at any phase")},
       {"interval.widened_by_torque_of_angle",

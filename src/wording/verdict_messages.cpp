@@ -213,6 +213,16 @@ const Messages& verdict_messages() {
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "
             "numbers are those of the closest LuGre model, not the joint's")},
+      {"cause.other_contact_elasto_plastic",
+       text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
+            "loop's height, that noise does not explain: the contact is elasto-plastic, and by "
+            "that law its stiffness is {stiffness_Nm_rad:.3g} N·m/rad and it slides at "
+            "{static_Nm:.3g} N·m")},
+      {"cause.other_contact_maxwell_slip",
+       text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
+            "loop's height, that noise does not explain: the contact remembers earlier reversals, "
+            "as Maxwell-slip elements do, and by these its stiffness is {stiffness_Nm_rad:.3g} "
+            "N·m/rad and it slides at {static_Nm:.3g} N·m")},
 
       {"cause.false_stamps",
        text("the time stamps scatter by {percent:.2g} % of the sampling interval of "

@@ -57,6 +57,23 @@ LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
   return fit;
 }
 
+LuGreFit with_rival_contacts(LuGreFit fit) {
+  const ContactRival* lugre = fit.contacts.find(ContactLaw::lugre);
+  const ContactRival* rival = fit.contacts.find(ContactLaw::elasto_plastic);
+  if (fit.contacts.winner || lugre == nullptr || rival == nullptr) return fit;
+  for (LuGreParameter& parameter : fit.parameters) {
+    if (parameter.name == LuGreParameterName::bristle_stiffness) {
+      widen(parameter, std::abs(rival->stiffness_Nm_rad - lugre->stiffness_Nm_rad),
+            "interval.widened_by_contacts");
+    }
+    if (parameter.name == LuGreParameterName::static_torque) {
+      widen(parameter, std::abs(rival->static_Nm - lugre->static_Nm),
+            "interval.widened_by_contacts");
+    }
+  }
+  return fit;
+}
+
 LuGreFit with_ripple_of_loops(LuGreFit fit, const gravity::Ripple& ripple) {
   const double x = fit.motor_amplitude_rad;
   const double w = 2 * std::numbers::pi * fit.frequency_Hz;

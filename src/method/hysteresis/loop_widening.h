@@ -29,6 +29,10 @@ void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_rati
 LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& sweep,
                                 const std::vector<double>& motor_angle_rad);
 
+/// Widens stiffness and static torque by what an elasto-plastic contact would have, where the loops
+/// do not tell it from LuGre's.
+LuGreFit with_rival_contacts(LuGreFit fit);
+
 /// Widens intervals: a lag that was removed as a delay may be a filter's, which also rounds the
 /// reversal, by about the square of the lag over the rise time of friction after it.
 LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s);

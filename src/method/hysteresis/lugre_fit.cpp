@@ -86,6 +86,20 @@ std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
   return blocks;
 }
 
+/// The same of the samples for first guesses.
+std::vector<std::size_t> thinned_blocks(const std::vector<LuGreInput>& loops) {
+  std::vector<std::size_t> blocks;
+  for (const LuGreInput& loop : loops) {
+    const std::size_t first = blocks.empty() ? 0 : blocks.back() + 1;
+    const std::vector<std::size_t> halves = loop.half_loops();
+    const LuGreGrain grain = thinned(loop);
+    for (std::size_t k = 0; k < grain.most_samples && k * grain.stride < halves.size(); ++k) {
+      blocks.push_back(first + halves[k * grain.stride]);
+    }
+  }
+  return blocks;
+}
+
 LuGreClimb climb_from_coarse(const std::vector<LuGreInput>& loops, double gear_ratio,
                              double q_peak_rad, const LuGreProblem& problem) {
   const LuGreProblem coarse = problem_of(loops, gear_ratio, q_peak_rad, thinned);
@@ -157,6 +171,20 @@ double systematic_of_traced(const joint::Recording& recording, const LuGreInput&
   return std::max(repeated_misfit_Nm(recording, signals.torque_Nm, input.traced->turns_s,
                                      loop.samples_left_out),
                   std::sqrt(std::max(0.0, unexplained)));
+}
+
+/// Whether a loop shows so much of another contact that it may be told which.
+bool leaves_what_repeats(const LuGreFit& fit) {
+  constexpr double least = 1e-3;  // of a loop's height
+  const LuGreLoop* worst = fit.worst_described();
+  return worst != nullptr && worst->systematic_Nm > least * worst->height_Nm;
+}
+
+/// What repeats in all loops, rms.
+double systematic_of_all(const LuGreFit& fit) {
+  double squares = 0;
+  for (const LuGreLoop& loop : fit.loops) squares += loop.systematic_Nm * loop.systematic_Nm;
+  return std::sqrt(squares / static_cast<double>(fit.loops.size()));
 }
 
 /// Gravity of each recording, and the fit's bristle in it.
@@ -447,6 +475,11 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
     problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
   }
   describe_loops(loops, problem, climb, gear_ratio, made);
+  if (climb.free.starts && leaves_what_repeats(fit)) {
+    fit.contacts = let_contacts_compete(loops, problem_of(loops, gear_ratio, q_peak_rad, thinned),
+                                        thinned_blocks(loops), climb.point, systematic_of_all(fit),
+                                        gear_ratio, q_peak_rad);
+  }
   if (climb.free.starts) {
     made.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
     fit.gravity_Nm = made.positions->freedom > 0

@@ -22,6 +22,7 @@
 
 #include "base/statement.h"
 #include "joint/recording.h"
+#include "method/hysteresis/contact_rivals.h"
 #include "method/hysteresis/cycle_misfit.h"
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/lugre_ladder.h"
@@ -128,6 +129,7 @@ struct LuGreFit {
   double motor_amplitude_rad{};  ///< Largest.
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
   std::optional<FallOfDamping> damping_fall;
+  ContactContest contacts;  ///< Held where LuGre leaves what repeats.
   int iterations{};
   Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
 

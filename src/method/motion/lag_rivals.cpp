@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "statistics/block_regression.h"
-#include "statistics/distributions.h"
 #include "statistics/linear_systems.h"
+#include "statistics/rival_fits.h"
+#include "statistics/sampled_signal.h"
 
 namespace tribolog::method::motion {
 namespace {
@@ -35,18 +37,10 @@ Eigen::VectorXd delayed(const Eigen::Ref<const Eigen::VectorXd>& x, double sampl
   return out;
 }
 
-/// Behind a first-order filter; the signal runs along straight lines between its samples.
+/// Behind a first-order filter.
 Eigen::VectorXd filtered(const Eigen::Ref<const Eigen::VectorXd>& x, double samples) {
-  if (!(samples > 0)) return x;
-  const double fade = std::exp(-1 / samples);
-  Eigen::VectorXd out(x.size());
-  double behind = 0;  // what the filter's value lacks
-  out(0) = x(0);
-  for (Eigen::Index i = 1; i < x.size(); ++i) {
-    const double rise = x(i) - x(i - 1);
-    behind = rise * samples + (behind - rise * samples) * fade;
-    out(i) = x(i) - behind;
-  }
+  Eigen::VectorXd out = x;
+  statistics::low_pass(std::span(out.data(), static_cast<std::size_t>(out.size())), samples);
   return out;
 }
 
@@ -70,6 +64,9 @@ class Rivalry {
     Eigen::VectorXd residuals;
     bool converged{};
   };
+
+  /// Start or stop of each row.
+  [[nodiscard]] const std::vector<std::size_t>& blocks() const { return blocks_; }
 
   [[nodiscard]] Fitted without_lag() const {
     const Regression r = regression(LagShape::delay, 0);
@@ -204,22 +201,6 @@ class Rivalry {
   std::vector<std::size_t> blocks_;
 };
 
-/// Whether the first leaves less of the torque than the second does, beyond doubt.
-bool beats(const Rivalry::Fitted& a, const Rivalry::Fitted& b, const Transients& transients) {
-  constexpr double least_gain = 0.02;  // of what the second leaves, rms: no model is closer
-  if (a.rival.residual_Nm > (1 - least_gain) * b.rival.residual_Nm) return false;
-  Eigen::VectorXd gains = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(transients.count));
-  for (std::size_t i = 0; i < transients.rows.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    gains(static_cast<Eigen::Index>(transients.rows[i].transient)) +=
-        b.residuals(k) * b.residuals(k) - a.residuals(k) * a.residuals(k);
-  }
-  const auto count = static_cast<double>(gains.size());
-  const double mean = gains.mean();
-  const double variance = (gains.array() - mean).square().sum() / (count - 1);
-  return mean > statistics::student_t_975(count - 1) * std::sqrt(variance / count);
-}
-
 }  // namespace
 
 std::string to_string(LagShape shape) {
@@ -241,14 +222,18 @@ LagCompetition let_rivals_compete(const Transients& transients, const std::vecto
                                          rivalry.late(LagShape::filter, lag_s),
                                          rivalry.elastic_gear()};
   const Rivalry::Fitted none = rivalry.without_lag();
+  constexpr double least_gain = 0.02;  // no model is closer to starts and stops
+  const auto beats = [&](const Rivalry::Fitted& a, const Rivalry::Fitted& b) {
+    return statistics::leaves_less(a.residuals, b.residuals, rivalry.blocks(), least_gain);
+  };
   LagCompetition out;
   for (const Rivalry::Fitted& one : all) {
     if (!one.converged) continue;
     out.rivals.push_back(one.rival);
-    const bool wins = beats(one, none, transients) &&
-                      std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
-                        return &other == &one || beats(one, other, transients);
-                      });
+    const bool wins =
+        beats(one, none) && std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
+          return &other == &one || beats(one, other);
+        });
     if (wins) out.winner = one.rival.shape;
   }
   return out;
