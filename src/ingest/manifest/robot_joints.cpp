@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/closest_match.h"
 #include "base/error.h"
 
 namespace tribolog::ingest::manifest {
