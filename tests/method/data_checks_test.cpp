@@ -130,6 +130,28 @@ TEST(Saturation, IsSeenBelowNoiseInRunsWhoseLargestTorquesAreTheSame) {
   }
 }
 
+/// Peaks of a torque that swings in time: among a dozen speeds some are of the same height.
+TEST(Saturation, IsNotAnotherJointThatMoves) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    simulate::Scenario s = test::noisy_paper_joint(seed);
+    s.rough_sweep.reset();
+    s.precise_sweep.reset();
+    s.oscillation.reset();
+    s.constant_speed->motor_speeds_rad_s.clear();
+    for (int k = 0; k < 12; ++k) {
+      s.constant_speed->motor_speeds_rad_s.push_back(0.75 * std::pow(400, k / 11.0));
+    }
+    s.constant_speed->longest_plateau_s = 3;
+    s.constant_speed->sample_rate_Hz = 500;
+    s.noise.effects.neighbour_Nm = 0.05 * s.load.amplitude_Nm() / s.gear_ratio;
+    s.noise.effects.neighbour_Hz = 0.13;
+    const joint::Dataset d = simulate::simulated_dataset(s);
+    EXPECT_EQ(method::checks::check_torque_saturation(method::checks::look_at(d)).state,
+              method::checks::CheckState::passed)
+        << seed;
+  }
+}
+
 /// Without gravity all runs are flat, and friction that hardly grows makes them alike.
 TEST(Saturation, IsNotFrictionThatIsTheSameAtAllSpeeds) {
   simulate::Scenario s = test::noisy_paper_joint(2);

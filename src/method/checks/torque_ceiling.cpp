@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "statistics/sampled_signal.h"
 
@@ -18,12 +17,14 @@ constexpr double far_apart = 5;   // times the spread of those on the ceiling
 constexpr double same_speed = 0.01;
 constexpr double least_share = 0.15;   // of the speeds: among many a few lie together by chance
 constexpr double least_overlap = 0.5;  // of the angles of the two directions
+// Of a run that is cut off, as long as it stays at the ceiling; the top of a sine over a whole
+// period, within a tenth of its amplitude, is a seventh.
+constexpr double least_stay = 1.0 / 3;
 
-/// The torque of one plateau at its largest and at its smallest.
+/// The torque of one plateau, as means over blocks.
 struct Extent {
   double speed_rad_s{};  ///< Signed.
-  double largest_Nm{-std::numeric_limits<double>::infinity()};
-  double smallest_Nm{std::numeric_limits<double>::infinity()};
+  std::vector<double> blocks_Nm;
   double error_Nm{};  ///< Of a block's mean, from the white noise.
   double low_rad{}, high_rad{};
 };
@@ -46,9 +47,7 @@ Extent extent_of(const joint::Recording& r, const motion::Plateau& plateau) {
   for (std::size_t from = 0; from + block <= torque.size(); from += block) {
     double mean = 0;
     for (std::size_t i = from; i < from + block; ++i) mean += torque[i];
-    mean /= static_cast<double>(block);
-    out.largest_Nm = std::max(out.largest_Nm, mean);
-    out.smallest_Nm = std::min(out.smallest_Nm, mean);
+    out.blocks_Nm.push_back(mean / static_cast<double>(block));
   }
   return out;
 }
@@ -58,11 +57,26 @@ struct AtSpeed {
   double torque_Nm{};
   double other_Nm{};
   double error_Nm{};
+  bool stays{};  ///< At its largest torque for long, not for a moment.
 };
+
+/// In the sense of the sign.
+double largest_of(const Extent& e, double sign) {
+  double largest = -INFINITY;
+  for (const double torque : e.blocks_Nm) largest = std::max(largest, sign * torque);
+  return largest;
+}
+
+bool stays_at_largest(const Extent& e, double sign) {
+  const double lowest = largest_of(e, sign) - same * e.error_Nm;
+  const auto there = std::count_if(e.blocks_Nm.begin(), e.blocks_Nm.end(),
+                                   [&](double torque) { return sign * torque >= lowest; });
+  return static_cast<double>(there) >= least_stay * static_cast<double>(e.blocks_Nm.size());
+}
 
 /// @param sign of the torque that may be limited; the largest torque is taken in this sense.
 std::vector<AtSpeed> pairs_of(const std::vector<Extent>& extents, double sign) {
-  const auto largest = [&](const Extent& e) { return sign > 0 ? e.largest_Nm : -e.smallest_Nm; };
+  const auto largest = [&](const Extent& e) { return largest_of(e, sign); };
   std::vector<AtSpeed> pairs;
   std::vector<bool> taken(extents.size());
   for (std::size_t i = 0; i < extents.size(); ++i) {
@@ -77,7 +91,8 @@ std::vector<AtSpeed> pairs_of(const std::vector<Extent>& extents, double sign) {
       const bool is_first = largest(extents[i]) > largest(extents[k]);
       const Extent& a = is_first ? extents[i] : extents[k];
       const Extent& b = is_first ? extents[k] : extents[i];
-      pairs.push_back({largest(a), largest(b), std::max(a.error_Nm, b.error_Nm)});
+      pairs.push_back(
+          {largest(a), largest(b), std::max(a.error_Nm, b.error_Nm), stays_at_largest(a, sign)});
       break;
     }
   }
@@ -102,6 +117,7 @@ TorqueCeiling torque_ceiling(const std::vector<CheckedRecording>& recordings) {
     const std::vector<AtSpeed> pairs = pairs_of(extents, sign);
     if (pairs.size() < fewest_on_ceiling || !(pairs.front().torque_Nm > 0)) continue;
     std::size_t count = 0;
+    std::size_t staying = 0;
     double lowest = INFINITY;
     double highest = -INFINITY;
     double largest_error = 0;
@@ -111,10 +127,11 @@ TorqueCeiling torque_ceiling(const std::vector<CheckedRecording>& recordings) {
       lowest = std::min(lowest, at.other_Nm);
       highest = std::max(highest, at.other_Nm);
       largest_error = std::max(largest_error, at.error_Nm);
+      staying += at.stays ? 1 : 0;
       ++count;
     }
     const double needed = least_share * static_cast<double>(pairs.size());
-    if (count < fewest_on_ceiling || static_cast<double>(count) < needed) continue;
+    if (staying < fewest_on_ceiling || static_cast<double>(count) < needed) continue;
     const double spread = pairs.front().torque_Nm - pairs[count - 1].torque_Nm;
     if (highest - lowest > std::max(different * largest_error, far_apart * spread)) {
       return {count, sign * pairs.front().torque_Nm};

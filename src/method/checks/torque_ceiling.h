@@ -4,7 +4,8 @@
 //
 // Runs of different speeds whose largest torques are equal, while those of the other direction at
 // these speeds differ: a limit hides the effect of friction. Noise on top of the limit hides it
-// from a search for repeated samples.
+// from a search for repeated samples. A torque that is cut off stays there; a peak of one that
+// swings, as when another joint moves, reaches the same height now and then by chance.
 
 #include <cstddef>
 #include <vector>
