@@ -103,7 +103,7 @@ TEST(LoadDependence, CoversAndIsRefusedWhereItIsNot) {
 /// the torque is up to the test.
 template <class Logged>
 Result identify_strokes(double per_load, double friction_Nm, std::uint64_t seed,
-                        const Logged& logged) {
+                        const Logged& logged, double by_angle = 0) {
   statistics::RandomStream random(seed, 0);
   joint::Recording r;
   r.role = joint::Role::rough_sweep;
@@ -114,7 +114,8 @@ Result identify_strokes(double per_load, double friction_Nm, std::uint64_t seed,
     const bool rises = within < 2 * half_s;
     const double q = rises ? -1.2 + speed * within : 1.2 - speed * (within - 2 * half_s);
     const double gravity = gravity_Nm * std::cos(q - 0.1);
-    const double friction = friction_Nm + per_load * std::abs(gravity);
+    const double friction =
+        friction_Nm * (1 + by_angle * std::cos(2 * q)) + per_load * std::abs(gravity);
     r.t_s.push_back(t);
     r.q_rad.push_back(q);
     r.torque_Nm.push_back(logged(gravity + (rises ? friction : -friction)) + 0.1 * random.normal());
@@ -140,6 +141,25 @@ TEST(LoadDependence, ATorqueThatSaturatesIsToldFromFrictionByLoad) {
     EXPECT_FALSE(loaded.load.out_of_proportion) << seed;
     const Result plain = identify_strokes(0, coulomb_Nm, seed, as_it_is);
     EXPECT_FALSE(plain.load.out_of_proportion) << seed;
+  }
+}
+
+TEST(LoadDependence, FrictionThatChangesWithTheAngleIsNoTorqueOutOfProportion) {
+  using method::viscous::OutOfProportion;
+  constexpr double at_gravity = 0.03;
+  const auto saturated = [](double torque) {
+    return torque * (1 + at_gravity * std::pow(torque / gravity_Nm, 2));
+  };
+  const auto as_it_is = [](double torque) { return torque; };
+  for (const double by_angle : {-0.05, 0.02, 0.05, 0.2}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const Result plain = identify_strokes(0, coulomb_Nm, seed, as_it_is, by_angle);
+      EXPECT_FALSE(plain.load.out_of_proportion) << by_angle << ' ' << seed;
+      const Result both = identify_strokes(0, coulomb_Nm, seed, saturated, by_angle);
+      ASSERT_TRUE(both.load.out_of_proportion) << by_angle << ' ' << seed;
+      EXPECT_EQ(both.load.out_of_proportion->form, OutOfProportion::saturation);
+      EXPECT_GT(both.load.out_of_proportion->share.value, at_gravity / 2) << by_angle;
+    }
   }
 }
 

@@ -229,6 +229,30 @@ std::optional<TorqueProportion> saturation_for_offset(const BothDirections& all,
                                                          {"interval.paired_strokes"})};
 }
 
+/// Friction that changes with the joint's angle: what its second harmonic has in common with the
+/// load, or with a cube of the torque, is no sign of these.
+std::vector<Eigen::VectorXd> friction_of_angle(const BothDirections& all) {
+  const Eigen::ArrayXd cosine = all.columns.col(0).array();
+  const Eigen::ArrayXd sine = all.columns.col(1).array();
+  const Eigen::ArrayXd direction = all.columns.col(3).array();
+  return {direction * cosine, direction * sine, direction * (cosine.square() - sine.square()),
+          2 * direction * cosine * sine};
+}
+
+/// The cube beside it, in the last column, where it describes the sweep certainly better than the
+/// cube does without it. A saturation bends the mean of both directions as well, which no friction
+/// does.
+/// @param best squared residuals with the cube, with or without the load.
+std::optional<statistics::BlockRegression> cube_beside_friction_of_angle(
+    const BothDirections& all, const Eigen::VectorXd& cube, double best) {
+  constexpr double certainly_better = 1.25;
+  std::vector<Eigen::VectorXd> further = friction_of_angle(all);
+  const double of_angle = with_columns(all, further).residuals.squaredNorm();
+  if (best < certainly_better * of_angle) return std::nullopt;
+  further.push_back(cube);
+  return with_columns(all, further);
+}
+
 /// @param blocks of the rows.
 /// @param load_found whether friction seems to grow with the load.
 std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>& rows,
@@ -270,8 +294,15 @@ std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>&
   if (beside.of_speed) return saturation_for_offset(all, plain, cube, unit_Nm);
   const statistics::Estimate alone = share_of(saturated, unit_Nm);
   const statistics::BlockRegression both = with_columns(all, {load, cube});
-  const Eigen::Index of_load_in_both = all.columns.cols();
+  const double best = std::min(saturated.residuals.squaredNorm(), both.residuals.squaredNorm());
   constexpr double beyond_doubt = 1.5;  // half widths
+  if (const auto beside_it = cube_beside_friction_of_angle(all, cube, best)) {
+    const statistics::Estimate share = share_of(*beside_it, unit_Nm);
+    return share.value > beyond_doubt * share.half_width()
+               ? std::optional(TorqueProportion{OutOfProportion::saturation, share})
+               : std::nullopt;
+  }
+  const Eigen::Index of_load_in_both = all.columns.cols();
   const bool needs_load =
       both.coefficients(of_load_in_both) > beyond_doubt * both.half_width(of_load_in_both);
   if (needs_load) {

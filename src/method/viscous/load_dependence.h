@@ -19,6 +19,7 @@
 //   +- per_load |cos|   friction that grows with the load,
 //   (T/G)^3             a drive whose torque constant falls with its current,
 //   sgn T               a dead zone: what it takes before the output moves.
+// Friction that changes with the angle in sines and cosines of q and 2q is the rival of the cube.
 
 #include <optional>
 #include <string>
