@@ -4,8 +4,9 @@ namespace tribolog::verdict {
 
 std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   std::vector<Statement> findings = c.curve_model.sliding.findings;
-  // The rule on the torque's proportion tells of it otherwise.
-  const bool is_of_load = c.load_dependence.found && !c.load_dependence.out_of_proportion;
+  // The rules on the torque's proportion and on friction by load or angle tell of it otherwise.
+  const bool is_of_load =
+      c.load_dependence.found && !c.load_dependence.out_of_proportion && !c.session.load.examined;
   if (is_of_load) findings.push_back(c.load_dependence.sentence);
   // The rules distinguish an offset from asymmetric friction where the data do.
   if (c.direction_asymmetry.found && !c.torque_balance.asymmetry)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "joint/degrees.h"
 
@@ -136,14 +137,49 @@ std::optional<Measured> asymmetry(const Calibration& c) {
                    {{"percent", 100 * share->value}, {"half_width", 100 * share->half_width()}}}};
 }
 
+/// Sign that the torque keeps over the angles and at the speeds of sweep and runs, by the gravity
+/// and the friction found; 0: it has both, or may have.
+double sign_kept_by_torque(const Calibration& c) {
+  double friction = largest_friction_Nm(c);
+  double lowest_rad = c.rough.lowest_rad;
+  double highest_rad = c.rough.highest_rad;
+  for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
+    if (std::isfinite(run.direction_difference_Nm)) {
+      friction = std::max(friction, std::abs(run.direction_difference_Nm));
+    }
+    if (!run.has_angle()) continue;
+    lowest_rad = std::min(lowest_rad, run.lowest_rad);
+    highest_rad = std::max(highest_rad, run.highest_rad);
+  }
+  const double low = std::cos(lowest_rad - c.rough.q_peak_rad.value);
+  const double high = std::cos(highest_rad - c.rough.q_peak_rad.value);
+  const bool crosses = low * high <= 0 || highest_rad - lowest_rad > 3;
+  const double least = c.rough.gravity_Nm.value * std::min(std::abs(low), std::abs(high));
+  if (!c.rough.found || crosses || !(least > friction)) return 0;
+  return low < 0 ? -1 : 1;
+}
+
+/// Where the torque keeps its sign, a dead zone looks like an offset of that sign.
+bool may_be_dead_zone(double offset_Nm, const Calibration& c) {
+  return sign_kept_by_torque(c) * offset_Nm > 0;
+}
+
+/// By runs of several speeds in both directions.
+Code offset_of_runs(double offset_Nm, const Calibration& c) {
+  return may_be_dead_zone(offset_Nm, c) ? Code{"cause.offset_taken_off_or_dead_zone"}
+                                        : Code{"cause.offset_taken_off"};
+}
+
+constexpr double smallest_offset_percent = 0.03;  // of gravity
+
 /// In percent of the gravity torque.
 std::optional<Measured> offset(const Calibration& c) {
   const std::optional<statistics::Estimate>& o = c.torque_balance.offset_Nm;
   if (!o || !c.rough.found) return std::nullopt;
-  return Measured{100 * sure(*o) / c.rough.gravity_Nm.value,
-                  {c.torque_balance.asymmetry ? Code{"cause.offset_taken_off"}
-                                              : Code{"cause.offset_or_direction"},
-                   {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
+  return Measured{
+      100 * sure(*o) / c.rough.gravity_Nm.value,
+      {c.torque_balance.asymmetry ? offset_of_runs(o->value, c) : Code{"cause.offset_or_direction"},
+       {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
 }
 
 std::optional<Measured> sweep_offset_drift(const Calibration& c) {
@@ -170,9 +206,11 @@ std::optional<Measured> motion_harmonics(const Calibration& c) {
 /// In percent of the gravity torque.
 std::optional<Measured> ripple(const Calibration& c) {
   if (!c.rough.found) return std::nullopt;
-  return Measured{
-      100 * c.rough.ripple_Nm / c.rough.gravity_Nm.value,
-      {"cause.ripple", {{"ripple_Nm", c.rough.ripple_Nm}, {"lines", c.rough.ripple.lines.size()}}}};
+  const std::size_t lines = c.rough.ripple.lines.size();
+  Statement said =
+      lines > 0 ? Statement{"cause.ripple", {{"ripple_Nm", c.rough.ripple_Nm}, {"lines", lines}}}
+                : Statement{"cause.ripple_without_lines", {{"ripple_Nm", c.rough.ripple_Nm}}};
+  return Measured{100 * c.rough.ripple_Nm / c.rough.gravity_Nm.value, std::move(said)};
 }
 
 /// Below this frequency nothing in the joint itself vibrates.
@@ -273,7 +311,7 @@ std::vector<Rule> gravity_rules() {
       {"torque_of_angle_large", "%", 5, Verdict::doubtful, of_gravity, "record.sweep",
        torque_of_angle},
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
-      {"sweep_offset", "%", 0.03, told, of_mass, "record.sweep", offset},
+      {"sweep_offset", "%", smallest_offset_percent, told, of_mass, "record.sweep", offset},
       {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
       {"motion_harmonics",
        "%",
@@ -295,6 +333,18 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_coefficient},
        "record.more_of_the_same",
        coloured_noise_in_friction}};
+}
+
+Statement offset_found(const Calibration& c, double offset_Nm, double half_width_Nm) {
+  // Where the runs say it too, it is said once.
+  const std::optional<Measured> of_runs = offset(c);
+  if (of_runs && c.torque_balance.asymmetry && of_runs->value > smallest_offset_percent) {
+    return of_runs->finding;
+  }
+  return {may_be_dead_zone(offset_Nm, c) ? Code{"cause.offset_or_dead_zone"} : Code{"cause.offset"},
+          {{"offset_Nm", offset_Nm},
+           {"half_width_Nm", half_width_Nm},
+           {"percent", 100 * offset_Nm / c.session.gravity_Nm}}};
 }
 
 bool has_stated_no_gravity(const Calibration& c) {

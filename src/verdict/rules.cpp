@@ -376,7 +376,7 @@ const std::vector<Rule>& rules() {
       // known lag is removed; an unknown one no loop can distinguish from damping.
       {"torque_lag",
        "ms",
-       0,
+       0.1,  // a smaller one is moved back as well, but no news
        Verdict::usable,
        {Quantity::bristle_damping},
        "record.runs",

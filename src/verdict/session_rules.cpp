@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "joint/degrees.h"
+#include "verdict/gravity_rules.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -85,12 +87,23 @@ std::optional<Measured> by_motor_angle(const Calibration& c) {
   if (!c.rough.found || !c.rough.both_directions || !c.rough.coulomb_Nm) return std::nullopt;
   const double percent =
       100 * std::sqrt(2.0) * c.rough.friction_by_angle_Nm / std::abs(c.rough.coulomb_Nm->value);
+  // Fewer periods along the whole sweep are a course of the joint's angle, or of the load.
+  constexpr double fewest_periods = 10;
+  const double turns = c.manifest.drive.gear_ratio() * (c.rough.highest_rad - c.rough.lowest_rad) /
+                       (2 * std::numbers::pi);
   const std::vector<method::gravity::RippleLine>& lines = c.rough.friction_of_angle.lines;
-  if (lines.empty())
-    return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
-  return Measured{percent,
-                  {"cause.friction_by_motor_angle",
-                   {{"percent", percent}, {"periods", lines.front().periods_per_turn}}}};
+  const auto line =
+      std::find_if(lines.begin(), lines.end(), [&](const method::gravity::RippleLine& one) {
+        return one.periods_per_turn * turns > fewest_periods;
+      });
+  if (line != lines.end()) {
+    return Measured{percent,
+                    {"cause.friction_by_motor_angle",
+                     {{"percent", percent}, {"periods", line->periods_per_turn}}}};
+  }
+  const bool is_told = c.session.angle.found || c.session.load.found;
+  if (is_told && !lines.empty()) return std::nullopt;
+  return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
 }
 
 std::optional<Measured> between_ramps(const Calibration& c) {
@@ -134,10 +147,7 @@ std::optional<Measured> of_offset(const Calibration& c) {
   if (!d.examined) return std::nullopt;
   const double share = d.offset_Nm.value / c.session.gravity_Nm;
   return Measured{percent_if(d.offset_found && d.told_apart, share),
-                  {"cause.offset",
-                   {{"offset_Nm", d.offset_Nm.value},
-                    {"half_width_Nm", d.offset_Nm.half_width()},
-                    {"percent", 100 * share}}}};
+                  offset_found(c, d.offset_Nm.value, d.offset_Nm.half_width())};
 }
 
 // The time.

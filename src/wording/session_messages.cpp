@@ -71,6 +71,10 @@ const Messages& session_messages() {
       {"cause.offset",
        text("the torque has an offset of {offset_Nm:+.3g} ± {half_width_Nm:.2g} N·m, "
             "{percent:+.2g} % of the gravity torque, the same at all speeds")},
+      {"cause.offset_or_dead_zone",
+       text("the torque has an offset of {offset_Nm:+.3g} ± {half_width_Nm:.2g} N·m, "
+            "{percent:+.2g} % of the gravity torque, the same at all speeds, or a dead zone of "
+            "that size: it keeps its sign in sweep and runs, where both look alike")},
       {"cause.drift",
        text("friction changed by {percent:+.2g} % over the session of {minutes:.2g} min (95 %: "
             "{low_percent:+.2g} to {high_percent:+.2g} %; {levels} levels): "

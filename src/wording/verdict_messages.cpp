@@ -159,6 +159,10 @@ const Messages& verdict_messages() {
       {"cause.offset_taken_off",
        text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m; it was taken "
             "off the loops")},
+      {"cause.offset_taken_off_or_dead_zone",
+       text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m, or a dead zone "
+            "of that size: it keeps its sign in sweep and runs, where both look alike; taken off "
+            "the loops")},
       {"cause.offset_or_direction",
        text("the sweep's torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m, or "
             "friction differs between the directions: runs of several speeds in both directions "
@@ -173,6 +177,9 @@ const Messages& verdict_messages() {
       {"cause.ripple",
        text("the torque has ripple of {ripple_Nm:.2g} N·m (standard deviation) that repeats with "
             "the motor's angle, in {lines} lines")},
+      {"cause.ripple_without_lines",
+       text("the torque has ripple of {ripple_Nm:.2g} N·m (standard deviation) that repeats with "
+            "the angle, without a period of its own")},
       {"cause.vibration",
        text("the torque vibrates by {amplitude_Nm:.2g} N·m at {frequency_Hz:.2f} Hz, whatever the "
             "angle")},
@@ -351,7 +358,7 @@ const Messages& verdict_messages() {
        text("No number can be used as it stands: each has its reason below.")},
 
       // Why a quantity is not usable.
-      {"verdict.check", text("{check}: {found}")},
+      {"verdict.check", text("check “{check}” not passed: {found}")},
       {"verdict.check_fails", text("{found}: {consequence}")},
       {"verdict.ramps_bend_otherwise",
        text("the torque at which the ramps are seen to slide is {percent:.0f} % away from what "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 #include "verdict/acceptance.h"
+#include "verdict/judge.h"
 #include "wording/words.h"
 
 namespace tribolog::verdict_test {
@@ -132,6 +134,8 @@ TEST(Verdicts, TheFirstScreenSaysWhichNumbersAreDoubtfulAndWhyBeforeAllElse) {
     return s;
   }());
   const calibration::Calibration c = identify::identify(d);
+  EXPECT_TRUE(c.judgement.findings.front().is("cause.angle"))
+      << wording::words(c.judgement.findings.front());
   ASSERT_EQ(c.judgement.sentence.code().text(), "verdict.not_all_usable");
   const std::string sentence = wording::words(c.judgement.sentence);
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
@@ -146,6 +150,80 @@ TEST(Verdicts, TheFirstScreenSaysWhichNumbersAreDoubtfulAndWhyBeforeAllElse) {
           << name << ": " << wording::words(q.reasons.front());
     }
   }
+}
+
+/// How far behind the first a finding of this code stands; none: nothing.
+std::optional<std::size_t> place_of(Code code, const calibration::Calibration& c) {
+  const std::vector<Statement> findings = verdict::judge(c).findings;
+  const auto at = std::find_if(findings.begin(), findings.end(),
+                               [&](const Statement& one) { return one.is(code); });
+  if (at == findings.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - findings.begin());
+}
+
+const calibration::Calibration& sound_joint() {
+  static const calibration::Calibration c =
+      identify::identify(simulate::simulated_dataset(test::paper_joint()));
+  return c;
+}
+
+TEST(Findings, AnOffsetMayBeADeadZoneWhereTheTorqueKeepsItsSign) {
+  calibration::Calibration c = sound_joint();
+  c.torque_balance.asymmetry.reset();
+  c.session.direction.offset_found = c.session.direction.told_apart = true;
+  const auto has = [&](Code code, double offset_Nm, double range_rad) {
+    c.session.direction.offset_Nm =
+        statistics::Estimate{offset_Nm, offset_Nm - 0.002, offset_Nm + 0.002, {}};
+    c.rough.lowest_rad = c.rough.q_peak_rad.value - range_rad;
+    c.rough.highest_rad = c.rough.q_peak_rad.value + range_rad;
+    return place_of(code, c).has_value();
+  };
+  EXPECT_TRUE(has("cause.offset_or_dead_zone", 0.04, 0.6));
+  EXPECT_TRUE(has("cause.offset", -0.04, 0.6)) << "less torque is none";
+  EXPECT_TRUE(has("cause.offset", 0.04, 1.5)) << "friction is larger than gravity there";
+  EXPECT_TRUE(has("cause.offset", 0.04, 1.8));
+}
+
+TEST(Findings, AnOffsetIsToldOnce) {
+  calibration::Calibration c = sound_joint();
+  c.torque_balance.asymmetry = statistics::Estimate{0, -0.001, 0.001, {}};
+  c.torque_balance.offset_Nm = statistics::Estimate{-0.04, -0.041, -0.039, {}};
+  c.session.direction.offset_found = c.session.direction.told_apart = true;
+  c.session.direction.offset_Nm = statistics::Estimate{-0.041, -0.042, -0.040, {}};
+  EXPECT_TRUE(place_of("cause.offset_taken_off", c));
+  EXPECT_FALSE(place_of("cause.offset", c));
+}
+
+TEST(Findings, AFewPeriodsAlongTheSweepAreNoneOfTheMotor) {
+  calibration::Calibration c = sound_joint();
+  c.rough.friction_by_angle_Nm = 0.1 * c.rough.coulomb_Nm->value;
+  const auto with_periods = [&](double per_turn) {
+    c.rough.friction_of_angle.lines.assign(1, {});
+    c.rough.friction_of_angle.lines.front().periods_per_turn = per_turn;
+  };
+  with_periods(2);
+  EXPECT_TRUE(place_of("cause.friction_by_motor_angle", c));
+  with_periods(0.07);
+  EXPECT_FALSE(place_of("cause.friction_by_motor_angle", c));
+  EXPECT_TRUE(place_of("cause.friction_along_angle", c));
+  c.session.angle.found = true;
+  EXPECT_FALSE(place_of("cause.friction_along_angle", c)) << "told as friction by angle";
+}
+
+TEST(Findings, RippleWithoutAPeriodCountsNoLines) {
+  calibration::Calibration c = sound_joint();
+  c.rough.ripple_Nm = 0.1;
+  c.rough.ripple.lines.clear();
+  EXPECT_TRUE(place_of("cause.ripple_without_lines", c));
+  EXPECT_FALSE(place_of("cause.ripple", c));
+}
+
+TEST(Findings, ALagOfAFewHundredthsOfAMillisecondIsNoNews) {
+  calibration::Calibration c = sound_joint();
+  c.torque_lag.lag_s = statistics::Estimate{3e-5, 1e-5, 5e-5, {}};
+  EXPECT_FALSE(place_of("cause.lag", c));
+  c.torque_lag.lag_s = statistics::Estimate{5e-4, 4e-4, 6e-4, {}};
+  EXPECT_TRUE(place_of("cause.lag", c));
 }
 
 TEST(Verdicts, OneDirectionLeavesCoulombAndOffsetInseparable) {
