@@ -167,6 +167,19 @@ const calibration::Calibration& sound_joint() {
   return c;
 }
 
+TEST(Findings, ADisagreementStandsBehindTheOffsetThatMakesIt) {
+  calibration::Calibration c = sound_joint();
+  c.cross_checks.doubtful = true;
+  c.cross_checks.findings = {
+      {"cross_check.disagree", {{"cause", Statement{"cross_check.offset_or_direction"}}}}};
+  EXPECT_EQ(place_of("cross_check.disagree", c), 0U);
+  c.torque_balance.asymmetry.reset();
+  c.session.direction.offset_found = c.session.direction.told_apart = true;
+  c.session.direction.offset_Nm = statistics::Estimate{-0.04, -0.042, -0.038, {}};
+  EXPECT_EQ(place_of("cause.offset", c), 0U);
+  EXPECT_EQ(place_of("cross_check.disagree", c), 1U);
+}
+
 TEST(Findings, AnOffsetMayBeADeadZoneWhereTheTorqueKeepsItsSign) {
   calibration::Calibration c = sound_joint();
   c.torque_balance.asymmetry.reset();
@@ -192,6 +205,40 @@ TEST(Findings, AnOffsetIsToldOnce) {
   c.session.direction.offset_Nm = statistics::Estimate{-0.041, -0.042, -0.040, {}};
   EXPECT_TRUE(place_of("cause.offset_taken_off", c));
   EXPECT_FALSE(place_of("cause.offset", c));
+}
+
+TEST(Findings, AMisfitOfTheLoopsStandsBehindFrictionByDirectionOnlyIfThatIsLarger) {
+  calibration::Calibration c = sound_joint();
+  ASSERT_TRUE(c.lugre && c.lugre->worst_described() != nullptr);
+  for (method::hysteresis::LuGreLoop& loop : c.lugre->loops) {
+    loop.systematic_Nm = 0.01 * loop.height_Nm;
+  }
+  const double misfit_Nm = c.lugre->worst_described()->systematic_Nm;
+  c.torque_balance.asymmetry.reset();
+  c.session.direction.asymmetry_found = c.session.direction.told_apart = true;
+  for (const double times : {0.5, 2.0}) {
+    const double share = times * misfit_Nm / c.session.mean_friction_Nm;
+    c.session.direction.asymmetry = statistics::Estimate{share, 0.9 * share, 1.1 * share, {}};
+    EXPECT_EQ(place_of("cause.asymmetry", c) < place_of("cause.other_contact", c), times > 1);
+  }
+}
+
+TEST(Findings, AnotherJointThatMovesStandsBeforeTheShiftOfThePeakThatItMakes) {
+  calibration::Calibration c = sound_joint();
+  for (method::checks::DataCheck& check : c.data_checks.checks) {
+    if (check.name == CheckName::oscillation_at_peak) {
+      check.state = method::checks::CheckState::fails;
+      check.found = {"oscillation_at_peak.centre",
+                     {{"centre_deg", 0.0}, {"peak_deg", 3.0}, {"smaller_percent", 0.1}}};
+    }
+  }
+  EXPECT_EQ(place_of("verdict.check", c), 0U);
+  method::gravity::VibrationLine swings;
+  swings.frequency_Hz = 0.13;
+  swings.amplitude_Nm = 0.2 * c.rough.gravity_Nm.value;
+  c.rough.vibration = {swings};
+  EXPECT_EQ(place_of("cause.other_joint", c), 0U);
+  EXPECT_EQ(place_of("verdict.check", c), 1U);
 }
 
 TEST(Findings, AFewPeriodsAlongTheSweepAreNoneOfTheMotor) {
