@@ -148,6 +148,18 @@ std::optional<statistics::Estimate> inertia_for_ramps(const Progress& p) {
   return p.loop.lugre->fit.shown(method::hysteresis::LuGreParameterName::inertia);
 }
 
+/// As ramps show the bristle: their torque is as late as it was logged, that of loops is not where
+/// a lag was clear.
+method::hysteresis::BehindTorque behind_torque(const Progress& p) {
+  using method::hysteresis::LuGreParameterName;
+  if (!p.loop.lugre) return {};
+  const auto damping = p.loop.lugre->fit.shown(LuGreParameterName::bristle_damping);
+  const auto stiffness = p.loop.lugre->fit.shown(LuGreParameterName::bristle_stiffness);
+  if (!damping || !stiffness) return {};
+  const double lag_s = p.c.torque_lag.is_clear() ? p.c.torque_lag.lag_s->value : 0;
+  return {damping->value / stiffness->value - lag_s, damping->half_width() / stiffness->value};
+}
+
 /// The loop fit as it is stated once curve and ramps are known: with the experiments that would
 /// show the rest, and without a static torque that a ramp has exceeded.
 std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
@@ -331,7 +343,7 @@ constexpr Step further_steps[] = {
        const std::optional<statistics::Estimate> inertia = inertia_for_ramps(p);
        p.c.break_away = method::hysteresis::identify_break_away(
            p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
-           p.n, p.c.rough);
+           p.n, p.c.rough, behind_torque(p));
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
     {"",

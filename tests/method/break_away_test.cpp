@@ -141,6 +141,27 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   EXPECT_LT(result.ramps.front().friction_Nm, bare.ramps.front().friction_Nm);
 }
 
+/// While the torque rises the bristle's damping bears a part of it that no break-away will need.
+TEST(BreakAway, TheDampingOfTheBristleIsNotPartOfTheLevel) {
+  constexpr double behind_s = 0.77 / 465;
+  for (const double rate : {1.0, -1.0}) {
+    const joint::Recording r = ramp_of({rate, 1.2});
+    const auto level = [&](const method::hysteresis::BehindTorque& behind) {
+      return method::hysteresis::identify_break_away({&r, &r}, true_gravity, 2e-3 * gear_ratio,
+                                                     gear_ratio, {}, behind);
+    };
+    const auto with_damping = level({});
+    const auto found = level({behind_s, behind_s / 2});
+    ASSERT_TRUE(found.is_level);
+    const double excess_Nm = *with_damping.ramps.front().level_Nm - static_Nm;
+    EXPECT_NEAR(excess_Nm, behind_s, 0.3 * behind_s) << rate;  // at 1 N·m/s
+    EXPECT_NEAR(*found.ramps.front().level_Nm, static_Nm, 0.3 * excess_Nm) << rate;
+    // As far as the damping is known.
+    const auto& stated = rate > 0 ? found.rising_Nm : found.falling_Nm;
+    EXPECT_GE(stated->half_width(), 0.9 * behind_s / 2);
+  }
+}
+
 /// Such a joint is seen to run away when its friction has fallen to Coulomb torque already.
 TEST(BreakAway, AHeavyJointIsReadWhereItHeldMost) {
   Ramp fast{0.5, 3};

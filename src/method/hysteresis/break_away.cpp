@@ -259,8 +259,9 @@ void take_off_inertia(const joint::Recording& r, std::size_t half_window, double
 constexpr double share_at_reading = 0.993;
 
 /// @param result says what gravity is taken off.
+/// @param behind_s of the bristle's torque (BehindTorque).
 BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result,
-                        double inertia_at_joint) {
+                        double inertia_at_joint, double behind_s) {
   BreakAwayRamp ramp;
   ramp.recording = r.name;
   const auto [begin, sign] = begin_of_ramp(r);
@@ -335,6 +336,11 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
     rest_Nm.resize(at);
     if (knows_inertia) take_off_inertia(r, beside, sign * inertia_at_joint, rest_Nm);
     ramp.level_Nm = level_at_rest(travel, rest_Nm, ramp.friction_Nm);
+    const double rise_s = r.t_s[at] - r.t_s[begin];
+    if (ramp.level_Nm && rise_s > 0) {
+      // In an even ramp that is as much at all angles, and so in their level.
+      *ramp.level_Nm -= behind_s * (ramp.friction_Nm - rest_Nm[begin]) / rise_s;
+    }
   }
   ramp.travel_rad = travel[at];
   if (ramp.broke_away && !ramp.even_slide_rad_s)
@@ -428,7 +434,7 @@ class OverAngles {
 /// Half widths of what may shift both directions alike.
 struct InCommon {
   double by_angle_Nm{};
-  double by_inertia_Nm{};
+  double by_inertia_Nm{};  ///< And by damping.
   double by_contact_Nm{};  ///< Between reading and level: the interval holds both.
 };
 
@@ -469,18 +475,20 @@ bool has_levels(const std::vector<BreakAwayRamp>& ramps, bool is_rising) {
 std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
                                      bool is_level, const std::optional<KnownGravity>& gravity,
                                      double gear_ratio, const gravity::CogSweepResult& sweep,
-                                     BreakAwayResult& result) {
+                                     double behind_half_width_s, BreakAwayResult& result) {
   std::vector<double> readings;
   std::vector<double> levels;
   std::vector<double> motor_angles;
   double by_gravity = 0;
   double by_inertia = 0;
+  double by_damping = 0;
   for (const BreakAwayRamp& ramp : ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
     if (is_level && ramp.level_Nm) levels.push_back(*ramp.level_Nm);
     if (!is_level || ramp.level_Nm) motor_angles.push_back(gear_ratio * ramp.q_start_rad);
     by_inertia += ramp.inertia_half_width_Nm;
+    if (!ramp.even_slide_rad_s) by_damping += behind_half_width_s * ramp.rate_Nm_s;
     if (gravity) {
       by_gravity += gravity->amplitude_Nm.half_width() *
                     std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
@@ -491,6 +499,7 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   OverAngles angles(motor_angles, !gravity, sweep);
   by_gravity /= static_cast<double>(readings.size());
   by_inertia /= static_cast<double>(readings.size());
+  by_damping /= static_cast<double>(readings.size());
   const auto told = [&] {
     result.positions = std::max(result.positions, angles.positions());
     result.between_positions = std::max(result.between_positions, angles.between());
@@ -511,7 +520,7 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   const double by_angle = angles.take(levels, level);
   told();
   return direction_mean(level.value, std::hypot(level.scatter, by_gravity),
-                        {by_angle, 0, by_contact}, "interval.scatter_of_ramps_at_rest");
+                        {by_angle, by_damping, by_contact}, "interval.scatter_of_ramps_at_rest");
 }
 
 /// Of both directions: their own errors average, what they have in common does not.
@@ -555,7 +564,8 @@ Code too_few_ramps(const BreakAwayResult& result) {
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity,
                                     double inertia_at_joint, double gear_ratio,
-                                    const gravity::CogSweepResult& sweep) {
+                                    const gravity::CogSweepResult& sweep,
+                                    const BehindTorque& behind) {
   BreakAwayResult out;
   out.stage.name = "break_away";
   out.gravity = gravity;
@@ -566,13 +576,15 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   }
   for (const joint::Recording* r : ramps) {
     if (r->size() < 3) continue;
-    out.ramps.push_back(read_ramp(*r, out, inertia_at_joint));
+    out.ramps.push_back(read_ramp(*r, out, inertia_at_joint, behind.time_s));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
   }
   out.is_level = gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
                  has_levels(out.ramps, false);
-  const auto rising = mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep, out);
-  const auto falling = mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep, out);
+  const auto rising =
+      mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep, behind.half_width_s, out);
+  const auto falling =
+      mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep, behind.half_width_s, out);
   if (rising) out.rising_Nm = rising->torque_Nm;
   if (falling) out.falling_Nm = falling->torque_Nm;
   if (rising && falling) out.mean_Nm = mean_of_both(*rising, *falling);

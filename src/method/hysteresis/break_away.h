@@ -19,7 +19,8 @@
 // (LuGre over a travel x in the limit of zero speed; T0 at the start, d = Ts / s0), and Ts is the
 // level to which that part tends. That level is stated where the ramps bend far enough to show it,
 // all but a third; it is compared with the reading, and their difference goes into the interval,
-// for another contact has a different bend.
+// for another contact has a different bend. While the torque rises, the bristle's damping holds
+// s1/s0 times its rate; that is taken off where loops show both.
 //
 // Friction may change with the motor's angle, and a ramp has that of the angle at which it starts.
 // The break-away torque meant is the mean over all angles: the variance between ramps at several
@@ -52,6 +53,12 @@ struct KnownGravity {
   [[nodiscard]] double torque_Nm(double q_rad) const {
     return amplitude_Nm.value * std::cos(q_rad - q_peak_rad);
   }
+};
+
+/// By how much time the bristle's torque is behind the logged one while that rises.
+struct BehindTorque {
+  double time_s{};  ///< Damping over stiffness of the bristle, less a lag of the torque's log.
+  double half_width_s{};
 };
 
 struct BreakAwayRamp {
@@ -110,10 +117,12 @@ struct BreakAwayResult {
 /// @param inertia_at_joint of all that turns: torque at the motor per joint acceleration [N·m
 /// s²/rad]; its torque at the reading is subtracted. 0: unknown, nothing is subtracted.
 /// @param sweep whose change of friction with the angle widens what ramps at few angles show.
+/// @param behind of a bristle whose damping is not known: zero.
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity,
                                     double inertia_at_joint = 0, double gear_ratio = 1,
-                                    const gravity::CogSweepResult& sweep = {});
+                                    const gravity::CogSweepResult& sweep = {},
+                                    const BehindTorque& behind = {});
 
 // The level at which hysteresis loops flatten, compared with torque ramps that made the joint slide
 // or not.
