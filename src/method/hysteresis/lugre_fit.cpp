@@ -319,6 +319,11 @@ Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& probl
   return statistics::least_squares(climb.linear.fit.jacobian, late) / statistics::normal_975;
 }
 
+void add_columns(const Eigen::MatrixXd& more, Eigen::MatrixXd& to) {
+  to.conservativeResize(more.rows(), to.cols() + more.cols());
+  to.rightCols(more.cols()) = more;
+}
+
 /// All that resampling needs.
 statistics::LinearisedFit linearised(const LuGreClimb& climb,
                                      std::vector<statistics::LinearisedReading> readings,
@@ -455,14 +460,11 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
     return made;
   }
   fit.converged = true;
-  Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
-  by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
-  if (known.lag_half_width_s > 0) {
-    by_motion.conservativeResize(Eigen::NoChange, by_motion.cols() + 2);
-    by_motion.rightCols<2>() = shifts_by_lag(climb, problem, known);
-  }
+  Eigen::MatrixXd& shifts = climb.linear.fit.further_shifts;  // that of an open fall, or none
+  add_columns(shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad), shifts);
+  if (known.lag_half_width_s > 0) add_columns(shifts_by_lag(climb, problem, known), shifts);
   fit.damping_fall = fall_of_damping(climb, problem, known.inertia_kgm2);
-  climb.around.covariance += by_motion * by_motion.transpose();
+  climb.around.covariance += shifts * shifts.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
   LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);
   fit.parameters = std::move(readings.parameters);

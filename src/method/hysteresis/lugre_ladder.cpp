@@ -62,7 +62,8 @@ class Climber {
       if (bends(fewer) || !level.converged) level = std::move(fewer);
     }
     if (!level.converged) return elastic();
-    if (!fall_shows_at(level)) return bends(level) ? counted(level) : elastic();
+    const std::optional<Eigen::VectorXd> step = step_by_fall(level);
+    if (!step) return bends(level) ? counted(level) : elastic();
     LuGreClimb whole = with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole);
     if (whole.stands(Shared::log_share, widest_climbed) &&
         whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole)) {
@@ -72,7 +73,10 @@ class Climber {
     if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved)) {
       return counted(curved);
     }
-    return bends(level) ? counted(level) : elastic();
+    if (!bends(level)) return elastic();
+    // Whether there is a fall stays open, and with it what it would change in the others.
+    level.linear.fit.further_shifts = *step;
+    return counted(level);
   }
 
  private:
@@ -160,9 +164,9 @@ class Climber {
     return polished(LuGreRung::level, free, s.point);
   }
 
-  /// Whether the residuals of the level hold a trace of falling friction: one step of the fit that
-  /// would let it fall, with its interval.
-  bool fall_shows_at(const LuGreClimb& level) {
+  /// One step of the fit that would let friction fall, in the columns of the level; absent where
+  /// the residuals of the level hold no trace of a fall, by the interval of that step.
+  std::optional<Eigen::VectorXd> step_by_fall(const LuGreClimb& level) {
     LuGreClimb probe;
     probe.free = {with(level.free.shared, {Shared::fall}), true};
     probe.point = level.point;
@@ -170,9 +174,15 @@ class Climber {
     probe.linear = problem_.linearise(probe.free, probe.point, blocks_);
     const statistics::LinearisedFit& fit = probe.linear.fit;
     probe.around = statistics::block_regression(fit.jacobian, -fit.residuals, blocks_);
+    const Eigen::VectorXd& step = probe.around.coefficients;
     const Eigen::Index k = probe.column(Shared::fall);
-    const LuGreStanding s = probe.standing(k, probe.around.coefficients(k));
-    return s.relative < widest_climbed && s.effect_Nm > smallest_effect * height_;
+    const LuGreStanding s = probe.standing(k, step(k));
+    if (!(s.relative < widest_climbed && s.effect_Nm > smallest_effect * height_)) {
+      return std::nullopt;
+    }
+    Eigen::VectorXd others(step.size() - 1);
+    others << step.head(k), step.tail(step.size() - 1 - k);
+    return others;
   }
 
   LuGreClimb with_fall(const LuGreClimb& level, std::initializer_list<Shared::Index> more,

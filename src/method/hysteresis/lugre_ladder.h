@@ -7,6 +7,9 @@
 //   curvature  + (Ts - Tc)/ws^2               friction falls with speed, only the start of it
 //   whole      + Tc and ws apart              the speed passes the Stribeck velocity
 //
+// Where loops hold a trace of a fall but too little of it for a rung, whether there is one stays
+// open: what it would change in the others is in their intervals. Left out, it makes s1 too large.
+//
 // Damping, viscous coefficient or inertia may come out below zero, which no joint has: a torque
 // that is logged late makes s1 smaller by s0 times the lag. Such a parameter is not held at zero,
 // which would bias the others; it is not shown, with the reason (lugre_identifiability.cpp).
