@@ -180,18 +180,27 @@ class Contest {
   /// perhaps the logit of Coulomb over static torque and ln of the Stribeck velocity.
   [[nodiscard]] std::optional<Fitted> at(const Eigen::VectorXd& p) const {
     const auto share_of = [](double logit) { return 1 / (1 + std::exp(-logit)); };
-    const double level_rad = std::exp(p(0));
-    const double coulomb_rad = level_rad * (p.size() > 2 ? share_of(p(2)) : 1);
+    const double deflection_rad = std::exp(p(0));
+    const double coulomb_rad = deflection_rad * (p.size() > 2 ? share_of(p(2)) : 1);
     const double elastic_rad = coulomb_rad * std::clamp(share_of(p(1)), 0.01, 0.99);
     const double stribeck_rad_s = p.size() > 2 ? std::exp(p(3)) : 1;
-    if (!std::isfinite(level_rad + stribeck_rad_s) || !(elastic_rad > 0)) return std::nullopt;
+    // What a solver tries in passing may be too small for any step of the motion.
+    const auto is_within = [](double value, double factor, double about) {
+      return value > about / factor && value < about * factor;
+    };
+    if (!is_within(deflection_rad, 30, level_rad()) ||
+        !is_within(deflection_rad, 300, amplitude_rad_) ||
+        !is_within(stribeck_rad_s, 100, p.size() > 2 ? peak_speed_rad_s_ : 1) ||
+        !(coulomb_rad > 0.05 * deflection_rad)) {
+      return std::nullopt;
+    }
     const std::unique_ptr<friction::DynamicFriction> contact =
         friction::dynamic_friction_model("elasto_plastic")
             .make({{"bristle_stiffness_Nm_rad", false, 1.0},
                    {"bristle_damping_Nms_rad", false, 0.0},
                    {"viscous_Nms_rad", false, 0.0},
                    {"coulomb_Nm", false, coulomb_rad},
-                   {"static_Nm", false, level_rad},
+                   {"static_Nm", false, deflection_rad},
                    {"stribeck_speed_rad_s", false, stribeck_rad_s},
                    {"break_away_deflection_rad", false, elastic_rad}});
     Eigen::MatrixXd columns = columns_behind(2);
@@ -214,7 +223,7 @@ class Contest {
     }
     const Eigen::VectorXd found = statistics::least_squares(columns, measured_);
     if (!(found(0) > 0)) return std::nullopt;
-    Fitted out{{ContactLaw::elasto_plastic, found(0), found(0) * level_rad, 0},
+    Fitted out{{ContactLaw::elasto_plastic, found(0), found(0) * deflection_rad, 0},
                columns * found - measured_};
     out.rival.residual_Nm = rms(out.residuals);
     return out;
@@ -355,7 +364,7 @@ ContactContest let_contacts_compete(const std::vector<LuGreInput>& loops,
   for (std::optional<Fitted> rival : {contest.elasto_plastic(), contest.maxwell_slip()}) {
     if (rival) all.push_back(std::move(*rival));
   }
-  constexpr double least_gain = 0.05;  // no contact is closer to any of them
+  constexpr double least_gain = 0.005;  // noise is most of what they leave
   constexpr double least_share = 0.5;
   const double lugre_leaves = std::pow(all.front().rival.residual_Nm, 2);
   const auto takes_it_up = [&](const ContactRival& rival) {
