@@ -47,8 +47,15 @@ LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
   const auto level = fit.shown(LuGreParameterName::static_torque);
   const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
   if (!level || !stiffness || !(level->value > 0) || !(stiffness->value > 0)) return fit;
-  const double fastest = 2 * std::numbers::pi * fit.frequency_Hz * fit.motor_amplitude_rad;
-  const double share = std::pow(lag_s * fastest * stiffness->value / level->value, 2);
+  const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
+  const double fastest = omega * fit.motor_amplitude_rad;
+  const double per_slide = stiffness->value / level->value;
+  // What a torque drives may turn round as fast as it moves; along a sine the speed rises from
+  // zero.
+  const bool is_driven = std::any_of(fit.loops.begin(), fit.loops.end(),
+                                     [](const LuGreLoop& l) { return l.traced.has_value(); });
+  const double share = is_driven ? std::pow(lag_s * fastest * per_slide, 2)
+                                 : lag_s * lag_s * omega * fastest * per_slide / 2;
   for (LuGreParameter& parameter : fit.parameters) {
     if (parameter.name == LuGreParameterName::bristle_stiffness) {
       widen(parameter, 3 * share * stiffness->value, "interval.widened_by_filter");
