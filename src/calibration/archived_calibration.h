@@ -44,6 +44,13 @@ struct Facts {
   std::string git_revision;
 };
 
+/// What the manifest states of an error that no recording shows, in a result.
+struct StatedInfluence {
+  std::string name;               ///< Stable: "torque_constant".
+  std::string id;                 ///< What it comes from; empty: by a program that did not keep it.
+  double standard_uncertainty{};  ///< In the result's unit.
+};
+
 /// A result: SI, motor side.
 struct Quantity {
   std::string name;   ///< Stable: "coulomb_torque".
@@ -51,6 +58,7 @@ struct Quantity {
   std::string unit;   ///< Empty for a curve.
   Verdict verdict{Verdict::not_identifiable};
   std::optional<statistics::Estimate> estimate;
+  std::vector<StatedInfluence> influences{};  ///< In the calibration's file, not in tables.
 };
 
 /// An input file of the calibration.

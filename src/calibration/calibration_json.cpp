@@ -40,7 +40,8 @@ Json stated_uncertainty(const joint::StatedUncertainty& u) {
           {"gear_ratio_percent", number(u.gear_ratio_percent)},
           {"surrogate_distance_percent", number(u.surrogate_distance_percent)},
           {"gravity_percent", number(u.gravity_percent)},
-          {"angle_zero_deg", number(u.angle_zero_deg)}};
+          {"angle_zero_deg", number(u.angle_zero_deg)},
+          {"id", u.id.empty() ? Json::object() : Json(u.id)}};
 }
 
 Json inputs(const std::vector<joint::InputFile>& files) {

@@ -140,6 +140,7 @@ Json budget(const std::optional<UncertaintyBudget>& b) {
   for (const BudgetPart& part : b->parts) {
     parts.push_back({{"influence", to_string(part.influence)},
                      {"type", part.is_type_b ? "B" : "A"},
+                     {"id", part.is_type_b ? Json(part.id) : Json(nullptr)},
                      {"stated", number(part.stated)},
                      {"sensitivity", number(part.sensitivity)},
                      {"standard_uncertainty", number(part.standard_uncertainty)},

@@ -165,12 +165,27 @@ void refuse_nul(const ReadJson& value, const std::string& file) {
   for (const ReadJson& inner : value) refuse_nul(inner, file);
 }
 
+std::vector<StatedInfluence> influences_of(const ReadJson& quantity) {
+  std::vector<StatedInfluence> influences;
+  const ReadJson& parts = member(member(quantity, "budget"), "parts");
+  if (!parts.is_array()) return influences;
+  for (const ReadJson& part : parts) {
+    const ReadJson& name = member(part, "influence");
+    const ReadJson& id = member(part, "id");
+    const ReadJson& uncertainty = member(part, "standard_uncertainty");
+    if (member(part, "type") != "B" || !name.is_string() || !uncertainty.is_number()) continue;
+    influences.push_back({name.get<std::string>(), id.is_string() ? id.get<std::string>() : "",
+                          uncertainty.get<double>()});
+  }
+  return influences;
+}
+
 std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
   std::vector<Quantity> quantities;
   for (const ReadJson& listed : verdict.list("quantities")) {
     const Members one(listed, "verdict.quantities", file);
     quantities.push_back({one.text("key"), one.text("words"), one.text("unit"),
-                          one.verdict("verdict"), one.estimate("estimate")});
+                          one.verdict("verdict"), one.estimate("estimate"), influences_of(listed)});
   }
   return quantities;
 }
@@ -299,6 +314,19 @@ RecordedCalibration read_calibration(const std::string& json, const std::string&
 RecordedCurves read_curves(const std::string& json) {
   const ReadJson whole = ReadJson::parse(json, nullptr, false);
   return whole.is_discarded() ? RecordedCurves{} : curves_of(whole);
+}
+
+std::map<std::string, std::vector<StatedInfluence>> read_influences(const std::string& json) {
+  std::map<std::string, std::vector<StatedInfluence>> all;
+  const ReadJson whole = ReadJson::parse(json, nullptr, false);
+  if (whole.is_discarded()) return all;
+  const ReadJson& quantities = member(member(whole, "verdict"), "quantities");
+  if (!quantities.is_array()) return all;
+  for (const ReadJson& quantity : quantities) {
+    const ReadJson& key = member(quantity, "key");
+    if (key.is_string()) all[key.get<std::string>()] = influences_of(quantity);
+  }
+  return all;
 }
 
 NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {

@@ -2,6 +2,7 @@
 // The only reader of what calibration_json() writes: files of any age, to be archived, shown on a
 // page or converted to another program's format.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,9 @@ RecordedCalibration read_calibration(const std::string& json, const std::string&
 
 /// The curves alone. Members that are missing or of another type count as not recorded.
 RecordedCurves read_curves(const std::string& json);
+
+/// What the quantities rest on, by their names; nothing where the file does not tell.
+std::map<std::string, std::vector<StatedInfluence>> read_influences(const std::string& json);
 
 /// What an archive keeps: what read_calibration() finds, and the file itself. The only way into an
 /// archive, so that `identify`, `report` and `archive add` archive the same.

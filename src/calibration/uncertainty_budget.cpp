@@ -38,8 +38,8 @@ std::string to_string(Influence influence) {
 }
 
 double coverage_factor(double freedom) {
-  constexpr double normal_975 = 1.959963984540054;
-  return std::isinf(freedom) ? normal_975 : statistics::student_t_975(std::max(1.0, freedom));
+  return std::isinf(freedom) ? statistics::normal_975
+                             : statistics::student_t_975(std::max(1.0, freedom));
 }
 
 UncertaintyBudget combined(const statistics::Estimate& estimate, std::vector<BudgetPart> parts,

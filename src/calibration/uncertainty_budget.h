@@ -36,6 +36,8 @@ struct BudgetPart {
                                   ///< over 1.96 (type B).
   double freedom{};               ///< Degrees of freedom; infinity: exactly known.
   double share{};                 ///< Of the combined variance.
+  /// What the error comes from: calibrations with the same text share it. Type B only.
+  std::string id{};
 };
 
 struct UncertaintyBudget {

@@ -29,6 +29,20 @@ calibration::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
   return json ? calibration::read_curves(*json) : calibration::RecordedCurves{};
 }
 
+/// With what the manifests state of their errors.
+calibration::Measured measured(archive::store::CalibrationArchive& kept, const std::string& id) {
+  const calibration::Entry entry = kept.find(id);
+  calibration::Measured made{entry, kept.quantities(entry)};
+  const auto json = kept.document(entry, calibration::DocumentKind::calibration);
+  if (!json) return made;
+  const auto influences = calibration::read_influences(*json);
+  for (calibration::Quantity& quantity : made.quantities) {
+    const auto of_quantity = influences.find(quantity.name);
+    if (of_quantity != influences.end()) quantity.influences = of_quantity->second;
+  }
+  return made;
+}
+
 /// Which curves cannot be laid over each other, and why.
 std::string missing_curves(const calibration::RecordedCurves& a,
                            const calibration::RecordedCurves& b) {
@@ -95,10 +109,7 @@ Run add_diff(CLI::App& archive) {
     make_way(call.console, options->output, options->json);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
     std::vector<calibration::Measured> both;
-    for (const std::string& id : options->ids) {
-      const calibration::Entry entry = kept.find(id);
-      both.push_back({entry, kept.quantities(entry)});
-    }
+    for (const std::string& id : options->ids) both.push_back(measured(kept, id));
     const history::Comparison comparison =
         history::compare(both[0], both[1], options->allowed, options->different_joints);
     if (options->json) {

@@ -26,11 +26,13 @@ double chance_of(double change, double side_toward_zero) {
 }  // namespace
 
 Change change_between(const statistics::Estimate& first, const statistics::Estimate& second,
-                      bool is_angle) {
+                      bool is_angle, double further_half_width) {
   double change = second.value - first.value;
   if (is_angle) change = std::remainder(change, 2 * std::numbers::pi);
-  const double below = std::hypot(second.value - second.low, first.high - first.value);
-  const double above = std::hypot(second.high - second.value, first.value - first.low);
+  const double below =
+      std::hypot(second.value - second.low, first.high - first.value, further_half_width);
+  const double above =
+      std::hypot(second.high - second.value, first.value - first.low, further_half_width);
   Change made;
   made.absolute = {change, change - below, change + above, {"interval.in_quadrature"}};
   made.chance = chance_of(change, change > 0 ? below : above);
@@ -163,6 +165,25 @@ void judge_verdicts(const calibration::Quantity& a, const calibration::Quantity&
   }
 }
 
+/// Half width of what each has from another source than the other, which is said.
+double not_shared(const calibration::Quantity& a, const calibration::Quantity& b,
+                  ComparedQuantity& q) {
+  double squares = 0;
+  for (const calibration::StatedInfluence& first : a.influences) {
+    for (const calibration::StatedInfluence& second : b.influences) {
+      const bool are_two = first.name == second.name && !first.id.empty() && !second.id.empty() &&
+                           first.id != second.id;
+      if (!are_two) continue;
+      squares += std::pow(first.standard_uncertainty, 2) + std::pow(second.standard_uncertainty, 2);
+      q.cautions.push_back({"comparison.different_influence",
+                            {{"influence", Statement{Code::of("influence." + first.name)}},
+                             {"first_id", printable(first.id)},
+                             {"second_id", printable(second.id)}}});
+    }
+  }
+  return statistics::normal_975 * std::sqrt(squares);
+}
+
 ComparedQuantity compared(const calibration::Quantity& a, const calibration::Quantity& b,
                           const calibration::Facts& first, const calibration::Facts& second,
                           const AllowedDifference& allowed) {
@@ -175,7 +196,7 @@ ComparedQuantity compared(const calibration::Quantity& a, const calibration::Qua
   judge_verdicts(a, b, q);
   judge_conditions(first, second, allowed, q);
   if (q.first && q.second && a.unit == b.unit) {
-    q.change = change_between(*q.first, *q.second, traits_of(q.name).is_angle);
+    q.change = change_between(*q.first, *q.second, traits_of(q.name).is_angle, not_shared(a, b, q));
   }
   return q;
 }

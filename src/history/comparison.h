@@ -8,7 +8,8 @@
 //
 // Exact for normal errors; for lopsided ones the usual approximation (R. Barlow, "Asymmetric
 // errors", PHYSTAT 2003). What both estimates share, such as a torque constant that is wrong in
-// both, cancels. Where the stated intervals hold such an error all the same, that of the model for
+// both, cancels; an influence that both manifests state, but each from another source, adds to both
+// sides. Where the stated intervals hold such an error all the same, that of the model for
 // one, the interval of the change is too wide, never too narrow.
 
 #include <optional>
@@ -29,8 +30,9 @@ struct Change {
 };
 
 /// @param is_angle the difference is taken on the circle, -pi to pi, and not in percent.
+/// @param further_half_width of errors beside the estimates' own that the two do not share.
 Change change_between(const statistics::Estimate& first, const statistics::Estimate& second,
-                      bool is_angle);
+                      bool is_angle, double further_half_width = 0);
 
 /// Holm's step-down adjustment (1979): with these, the chance of one wrong "changed" among all is
 /// the chance that is compared with, whatever depends on what.

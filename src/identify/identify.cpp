@@ -153,9 +153,13 @@ std::optional<statistics::Estimate> inertia_for_ramps(const Progress& p) {
 method::hysteresis::BehindTorque behind_torque(const Progress& p) {
   using method::hysteresis::LuGreParameterName;
   if (!p.loop.lugre) return {};
-  const auto damping = p.loop.lugre->fit.shown(LuGreParameterName::bristle_damping);
-  const auto stiffness = p.loop.lugre->fit.shown(LuGreParameterName::bristle_stiffness);
+  const method::hysteresis::LuGreFit& fit = p.loop.lugre->fit;
+  const auto damping = fit.shown(LuGreParameterName::bristle_damping);
+  const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
   if (!damping || !stiffness) return {};
+  // Of another contact neither is the joint's.
+  if (fit.contacts.winner && fit.contacts.winner != method::hysteresis::ContactLaw::lugre)
+    return {};
   const double lag_s = p.c.torque_lag.is_clear() ? p.c.torque_lag.lag_s->value : 0;
   return {damping->value / stiffness->value - lag_s, damping->half_width() / stiffness->value};
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,6 +95,9 @@ struct StatedUncertainty {
   std::optional<double> surrogate_distance_percent;
   std::optional<double> gravity_percent;  ///< Of the acceleration of gravity.
   std::optional<double> angle_zero_deg;   ///< Of the joint angle's zero.
+  /// What an error comes from, by the keys above without their unit: two calibrations that state
+  /// the same share the error, and it cancels in their comparison.
+  std::map<std::string, std::string> id;
 
   bool operator==(const StatedUncertainty&) const = default;
 };

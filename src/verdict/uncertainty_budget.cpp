@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "joint/degrees.h"
 
 namespace tribolog::verdict {
@@ -134,7 +136,8 @@ class BudgetMaker {
     }
     const double uncertainty = std::abs(exponent * estimate_.value) * *percent / 100 /
                                calibration::coverage_factor(well_known);
-    parts_.push_back({influence, true, percent, exponent, uncertainty, well_known, 0});
+    parts_.push_back(
+        {influence, true, percent, exponent, uncertainty, well_known, 0, id_of(influence)});
   }
 
   void add_zero(const std::optional<double>& degrees) {
@@ -144,7 +147,24 @@ class BudgetMaker {
     }
     parts_.push_back({Influence::angle_zero, true, degrees, 1,
                       *degrees * joint::rad_per_degree / calibration::coverage_factor(well_known),
-                      well_known, 0});
+                      well_known, 0, id_of(Influence::angle_zero)});
+  }
+
+  /// As the manifest states it; else what belongs to this joint is the same as long as its value
+  /// is.
+  [[nodiscard]] std::string id_of(Influence influence) const {
+    const joint::Manifest& m = c_.manifest;
+    const auto stated = m.uncertainty.id.find(calibration::to_string(influence));
+    if (stated != m.uncertainty.id.end()) return stated->second;
+    if (influence == Influence::surrogate_distance)
+      return fmt::format("{:g} m", m.surrogate_distance_m);
+    if (influence == Influence::gravity) return fmt::format("{:g} m/s²", m.gravity_m_s2);
+    const std::string joint = fmt::format("{} {} {}: ", m.robot, m.serial, m.joint);
+    if (influence == Influence::gear_ratio)
+      return joint + fmt::format("{:g}", m.drive.gear_ratio());
+    if (influence == Influence::angle_zero) return joint + "0°";
+    const std::optional<double> constant = m.drive.torque_constant_Nm_A();
+    return joint + (constant ? fmt::format("{:g} N·m/A", *constant) : "N·m");
   }
 
   const calibration::Calibration& c_;

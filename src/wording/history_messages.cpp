@@ -32,6 +32,9 @@ const Messages& history_messages() {
       {"comparison.payloads_load_the_gear",
        text("the payloads differ ({first_payload} and {second_payload}); friction grows with the "
             "load of the gear")},
+      {"comparison.different_influence",
+       text("the two do not rest on the same {influence} ({first_id}; {second_id}): what is stated "
+            "of its error is in the change's interval")},
       {"comparison.verdict_of_first", text("the first calibration's verdict on it is “{verdict}”")},
       {"comparison.verdict_of_second",
        text("the second calibration's verdict on it is “{verdict}”")},

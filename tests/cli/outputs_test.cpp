@@ -75,7 +75,7 @@ TEST(Outputs, ADiskWithRoomForTheNumbersAloneLeavesBothOldFiles) {
   const SmallDataset dataset;
   const std::string disk = dataset.file("disk");
   std::filesystem::create_directory(disk);
-  if (run_shell("mount -t tmpfs -o size=100k none '" + disk + "'").status != 0) {
+  if (run_shell("mount -t tmpfs -o size=120k none '" + disk + "'").status != 0) {
     GTEST_SKIP() << "no file system can be mounted here";
   }
   dataset.scratch().write("disk/report.html", "last year's report");

@@ -1,5 +1,6 @@
 #include "history/comparison.h"
 
+#include <cmath>
 #include <string_view>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,36 @@ TEST(Comparison, ManyQuantitiesDoNotMakeAChangeByChance) {
   EXPECT_LE(with_word, 72) << "5 % and three standard errors";
   EXPECT_GE(with_word, 20) << "a word that is never given finds nothing";
   EXPECT_GE(with_interval, 300);
+}
+
+// Another torque constant, of 2 % each: a difference of 2 % is no change of the joint.
+TEST(Comparison, AnInfluenceOfAnotherSourceIsInTheChange) {
+  auto [a, b] = pair_of(1, [](const std::string& name, std::size_t k) {
+    return name == "coulomb_torque" && k == 1 ? 1.02 : 1.0;
+  });
+  const auto with_sources = [&](const char* first, const char* second) {
+    for (auto* const one : {&a, &b}) {
+      for (calibration::Quantity& q : one->quantities) {
+        if (q.name != "coulomb_torque") continue;
+        q.influences = {{"torque_constant", one == &a ? first : second, 0.01 * q.estimate->value}};
+      }
+    }
+    return compare(a, b, {}, false);
+  };
+  const Comparison shared = with_sources("stand 3", "stand 3");
+  EXPECT_EQ(quantity(shared, "coulomb_torque").word, ChangeWord::changed);
+  EXPECT_TRUE(quantity(shared, "coulomb_torque").cautions.empty());
+  const Comparison apart = with_sources("stand 3", "stand 4");
+  EXPECT_EQ(quantity(apart, "coulomb_torque").word, ChangeWord::no_change_seen);
+  ASSERT_EQ(quantity(apart, "coulomb_torque").cautions.size(), 1U);
+  EXPECT_NE(wording::words(quantity(apart, "coulomb_torque").cautions.front())
+                .find("the same torque constant (stand 3; stand 4)"),
+            std::string::npos);
+  EXPECT_NEAR(quantity(apart, "coulomb_torque").change->percent->half_width(),
+              std::hypot(quantity(shared, "coulomb_torque").change->percent->half_width(), 2.8),
+              0.05);
+  // An older program kept no source.
+  EXPECT_EQ(quantity(with_sources("stand 3", ""), "coulomb_torque").word, ChangeWord::changed);
 }
 
 TEST(Comparison, TemperatureMattersToFrictionAlone) {

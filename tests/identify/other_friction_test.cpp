@@ -78,7 +78,10 @@ TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
   scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
   const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
-  ASSERT_TRUE(stiffness);
+  if (!stiffness) {
+    EXPECT_NE(GetParam(), "lugre");
+    return;
+  }
   const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
   constexpr double small = 0.05;
   const bool is_usable = stiffness_of(c).verdict == calibration::Verdict::usable;

@@ -21,7 +21,7 @@ using joint::Quantity;
 constexpr double percent = 1;
 
 Dataset stated(Dataset d) {
-  d.manifest.uncertainty = {percent, percent, percent, percent, 0.1};
+  d.manifest.uncertainty = {percent, percent, percent, percent, 0.1, {}};
   return d;
 }
 
@@ -104,6 +104,20 @@ TEST(Budget, HoldsTheTruthBesideAWrongTorqueConstant) {
   const calibration::QuantityVerdict& mass = *wrong.judgement.find(Quantity::surrogate_mass);
   EXPECT_GT(mass.estimate->low, right.judgement.find(Quantity::surrogate_mass)->estimate->value);
   EXPECT_NEAR(mass.budget->expanded.half_width() / mass.estimate->value, 0.02, 0.0005);
+}
+
+TEST(Budget, SaysWhereAnErrorComesFrom) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  d.manifest.uncertainty.torque_constant_percent = 2;
+  d.manifest.uncertainty.gravity_percent = 0.1;
+  const auto id_of = [&](Influence influence) {
+    return part_of(*identified(d).judgement.find(Quantity::surrogate_mass), influence)->id;
+  };
+  EXPECT_EQ(id_of(Influence::gravity), "9.81 m/s²");
+  const std::string by_joint = id_of(Influence::torque_constant);
+  EXPECT_NE(by_joint.find(d.manifest.serial), std::string::npos) << by_joint;
+  d.manifest.uncertainty.id["torque_constant"] = "stand 3";
+  EXPECT_EQ(id_of(Influence::torque_constant), "stand 3");
 }
 
 TEST(Budget, SaysThatNobodyStatedTheTorqueConstant) {

@@ -107,6 +107,14 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table) {
   stated.surrogate_distance_percent = percent("surrogate_distance_percent");
   stated.gravity_percent = percent("gravity_percent");
   stated.angle_zero_deg = table.find_number("angle_zero_deg", Sign::not_negative);
+  if (const auto id = table.find_table("id")) {
+    for (const char* const influence :
+         {"torque_constant", "gear_ratio", "surrogate_distance", "gravity", "angle_zero"}) {
+      const std::string text = id->text_or(influence, "");
+      if (!text.empty()) stated.id[influence] = text;
+    }
+    id->refuse_unknown_keys();
+  }
   table.refuse_unknown_keys();
   return stated;
 }

@@ -63,18 +63,19 @@ class Rivalry {
     LagRival rival;
     Eigen::VectorXd residuals;
     bool converged{};
+    double bend_s2{};  ///< What is left of the torque along J d^4 q/dt^4, over J.
   };
 
   /// Start or stop of each row.
   [[nodiscard]] const std::vector<std::size_t>& blocks() const { return blocks_; }
 
   [[nodiscard]] Fitted without_lag() const {
-    const Regression r = regression(LagShape::delay, 0);
+    const Regression r = regression(LagShape::delay, 0, false);
     return described(LagShape::delay, statistics::block_regression(r.x, r.y, blocks_));
   }
 
   [[nodiscard]] Fitted elastic_gear() const {
-    const Regression r = regression(LagShape::elastic_gear, 0);
+    const Regression r = regression(LagShape::elastic_gear, 0, true);
     const statistics::BlockRegression fit = statistics::block_regression(r.x, r.y, blocks_);
     const Eigen::Index last = r.x.cols() - 1;
     const double j = fit.coefficients(RivalColumn::inertia);
@@ -105,6 +106,7 @@ class Rivalry {
       out.rival.size_s = size_s;
       out.rival.half_width_s = fit.half_width(last);
       out.converged = out.rival.inertia_kgm2 > 0;
+      out.bend_s2 = bend_left_by(shape, size_s);
       return out;
     }
     return out;
@@ -131,12 +133,18 @@ class Rivalry {
     return out;
   }
 
+  [[nodiscard]] double bend_left_by(LagShape shape, double size_s) const {
+    const Regression r = regression(shape, size_s, true);
+    const statistics::BlockRegression fit = statistics::block_regression(r.x, r.y, blocks_);
+    return fit.coefficients(r.x.cols() - 1) / fit.coefficients(RivalColumn::inertia);
+  }
+
   /// Linearised about a size: the last coefficient is the next step.
   [[nodiscard]] statistics::BlockRegression about(LagShape shape, double size_s) const {
-    Regression here = regression(shape, size_s);
+    Regression here = regression(shape, size_s, false);
     const double nearby = 0.01 * std::abs(size_s);
-    const Regression less = regression(shape, size_s - nearby);
-    const Regression more = regression(shape, size_s + nearby);
+    const Regression less = regression(shape, size_s - nearby, false);
+    const Regression more = regression(shape, size_s + nearby, false);
     const Eigen::VectorXd norms =
         here.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
     const statistics::OrthogonalColumns solved(here.x * norms.cwiseInverse().asDiagonal());
@@ -147,12 +155,12 @@ class Rivalry {
   }
 
   /// Of torque on motion, the one or the other late by `size_s`.
-  [[nodiscard]] Regression regression(LagShape shape, double size_s) const {
-    const bool is_elastic = shape == LagShape::elastic_gear;
+  /// @param bends whether the last column is the acceleration's second derivative.
+  [[nodiscard]] Regression regression(LagShape shape, double size_s, bool bends) const {
     const Eigen::Index columns = signals_.front().forces.cols();
     Regression out;
     out.x.resize(static_cast<Eigen::Index>(transients_.rows.size()),
-                 RivalColumn::forces + columns + (is_elastic ? 1 : 0));
+                 RivalColumn::forces + columns + (bends ? 1 : 0));
     out.y.resize(out.x.rows());
     Signals shifted;
     for (std::size_t i = 0; i < transients_.rows.size(); ++i) {
@@ -172,7 +180,7 @@ class Rivalry {
       out.x(k, RivalColumn::viscous) = motion(1);
       out.x.row(k).segment(RivalColumn::forces, columns) =
           weights.row(0) * shifted.forces.middleRows(first, weights.cols());
-      if (is_elastic) out.x(k, RivalColumn::forces + columns) = motion(4);
+      if (bends) out.x(k, RivalColumn::forces + columns) = motion(4);
       out.y(k) = weights.row(0).dot(shifted.torque.segment(first, weights.cols()));
     }
     return out;
@@ -201,6 +209,21 @@ class Rivalry {
   std::vector<std::size_t> blocks_;
 };
 
+/// Over starts alone, or over stops alone; where there are none, nothing speaks against it.
+bool leaves_less_in(const Transients& transients, bool starts, const Rivalry::Fitted& a,
+                    const Rivalry::Fitted& b) {
+  double gain = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < transients.rows.size(); ++i) {
+    const TransientRow& row = transients.rows[i];
+    if ((row.speed * row.acceleration > 0) != starts) continue;
+    const auto k = static_cast<Eigen::Index>(i);
+    gain += b.residuals(k) * b.residuals(k) - a.residuals(k) * a.residuals(k);
+    any = true;
+  }
+  return !any || gain > 0;
+}
+
 }  // namespace
 
 std::string to_string(LagShape shape) {
@@ -223,17 +246,35 @@ LagCompetition let_rivals_compete(const Transients& transients, const std::vecto
                                          rivalry.elastic_gear()};
   const Rivalry::Fitted none = rivalry.without_lag();
   constexpr double least_gain = 0.02;  // no model is closer to starts and stops
+  // At a start the bristle bends over first, which looks like a filter; at a stop it does not.
   const auto beats = [&](const Rivalry::Fitted& a, const Rivalry::Fitted& b) {
-    return statistics::leaves_less(a.residuals, b.residuals, rivalry.blocks(), least_gain);
+    return statistics::leaves_less(a.residuals, b.residuals, rivalry.blocks(), least_gain) &&
+           leaves_less_in(transients, true, a, b) && leaves_less_in(transients, false, a, b);
+  };
+  // A delay and a filter of size d differ by d^2/2 J d^4 q/dt^4. What else bends starts and stops,
+  // such as the bristle, does so in all of them alike: it must be less than what tells the two.
+  constexpr double most_of_difference = 0.3;
+  // Over few samples, what sampling and smoothing do to a start looks like a filter.
+  constexpr double fewest_samples_of_filter = 3;
+  double interval_s = 0;
+  for (const Travel& travel : transients.travels) interval_s = std::max(interval_s, travel.dt_s);
+  const auto is_told_by_shape = [&](const Rivalry::Fitted& one) {
+    const LagRival& rival = one.rival;
+    if (rival.shape == LagShape::elastic_gear) return true;
+    if (rival.shape == LagShape::filter &&
+        std::abs(rival.size_s) < fewest_samples_of_filter * interval_s) {
+      return false;
+    }
+    return std::abs(one.bend_s2) < most_of_difference * rival.size_s * rival.size_s / 2;
   };
   LagCompetition out;
   for (const Rivalry::Fitted& one : all) {
     if (!one.converged) continue;
     out.rivals.push_back(one.rival);
-    const bool wins =
-        beats(one, none) && std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
-          return &other == &one || beats(one, other);
-        });
+    const bool wins = is_told_by_shape(one) && beats(one, none) &&
+                      std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
+                        return &other == &one || beats(one, other);
+                      });
     if (wins) out.winner = one.rival.shape;
   }
   return out;

@@ -11,7 +11,8 @@
 // d, tau < 0: it is the angle that comes late. d and tau are found by least squares over the rows
 // of starts and stops; what each rival leaves of the torque there is compared block by block, one
 // block for each start or stop (Q. H. Vuong, Econometrica 57 (1989) 307-333, with the scatter
-// between blocks). A rival is named only where it beats both others beyond doubt.
+// between blocks). A rival is named only where it beats both others beyond doubt, and a delay or a
+// filter only where it leaves little of what tells these two from each other.
 
 #include <optional>
 #include <string>

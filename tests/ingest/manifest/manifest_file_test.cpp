@@ -360,6 +360,15 @@ TEST(ManifestUncertainty, IsReadAsHalfWidths) {
   EXPECT_FALSE(m.manifest.uncertainty.surrogate_distance_percent);
 }
 
+TEST(ManifestUncertainty, SaysWhatAnErrorComesFrom) {
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
+      minimal + "[uncertainty]\n[uncertainty.id]\ntorque_constant = \"stand 3\"\n", "m.toml");
+  EXPECT_EQ(m.manifest.uncertainty.id,
+            (std::map<std::string, std::string>{{"torque_constant", "stand 3"}}));
+  EXPECT_NE(refusal(minimal + "[uncertainty.id]\ntorque = \"stand 3\"\n").find("torque_constant"),
+            std::string::npos);
+}
+
 TEST(ManifestUncertainty, ThatCannotBeMeantIsRefused) {
   const auto stated = [](const std::string& keys) {
     return refusal(minimal + "[uncertainty]\n" + keys);
