@@ -210,14 +210,19 @@ Transients find_transients(const std::vector<const joint::Recording*>& recording
   }
   if (found.travels.empty()) return found;
   // A slow run is over its start before the bristle has bent over: friction then grows with the way
-  // and not with the speed, which looks like a lag.
+  // and not with the speed, which looks like a lag. Where only few others are left, it counts.
   constexpr double least_share_of_fastest = 0.3;
+  constexpr std::size_t enough = 12;
   std::vector<double> speeds;
   for (const Travel& travel : found.travels) speeds.push_back(scale_of(travel).speed);
   const double fastest = *std::max_element(speeds.begin(), speeds.end());
-  for (std::size_t i = 0; i < found.travels.size(); ++i) {
-    if (speeds[i] < least_share_of_fastest * fastest) continue;
-    TransientFinder(found.travels, i).add(found.rows, found.count);
+  for (const double least : {least_share_of_fastest * fastest, 0.0}) {
+    found.rows.clear();
+    found.count = 0;
+    for (std::size_t i = 0; i < found.travels.size(); ++i) {
+      if (speeds[i] >= least) TransientFinder(found.travels, i).add(found.rows, found.count);
+    }
+    if (found.count >= enough) break;
   }
   return found;
 }
