@@ -60,10 +60,6 @@ std::vector<double> holm_adjusted(const std::vector<double>& chances) {
 
 namespace {
 
-using calibration::Facts;
-using calibration::Measured;
-using calibration::Quantity;
-
 Statement payload_statement(const calibration::Facts& f) {
   const double kg = f.payload_kg.value_or(0);
   const double metres = f.payload_distance_m.value_or(0);
