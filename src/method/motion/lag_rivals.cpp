@@ -88,11 +88,12 @@ class Rivalry {
     return out;
   }
 
-  [[nodiscard]] Fitted late(LagShape shape, double size_s) const {
+  /// @param none what is left without a lag: all there is where none is to start from.
+  [[nodiscard]] Fitted late(LagShape shape, double size_s, const Fitted& none) const {
     constexpr int most_steps = 15;
     constexpr double last_step_s = 1e-6;
-    Fitted out = without_lag();
-    if (size_s == 0) return out;
+    if (size_s == 0) return none;
+    Fitted out;
     for (int k = 0; k < most_steps; ++k) {
       const statistics::BlockRegression fit = about(shape, size_s);
       const Eigen::Index last = fit.coefficients.size() - 1;
@@ -241,10 +242,10 @@ std::string to_string(LagShape shape) {
 LagCompetition let_rivals_compete(const Transients& transients, const std::vector<double>& knots,
                                   double lag_s) {
   const Rivalry rivalry(transients, knots);
-  const std::vector<Rivalry::Fitted> all{rivalry.late(LagShape::delay, lag_s),
-                                         rivalry.late(LagShape::filter, lag_s),
-                                         rivalry.elastic_gear()};
   const Rivalry::Fitted none = rivalry.without_lag();
+  const std::vector<Rivalry::Fitted> all{rivalry.late(LagShape::delay, lag_s, none),
+                                         rivalry.late(LagShape::filter, lag_s, none),
+                                         rivalry.elastic_gear()};
   constexpr double least_gain = 0.02;  // no model is closer to starts and stops
   // At a start the bristle bends over first, which looks like a filter; at a stop it does not.
   const auto beats = [&](const Rivalry::Fitted& a, const Rivalry::Fitted& b) {
