@@ -36,13 +36,15 @@ LuGreGrain thinned(const LuGreInput& loop) {
   return {stride_of(*loop.recording, loop.frequency_Hz()), 1, most_samples};
 }
 
-/// For long recordings: this many samples lead close to the solution for all samples.
+/// Samples that lead close to the solution for all samples: a few times as many as for first
+/// guesses.
 LuGreGrain halfway(const LuGreInput& loop) {
-  constexpr std::size_t long_from = 100'000;
   constexpr std::size_t most_samples = 20'000;
-  const std::size_t size = loop.recording->size();
-  if (size < long_from) return {};
-  return {std::clamp<std::size_t>(size / most_samples, 1, thinned(loop).stride), 1, most_samples};
+  constexpr std::size_t times_thinned = 4;
+  const std::size_t finest = thinned(loop).stride;
+  const std::size_t stride =
+      std::max(finest / times_thinned, loop.recording->size() / most_samples);
+  return {std::clamp<std::size_t>(stride, 1, finest), 1, most_samples};
 }
 
 /// All samples; in a long recording neighbours are averaged where their mean contains all they do.

@@ -30,6 +30,13 @@ constexpr double least_gain = 25;
 /// a standard error. Further digits cost as much as those that count.
 constexpr double smallest_gain = 1e-4;
 
+/// Rows from which on it stops there.
+constexpr Eigen::Index many_rows = 100'000;
+
+/// Most evaluations from a rough solution: what shows is a few steps away; what does not, wanders
+/// along the valley that share and fall of the friction make together.
+constexpr int longest_way = 25;
+
 std::vector<Shared::Index> with(std::vector<Shared::Index> some,
                                 std::initializer_list<Shared::Index> more) {
   some.insert(some.end(), more);
@@ -134,12 +141,14 @@ class Climber {
     LuGrePoint start = guess;
     statistics::LeastSquaresLimits limits;
     if (halfway_ != nullptr) {
-      limits.cost_change = smallest_gain / static_cast<double>(problem_.rows());
-      const LuGreProblem::Solution nearby = halfway_->solve(free, guess, limits);
+      const double cost_change = smallest_gain / static_cast<double>(problem_.rows());
+      const LuGreProblem::Solution nearby =
+          halfway_->solve(free, guess, {cost_change, limits.step, longest_way});
       evaluations_ += nearby.evaluations;
       if (!nearby.converged) return out;  // all samples would not lead anywhere either
       start = nearby.point;
-      limits.evaluations = 15;  // what shows is a few steps away; what does not, wanders
+      limits.evaluations = longest_way;
+      if (problem_.rows() > many_rows) limits.cost_change = cost_change;
     }
     const LuGreProblem::Solution s = problem_.solve(free, start, limits);
     evaluations_ += s.evaluations;
