@@ -206,7 +206,7 @@ ReadFile file_of(const calibration::Input& input, const ReadJson& object) {
 
 /// Of a file of its own, not beside another.
 bool has_conversions(const ReadJson& top, const InputFile& file) {
-  const bool is_log = file.role != "manifest" && file.role != "robot";
+  const bool is_log = !file.role.starts_with("manifest") && file.role != "robot";
   return is_log &&
          std::any_of(list_of(top, "conversions").begin(), list_of(top, "conversions").end(),
                      [&](const ReadJson& one) {

@@ -6,12 +6,15 @@
 #include "api/drawing.h"
 #include "api/guard.h"
 #include "base/encodings.h"
+#include "base/error.h"
+#include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
 #include "figures/figure_csv.h"
 #include "figures/figure_set.h"
 #include "history/comparison.h"
 #include "paper/scenes/scene_figures.h"
 #include "report/html_report.h"
+#include "report/robot_page.h"
 
 namespace tribolog::api {
 namespace {
@@ -68,6 +71,25 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
     return Report{report::html_report(identified.calibration, figures, drawn, provenance,
                                       since_last, language),
                   api::outcomes_of(drawn)};
+  });
+}
+
+std::string make_robot_page(const std::vector<RobotJoint>& joints,
+                            const RobotPageOptions& options) {
+  return api::guarded([&] {
+    const wording::Language language = api::language_of(options.language);
+    if (joints.empty()) throw UsageError("a robot's page needs a joint");
+    std::vector<report::RobotJoint> shown;
+    for (const RobotJoint& joint : joints) {
+      report::RobotJoint& one = shown.emplace_back();
+      one.name = joint.name;
+      one.refusal = joint.refusal;
+      one.file = joint.report;
+      if (!joint.calibration) continue;
+      one.calibration = &api::Inside::of(*joint.calibration).calibration;
+      one.since_last = api::since(joint.earlier, *joint.calibration, joint.kept_as);
+    }
+    return report::robot_page(shown, calibration::make_provenance(options.command_line), language);
   });
 }
 

@@ -89,28 +89,41 @@ void Archiving::open() {
                                                 static_cast<int>(1e3 * options_.wait_s)));
 }
 
-void Archiving::keep_numbers(const std::string& calibration, const std::string& file,
-                             const std::string& manifest, Console& console) {
-  if (!options_.location) return;
-  calibration::NewCalibration made = calibration::entry_of_calibration(calibration, file);
-  if (options_.inputs) {
-    add_inputs(std::filesystem::path(manifest).parent_path().string(), made);
+std::vector<std::string> Archiving::keep_numbers(const std::vector<NumbersToKeep>& numbers,
+                                                 const std::string& manifest, Console& console) {
+  if (!options_.location || numbers.empty()) return {};
+  std::vector<calibration::NewCalibration> made;
+  for (const NumbersToKeep& one : numbers) {
+    made.push_back(calibration::entry_of_calibration(one.calibration, one.file));
+    if (options_.inputs) {
+      add_inputs(std::filesystem::path(manifest).parent_path().string(), made.back());
+    }
   }
   if (!archive_) open();
-  const archive::store::Added added =
-      archive_->add(made, options_.again, calibration::make_provenance({}).created_utc);
-  id_ = added.id;
-  tell_added(added, file, console);
+  const std::string now = calibration::make_provenance({}).created_utc;
+  const std::vector<archive::store::Added> added = archive_->add(made, options_.again, now);
+  std::vector<std::string> ids;
   DoubtfulIdentities doubtful;
-  if (added.is_new) doubtful.add(made.facts, calibration::make_provenance({}).created_utc);
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    ids.push_back(added[k].id);
+    tell_added(added[k], numbers[k].file, console);
+    if (added[k].is_new) doubtful.add(made[k].facts, now);
+  }
   doubtful.tell(console);
+  return ids;
 }
 
-std::optional<EarlierCalibration> Archiving::since_last() {
-  if (!archive_ || id_.empty()) return std::nullopt;
-  const calibration::JointName of = archive_->find(id_).facts.of;
+std::string Archiving::keep_numbers(const NumbersToKeep& numbers, const std::string& manifest,
+                                    Console& console) {
+  const std::vector<std::string> ids = keep_numbers(std::vector{numbers}, manifest, console);
+  return ids.empty() ? "" : ids.front();
+}
+
+std::optional<EarlierCalibration> Archiving::since_last(const std::string& id) {
+  if (!archive_ || id.empty()) return std::nullopt;
+  const calibration::JointName of = archive_->find(id).facts.of;
   const auto all = archive_->measured({of.robot, of.serial, of.joint, true});
-  const auto is_this = [&](const calibration::Measured& one) { return one.entry.id == id_; };
+  const auto is_this = [&](const calibration::Measured& one) { return one.entry.id == id; };
   const auto now = std::find_if(all.begin(), all.end(), is_this);
   if (now == all.end()) return std::nullopt;  // it has a later revision
   const calibration::Measured* before = nullptr;
@@ -119,20 +132,20 @@ std::optional<EarlierCalibration> Archiving::since_last() {
   }
   if (before == nullptr) return std::nullopt;
   const auto json = archive_->document(before->entry, calibration::DocumentKind::calibration);
-  const std::string id = before->entry.id.substr(0, calibration::shown_digits);
-  if (!json) throw ArchiveError(id + ": its calibration is not in the archive");
+  const std::string shown = before->entry.id.substr(0, calibration::shown_digits);
+  if (!json) throw ArchiveError(shown + ": its calibration is not in the archive");
   try {
-    return EarlierCalibration{Calibration::from_json(*json, id), before->entry.id};
+    return EarlierCalibration{Calibration::from_json(*json, shown), before->entry.id};
   } catch (const Failure& failure) {
     throw ArchiveError(std::string("what the archive has cannot be read: ") + failure.what());
   }
 }
 
-void Archiving::keep_report(const std::string& html, Console& console) {
+void Archiving::keep_report(const std::string& id, const std::string& html, Console& console) {
   if (!archive_) return;
-  if (!archive_->attach_report(id_, html, calibration::make_provenance({}).created_utc)) {
+  if (!archive_->attach_report(id, html, calibration::make_provenance({}).created_utc)) {
     console.say("the archive keeps its existing report of " +
-                id_.substr(0, calibration::shown_digits));
+                id.substr(0, calibration::shown_digits));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "archive/store/calibration_archive.h"
 #include "calibration/archived_calibration.h"
@@ -47,6 +48,12 @@ struct ArchivingOptions {
   [[nodiscard]] std::string file() const;
 };
 
+/// A calibration's JSON, and the file that gets it.
+struct NumbersToKeep {
+  std::string calibration;
+  std::string file;
+};
+
 /// Opens the archive before anything is computed, so that one that cannot be written is told early;
 /// one that is not there yet is made with its first calibration, and only looked for before.
 class Archiving {
@@ -55,28 +62,27 @@ class Archiving {
   /// an archive.
   explicit Archiving(const ArchivingOptions& options);
 
-  /// @param calibration the JSON that `file` gets. @param manifest the dataset's.
+  /// All of them or, where one cannot be archived, none. @param manifest the dataset's.
+  /// @return their ids; empty where nothing is archived.
   /// @throw as archive::open_archive(); ArchiveError, OutputError: not archived.
-  void keep_numbers(const std::string& calibration, const std::string& file,
-                    const std::string& manifest, Console& console);
+  std::vector<std::string> keep_numbers(const std::vector<NumbersToKeep>& numbers,
+                                        const std::string& manifest, Console& console);
+  /// The same of one joint. @return empty where nothing is archived.
+  std::string keep_numbers(const NumbersToKeep& numbers, const std::string& manifest,
+                           Console& console);
 
-  /// The joint's calibration before the one whose numbers were kept; absent where nothing is
-  /// archived, or there is none before.
-  /// @throw ArchiveError: what is archived of it cannot be read.
-  std::optional<EarlierCalibration> since_last();
+  /// The joint's calibration before this one; absent where nothing is archived, or there is none
+  /// before. @throw ArchiveError: what is archived of it cannot be read.
+  std::optional<EarlierCalibration> since_last(const std::string& id);
 
   /// Nothing where nothing is archived.
-  void keep_report(const std::string& html, Console& console);
-
-  /// The id that the numbers have; empty where nothing is archived.
-  [[nodiscard]] const std::string& id() const { return id_; }
+  void keep_report(const std::string& id, const std::string& html, Console& console);
 
  private:
   void open();
 
   ArchivingOptions options_;
   std::optional<archive::store::CalibrationArchive> archive_;
-  std::string id_;
 };
 
 }  // namespace tribolog::cli

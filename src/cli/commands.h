@@ -110,6 +110,7 @@ struct StudyCommandOptions {
 struct InspectedLogs {
   std::vector<std::string> files;
   inspect::survey::ProposalOptions known;
+  inspect::survey::KnownOfJoints of_joints;  ///< Several values with all joints alone.
 };
 
 struct InspectOptions {
@@ -119,8 +120,9 @@ struct InspectOptions {
 
 struct InitOptions {
   InspectedLogs logs;
-  std::string output;  ///< The manifest.
-  bool force{false};   ///< Replaces one that exists.
+  std::string output;      ///< The manifest.
+  bool all_joints{false};  ///< A robot's, with all joints in the logs.
+  bool force{false};       ///< Replaces one that exists.
 };
 
 /// Says what logs hold, and proposes a manifest.

@@ -16,6 +16,23 @@ namespace {
 constexpr std::size_t longest_line = 1000;
 constexpr std::size_t longest_bar_text = 80;
 
+std::string line_of(const Console::Step& step) {
+  if (step.what.empty() || step.name.empty()) return step.what;
+  return step.name + ": " + step.what;
+}
+
+std::string bar_of(const Console::Step& step) {
+  constexpr std::size_t width = 30;
+  const std::size_t filled = step.all == 0 ? 0 : width * step.done / step.all;
+  return fmt::format("[{}{}] {}/{} {}", std::string(filled, '#'), std::string(width - filled, '.'),
+                     step.done, step.all, printable(line_of(step), longest_bar_text));
+}
+
+/// Of several lines, the cursor being in the last.
+std::string back_to_first_line(int lines) {
+  return lines > 1 ? fmt::format("\x1b[{}A", lines - 1) : "";
+}
+
 }  // namespace
 
 Console::Console(bool quiet)
@@ -25,27 +42,41 @@ Console::Console(bool quiet)
 
 Console::~Console() { finish(); }
 
+bool Console::is_too_early() const {
+  using std::chrono::steady_clock;
+  return lines_drawn_ == 0 && steady_clock::now() - start_ < std::chrono::seconds(1);
+}
+
 void Console::progress(const std::string& what, std::size_t done, std::size_t all) {
-  if (quiet_ || all == 0) return;
+  if (all > 0) progress(std::vector<Step>{{"", what, done, all}});
+}
+
+void Console::progress(const std::vector<Step>& steps) {
+  if (quiet_) return;
   if (!terminal_) {
-    if (what != last_) std::cerr << "tribolog: " << printable(what, longest_line) << '\n';
-    last_ = what;
+    last_.resize(steps.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const std::string line = line_of(steps[k]);
+      if (!line.empty() && line != last_[k]) {
+        std::cerr << "tribolog: " << printable(line, longest_line) << '\n';
+      }
+      last_[k] = line;
+    }
     return;
   }
-  using std::chrono::steady_clock;
-  if (!drawn_ && steady_clock::now() - start_ < std::chrono::seconds(1)) return;
-  constexpr std::size_t width = 30;
-  const std::size_t filled = width * done / all;
-  std::cerr << fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
-                           std::string(width - filled, '.'), done, all,
-                           printable(what, longest_bar_text))
-            << std::flush;
-  drawn_ = true;
+  if (is_too_early()) return;
+  std::string drawing = back_to_first_line(lines_drawn_);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (k > 0) drawing += '\n';
+    drawing += "\r\x1b[K" + bar_of(steps[k]);
+  }
+  std::cerr << drawing << std::flush;
+  lines_drawn_ = static_cast<int>(steps.size());
 }
 
 void Console::finish() {
-  if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
-  drawn_ = false;
+  if (lines_drawn_ > 0) std::cerr << back_to_first_line(lines_drawn_) << "\r\x1b[J" << std::flush;
+  lines_drawn_ = 0;
 }
 
 void Console::say(const std::string& line) {

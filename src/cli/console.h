@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace tribolog::cli {
 
@@ -19,6 +20,14 @@ class Console {
   /// A step of work: `done` of `all`. Drawn on a terminal once the work has taken a second; in a
   /// pipe each new step is one line.
   void progress(const std::string& what, std::size_t done, std::size_t all);
+  /// Steps of works that go on at the same time, a line each: on a terminal below each other, in a
+  /// pipe those that are new.
+  struct Step {
+    std::string name;  ///< Of the work.
+    std::string what;  ///< Empty: it has not begun.
+    std::size_t done{}, all{1};
+  };
+  void progress(const std::vector<Step>& steps);
   /// Ends the bar, so that the next line starts clean.
   void finish();
   /// An output that goes to standard output has it for itself: say() goes to standard error then.
@@ -32,9 +41,10 @@ class Console {
  private:
   bool quiet_;
   bool terminal_;
-  bool drawn_{false};
+  int lines_drawn_{0};
   bool is_output_elsewhere_{false};
-  std::string last_;
+  [[nodiscard]] bool is_too_early() const;
+  std::vector<std::string> last_;  ///< Of each work, in a pipe.
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -10,6 +10,8 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
+#include "cli/robot_commands.h"
+#include "cli/robot_joints.h"
 #include "cli/shared_options.h"
 #include "tribolog/figures.h"
 #include "tribolog/files.h"
@@ -36,6 +38,9 @@ std::string listed_formats(const std::vector<FigureFormat>& formats) {
 }  // namespace
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
+  if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
+    return draw_robot(options, joints, console);
+  }
   std::optional<Renderer> renderer;
   // Starts while the numbers are computed.
   if (needs_renderer(options.dataset.manifest, options.formats)) {

@@ -121,18 +121,21 @@ Progress progress_on(Console& console) {
 Dataset load_dataset(const DatasetChoice& choice, Console& console) {
   console.progress("reading " + printable(choice.manifest), 0, 1);
   Dataset dataset = Dataset::read(choice.manifest, choice.joint);
-  for (const Message& note : dataset.notes()) {
-    console.warn("note: " + printable(note.words, longest_reading_note));
-  }
+  tell_notes(dataset, "", console);
   return dataset;
+}
+
+void tell_notes(const Dataset& dataset, const std::string& before, Console& console) {
+  for (const Message& note : dataset.notes()) {
+    console.warn(before + "note: " + printable(note.words, longest_reading_note));
+  }
 }
 
 void protect_inputs(const Dataset& dataset, const std::string& output) {
   check_output_can_be_written(output, dataset.files());
 }
 
-Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
-                               Console& console) {
+IdentifyOptions options_of(const IdentificationSettings& settings) {
   const std::optional<std::uint64_t>& resamples = settings.intervals.resamples;
   if (resamples && !joint::resamples_are_allowed(*resamples)) {
     throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", *resamples,
@@ -143,6 +146,12 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
   options.seed = settings.intervals.seed;
   options.truth_runs = settings.truth_runs;
   options.command_line = settings.arguments;
+  return options;
+}
+
+Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
+                               Console& console) {
+  IdentifyOptions options = options_of(settings);
   options.progress = progress_on(console);
   return identify_joint(dataset, options);
 }

@@ -25,6 +25,9 @@ struct DatasetChoice {
 /// Reads the manifest and its recordings; notes go to the console.
 Dataset load_dataset(const DatasetChoice& choice, Console& console);
 
+/// What the reader noticed. @param before each.
+void tell_notes(const Dataset& dataset, const std::string& before, Console& console);
+
 /// Refuses an output that is one of the dataset's own files.
 /// @throw UsageError
 void protect_inputs(const Dataset& dataset, const std::string& output);
@@ -36,7 +39,10 @@ struct IdentificationSettings {
   std::vector<std::string> arguments;  ///< The whole command line, for the provenance.
 };
 
-/// @throw UsageError for a number of resamples that gives no interval.
+/// Without progress. @throw UsageError for a number of resamples that gives no interval.
+IdentifyOptions options_of(const IdentificationSettings& settings);
+
+/// @throw UsageError as options_of().
 Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
                                Console& console);
 

@@ -5,12 +5,17 @@
 #include "cli/archiving.h"
 #include "cli/commands.h"
 #include "cli/identification.h"
+#include "cli/robot_commands.h"
+#include "cli/robot_joints.h"
 #include "cli/shared_options.h"
 
 namespace tribolog::cli {
 
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console) {
+  if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
+    return identify_robot(options, joints, arguments, console);
+  }
   check_output_can_be_written(options.output, {options.dataset.manifest, options.archiving.file()});
   console.make_way_for(options.output);
   static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
@@ -21,7 +26,8 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
       run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(options.output, calibration.to_json());
-  archiving.keep_numbers(calibration.to_json(), options.output, options.dataset.manifest, console);
+  archiving.keep_numbers({calibration.to_json(), options.output}, options.dataset.manifest,
+                         console);
   files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));

@@ -100,13 +100,51 @@ void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& c
   }
 }
 
+/// What is known of the one joint. @throw UsageError: several values.
+inspect::survey::ProposalOptions known_of_one(const InspectedLogs& logs) {
+  inspect::survey::ProposalOptions known = logs.known;
+  const auto only = [](const std::vector<double>& values, const char* option) {
+    if (values.size() > 1) {
+      throw UsageError(std::string(option) + ": several values are for --all-joints of init");
+    }
+    return values.empty() ? std::nullopt : std::optional(values.front());
+  };
+  known.gear_ratio = only(logs.of_joints.gear_ratios, "--gear-ratio");
+  known.torque_constant_Nm_A = only(logs.of_joints.torque_constants_Nm_A, "--torque-constant");
+  return known;
+}
+
+/// @return the manifest's text.
+std::string propose(const InitOptions& options, const std::vector<inspect::survey::LogSurvey>& logs,
+                    Console& console) {
+  const std::string directory = std::filesystem::path(options.output).parent_path().string();
+  if (!options.all_joints) {
+    inspect::survey::ProposalOptions known = known_of_one(options.logs);
+    known.directory = directory;
+    const inspect::survey::ManifestProposal one = inspect::survey::propose_manifest(logs, known);
+    tell_proposal(one, console);
+    return one.text;
+  }
+  inspect::survey::ProposalOptions known = options.logs.known;
+  known.directory = directory;
+  const inspect::survey::RobotProposal robot =
+      inspect::survey::propose_robot_manifest(logs, known, options.logs.of_joints);
+  for (const inspect::survey::ManifestProposal& joint : robot.joints) {
+    tell_proposal(joint, console);
+  }
+  if (!robot.without_role.empty()) {
+    console.say("left out, as they do not move: " + list_of_names(robot.without_role, 8));
+  }
+  return robot.text;
+}
+
 }  // namespace
 
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   if (!options.json.empty()) check_output_can_be_written(options.json, options.logs.files);
   console.make_way_for(options.json);
   const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
-  const Proposed proposed = try_to_propose(logs, options.logs.known);
+  const Proposed proposed = try_to_propose(logs, known_of_one(options.logs));
   console.say(inspect::survey::survey_text(logs, proposed.joint));
   if (!proposed.text.empty()) {
     console.say("Proposed manifest; tribolog init FILE... -o dataset.toml writes it:\n\n" +
@@ -129,11 +167,8 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   check_output_can_be_written(options.output, options.logs.files);
   console.make_way_for(options.output);
   const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
-  inspect::survey::ProposalOptions known = options.logs.known;
-  known.directory = fs::path(options.output).parent_path().string();
-  const inspect::survey::ManifestProposal proposal = inspect::survey::propose_manifest(logs, known);
-  write_file_atomically(options.output, proposal.text);
-  tell_proposal(proposal, console);
+  const std::string text = propose(options, logs, console);
+  write_file_atomically(options.output, text);
   console.say("manifest: " + printable(options.output, 400));
   return status_of(logs);
 }
@@ -152,11 +187,13 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format")->required();
   command.add_option("--joint", logs.known.joint,
                      "name of the joint in the logs; default: the one that moves most");
-  command.add_option("--gear-ratio", logs.known.gear_ratio, "motor angle / joint angle")
+  command.add_option("--gear-ratio", logs.of_joints.gear_ratios, "motor angle / joint angle")
+      ->delimiter(',')
       ->check(number_between(1e-3, 1e6));
   command
-      .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
+      .add_option("--torque-constant", logs.of_joints.torque_constants_Nm_A,
                   "N·m per ampere, for a motor current; an effort of unknown kind counts as one")
+      ->delimiter(',')
       ->check(number_between(1e-6, 1e6));
   command
       .add_option_function<std::string>(
@@ -228,9 +265,15 @@ CLI::App& add_init(CLI::App& app, InitOptions& init) {
   CLI::App& command = *app.add_subcommand("init", "write the manifest that inspect proposes");
   add_inspected_logs(command, init.logs);
   command.add_option("-o,--output", init.output, "manifest (TOML) to write")->required();
+  command
+      .add_flag("--all-joints", init.all_joints,
+                "a manifest of the whole robot, with every joint that moves in the logs")
+      ->excludes("--joint");
   command.add_flag("--force", init.force, "replace an existing manifest");
   command.footer(
-      "\nGear ratio and torque constant are rarely in a log: state them here, or in the file.\nIts "
+      "\nWith --all-joints, --gear-ratio and --torque-constant take one value for all joints, or "
+      "one for\neach in the order of the logs, separated by commas.\nGear ratio and torque "
+      "constant are rarely in a log: state them here, or in the file.\nIts "
       "comments say what was guessed.");
   return command;
 }

@@ -9,6 +9,8 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
+#include "cli/robot_commands.h"
+#include "cli/robot_joints.h"
 #include "tribolog/figures.h"
 #include "tribolog/report.h"
 
@@ -36,6 +38,9 @@ std::string calibration_of(const ReportOptions& options) {
 
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {
+  if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
+    return report_robot(options, joints, arguments, console);
+  }
   const std::string numbers = calibration_of(options);
   for (const std::string& output : {options.output, numbers}) {
     check_output_can_be_written(output, {options.dataset.manifest, options.archiving.file()});
@@ -56,14 +61,14 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
       run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(numbers, calibration.to_json());
-  archiving.keep_numbers(calibration.to_json(), numbers, options.dataset.manifest, console);
+  const std::string id =
+      archiving.keep_numbers({calibration.to_json(), numbers}, options.dataset.manifest, console);
 
   const Report report = make_report(
-      calibration,
-      {options.language.code, archiving.since_last(), archiving.id(), progress_on(console)},
+      calibration, {options.language.code, archiving.since_last(id), id, progress_on(console)},
       renderer ? &*renderer : nullptr);
   files.add(options.output, report.html);
-  archiving.keep_report(report.html, console);
+  archiving.keep_report(id, report.html, console);
   files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(numbers, longest_path));

@@ -1,4 +1,7 @@
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -8,6 +11,7 @@
 #include "exports/simulation/simulation_files.h"
 #include "ingest/manifest/scenario_file.h"
 #include "ingest/manifest/toml_table.h"
+#include "simulate/robot_log.h"
 #include "simulate/simulate_joint.h"
 #include "wording/words.h"
 
@@ -16,10 +20,10 @@ namespace tribolog::cli {
 namespace {
 
 /// @throw InputError: numbers of which each is possible, and that together cannot be simulated.
-std::vector<joint::Recording> simulated(const simulate::Scenario& scenario,
-                                        const std::string& file) {
+template <class Simulate>
+auto simulated(const std::string& file, Simulate simulate) {
   try {
-    return simulate::simulate_joint(scenario);
+    return simulate();
   } catch (const std::invalid_argument& error) {
     throw InputError(
         ingest::manifest::place_in_toml(read_file(file), file, "friction", "presliding"),
@@ -28,13 +32,33 @@ std::vector<joint::Recording> simulated(const simulate::Scenario& scenario,
   }
 }
 
+ExitStatus simulate_robot(std::vector<simulate::Scenario> joints, const SimulateOptions& options,
+                          Console& console) {
+  if (options.seed) {
+    std::uint64_t seed = *options.seed;
+    for (simulate::Scenario& joint : joints) joint.noise.seed = seed++;
+  }
+  console.progress("simulating " + joints.front().name, 0, 2);
+  const simulate::RobotLog log =
+      simulated(options.scenario, [&] { return simulate::simulate_robot(joints); });
+  console.progress("writing the log", 1, 2);
+  exports::simulation::write_robot_simulation(joints, log, options.directory, {options.scenario});
+  console.say(fmt::format("{}: {} joints in one log, {} samples", options.directory, joints.size(),
+                          log.t_s.size()));
+  return ExitStatus::done;
+}
+
 }  // namespace
 
 ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
+  if (auto joints = ingest::manifest::read_robot_scenario(options.scenario); !joints.empty()) {
+    return simulate_robot(std::move(joints), options, console);
+  }
   simulate::Scenario scenario = ingest::manifest::read_scenario(options.scenario);
   if (options.seed) scenario.noise.seed = *options.seed;
   console.progress("simulating " + scenario.name, 0, 2);
-  const std::vector<joint::Recording> recordings = simulated(scenario, options.scenario);
+  const std::vector<joint::Recording> recordings =
+      simulated(options.scenario, [&] { return simulate::simulate_joint(scenario); });
   console.progress("writing the recordings", 1, 2);
   exports::simulation::write_simulation(scenario, recordings, options.directory,
                                         {options.scenario});
@@ -53,7 +77,8 @@ CLI::App& add_simulate(CLI::App& app, SimulateOptions& simulate) {
   command.add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's")
       ->check(whole_number());
   command.footer(
-      "\nWrites one CSV per recording, dataset.toml (for report) and truth.json.\n"
+      "\nWrites one CSV per recording, dataset.toml (for report) and truth.json. A scenario with\n"
+      "[[joints]] is a robot's: one log, robot.csv, with robot.toml (for report).\n"
       "examples/paper/scenario.toml shows every key with its unit.");
   return command;
 }

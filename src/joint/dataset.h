@@ -71,7 +71,7 @@ struct LoggedEffort {
 /// An input file as it was read; goes into the provenance.
 struct InputFile {
   std::string name;  ///< As written in the manifest (no directory of the machine).
-  std::string role;  ///< "manifest", "robot" or the recording's role.
+  std::string role;  ///< "manifest", "manifest of joint J1", "robot", a Role.
   std::uint64_t bytes{};
   std::string sha256;  ///< 64 hex digits.
   std::size_t rows_read{};

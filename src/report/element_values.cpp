@@ -41,6 +41,16 @@ void fill_outcome(Outcome outcome, TemplateValues& values) {
   values.add_section(icons[static_cast<int>(outcome)]);
 }
 
+std::string link_to(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-' || c == '_';
+    text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return text;
+}
+
 void fill_table(const Table& table, const std::string& marker, TemplateValues& values) {
   if (table.rows.empty()) return;
   TemplateValues& out = values.add_include(marker, "table.tpl");

@@ -15,6 +15,9 @@ const char* class_of(Outcome outcome);
 /// OUTCOME and the section of its icon.
 void fill_outcome(Outcome outcome, TemplateValues& values);
 
+/// A path as the link to it; of its bytes, those that mean something there are escaped.
+std::string link_to(const std::string& path);
+
 /// One more table.tpl at the marker; nothing if the table has no rows.
 void fill_table(const Table& table, const std::string& marker, TemplateValues& values);
 

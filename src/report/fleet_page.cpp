@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <fmt/format.h>
-
 #include "calibration/archived_calibration.h"
 #include "report/element_values.h"
 #include "report/fleet_values.h"
@@ -140,13 +138,7 @@ void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers, Template
 
 std::string FleetLinks::href(const std::string& id) const {
   if (ids.count(id) == 0) return "";
-  std::string text;
-  for (const char c : directory + "/" + id + ".html") {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-' || c == '_';
-    text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return text;
+  return link_to(directory + "/" + id + ".html");
 }
 
 std::string column_name(const history::FleetColumn& column) {

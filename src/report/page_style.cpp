@@ -41,7 +41,10 @@ const std::string& own_style(PageKind kind) {
   static const std::string plain(embedded_file("report.css"));
   static const std::string with_viewer = plain + std::string(embedded_file("viewer.css"));
   static const std::string fleet = plain + std::string(embedded_file("fleet.css"));
+  static const std::string robot = plain + std::string(embedded_file("robot.css"));
   switch (kind) {
+    case PageKind::robot:
+      return robot;
     case PageKind::with_viewer:
       return with_viewer;
     case PageKind::fleet:

@@ -10,7 +10,7 @@
 namespace tribolog::report {
 
 /// What a page has beyond tables and figures.
-enum class PageKind { plain, with_viewer, fleet };
+enum class PageKind { plain, with_viewer, fleet, robot };
 
 /// The style sheet, with the page's own behind it.
 const std::string& own_style(PageKind kind);

@@ -106,6 +106,9 @@ const Messages& friction_messages() {
 
       // A scenario that cannot be simulated.
       {"scenario.no_friction_model", text("the scenario has no friction model")},
+      {"scenario.joints_share_their_clock",
+       text("lost samples and a scattering clock are for one joint: those of a robot share a "
+            "clock")},
       {"scenario.no_first_oscillation",
        text("further oscillations are stated without a first one")},
       {"scenario.too_few_cycles", text("cycles {cycles} is not allowed; it must be >= 1")},

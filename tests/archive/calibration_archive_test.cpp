@@ -37,6 +37,21 @@ TEST_P(AnyArchive, GivesBackWhatWasAdded) {
   EXPECT_TRUE(faults().empty());
 }
 
+TEST_P(AnyArchive, JointsOfARobotAreKeptTogetherOrNotAtAll) {
+  store::CalibrationArchive archive = open();
+  std::vector<calibration::NewCalibration> joints{sample_calibration(1, 1, 1, 0.4),
+                                                  sample_calibration(1, 2, 1, 0.5)};
+  const std::vector<store::Added> added = archive.add(joints, false, now);
+  ASSERT_EQ(added.size(), 2U);
+  EXPECT_NE(added[0].id, added[1].id);
+  EXPECT_EQ(archive.list({}).size(), 2U);
+  joints = {sample_calibration(2, 1, 1, 0.4), sample_calibration(2, 2, 1, 0.5)};
+  joints[1].facts.of.joint = std::string("\0", 1);  // no archive keeps it
+  EXPECT_THROW((void)archive.add(joints, false, now), UsageError);
+  EXPECT_EQ(archive.list({}).size(), 2U);
+  EXPECT_TRUE(faults().empty());
+}
+
 TEST_P(AnyArchive, TheSameInputsAreOneEntry) {
   store::CalibrationArchive archive = open();
   calibration::NewCalibration one = test::sample_calibration(1, 2, 3, 0.45);

@@ -123,6 +123,17 @@ TEST(MisfitStudy, ACoarseEncoderLeavesTheBreakAwayTorqueRight) {
   }
 }
 
+// Its first fit takes more steps than that of white noise: it was given up for an elastic loop.
+TEST(MisfitStudy, NoiseThatHangsTogetherLeavesTheStiffnessRight) {
+  study::MisfitOptions options = on_the_arm("coloured_noise");
+  options.joints = {"cobot_joint"};
+  options.seed = 4001;
+  const std::vector<study::MisfitCase> cases = study::run_misfit_study(options);
+  const study::MisfitQuantity& found = quantity(cases.at(1), joint::Quantity::bristle_stiffness);
+  EXPECT_EQ(found.usable, cases.at(1).runs);
+  EXPECT_EQ(found.wrong_usable, 0U);
+}
+
 TEST(MisfitStudy, OfASoundJointFindsWhatWasPutIn) {
   const auto cases = study::run_misfit_study(on_the_arm("torque_constant"));
   ASSERT_EQ(cases.size(), 4U);

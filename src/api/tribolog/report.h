@@ -37,4 +37,25 @@ struct Report {
 TRIBOLOG_EXPORT Report make_report(const Calibration& calibration,
                                    const ReportOptions& options = {}, Renderer* renderer = nullptr);
 
+/// One joint of a robot, as its page shows it.
+struct RobotJoint {
+  std::string name;
+  std::optional<Calibration> calibration;  ///< Absent: it could not be identified,
+  std::string refusal;                     ///< for this reason.
+  std::optional<EarlierCalibration> earlier;
+  std::string kept_as;  ///< As in ReportOptions.
+  std::string report;   ///< File name of its report, beside the page; empty: there is none.
+};
+
+struct RobotPageOptions {
+  std::string language{"en"};
+  std::vector<std::string> command_line;  ///< As in IdentifyOptions.
+};
+
+/// All joints of a robot on one HTML page: each with its verdict, its numbers, what has changed,
+/// its loop and its friction curve, and a link to its report.
+/// @throw Failure usage: no joint, no such language, or a calibration as for make_report().
+TRIBOLOG_EXPORT std::string make_robot_page(const std::vector<RobotJoint>& joints,
+                                            const RobotPageOptions& options = {});
+
 }  // namespace tribolog

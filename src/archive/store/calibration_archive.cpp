@@ -34,55 +34,67 @@ CalibrationArchive::CalibrationArchive(std::unique_ptr<sql::Connection> connecti
 
 Added CalibrationArchive::add(const calibration::NewCalibration& calibration, bool again,
                               const std::string& now_utc) {
+  return add(std::vector{calibration}, again, now_utc).front();
+}
+
+std::vector<Added> CalibrationArchive::add(
+    const std::vector<calibration::NewCalibration>& calibrations, bool again,
+    const std::string& now_utc) {
+  for (const calibration::NewCalibration& one : calibrations) refuse_unkept_texts(one);
+  std::vector<Added> added;
+  connection_->write([&] {
+    added.clear();
+    for (const calibration::NewCalibration& one : calibrations) {
+      added.push_back(insert(one, again, now_utc));
+    }
+  });
+  return added;
+}
+
+Added CalibrationArchive::insert(const calibration::NewCalibration& calibration, bool again,
+                                 const std::string& now_utc) {
   calibration::Entry entry;
   entry.facts = calibration.facts;
   entry.identity = identity_of(calibration.inputs);
-  refuse_unkept_texts(calibration);
   const std::vector<StoredDocument> kept = fingerprints_of(calibration.documents);
-  Added added;
-  connection_->write([&] {
-    const Rows there = connection_->run(
-        "SELECT id, revision, tool_version FROM calibration WHERE identity = $1 "
-        "ORDER BY revision DESC LIMIT 1",
-        {entry.identity});
-    if (!there.empty() && !again) {
-      added = {there.front()[0].text(), false, there.front()[2].text()};
-      return;
-    }
-    entry.revision = there.empty() ? 1 : static_cast<int>(there.front()[1].integer()) + 1;
-    entry.id = id_of(entry.identity, entry.revision);
-    entry.digest =
-        digest_of(entry.id, entry.facts, calibration.quantities, calibration.inputs, kept);
-    const std::vector<sql::Value> values = values_of(entry);
-    const std::string columns = std::string(entry_columns).substr(sizeof "number," - 1);
-    const std::int64_t number =
-        connection_
-            ->run(fmt::format("INSERT INTO calibration ({}) VALUES ({}) RETURNING number", columns,
-                              places(values.size())),
-                  values)
-            .front()
-            .front()
-            .integer();
-    for (std::size_t k = 0; k < calibration.quantities.size(); ++k) {
-      const Row row = row_of(calibration.quantities[k], number, k);
-      connection_->run(
-          "INSERT INTO quantity (calibration, place, name, words, unit, verdict, value, low, high) "
-          "VALUES (" +
-              places(row.size()) + ")",
-          row);
-    }
-    for (std::size_t k = 0; k < calibration.inputs.size(); ++k) {
-      const Row row = row_of(calibration.inputs[k], number, k);
-      connection_->run(fmt::format("INSERT INTO input (calibration, place, {}) VALUES ({})",
-                                   input_columns, places(row.size())),
-                       row);
-    }
-    for (const calibration::Document& document : calibration.documents)
-      add_document(number, document);
-    append_event("added", entry.id, entry.digest, now_utc);
-    added = {entry.id, true, entry.facts.tool_version};
-  });
-  return added;
+  const Rows there = connection_->run(
+      "SELECT id, revision, tool_version FROM calibration WHERE identity = $1 "
+      "ORDER BY revision DESC LIMIT 1",
+      {entry.identity});
+  if (!there.empty() && !again) {
+    return {there.front()[0].text(), false, there.front()[2].text()};
+  }
+  entry.revision = there.empty() ? 1 : static_cast<int>(there.front()[1].integer()) + 1;
+  entry.id = id_of(entry.identity, entry.revision);
+  entry.digest = digest_of(entry.id, entry.facts, calibration.quantities, calibration.inputs, kept);
+  const std::vector<sql::Value> values = values_of(entry);
+  const std::string columns = std::string(entry_columns).substr(sizeof "number," - 1);
+  const std::int64_t number =
+      connection_
+          ->run(fmt::format("INSERT INTO calibration ({}) VALUES ({}) RETURNING number", columns,
+                            places(values.size())),
+                values)
+          .front()
+          .front()
+          .integer();
+  for (std::size_t k = 0; k < calibration.quantities.size(); ++k) {
+    const Row row = row_of(calibration.quantities[k], number, k);
+    connection_->run(
+        "INSERT INTO quantity (calibration, place, name, words, unit, verdict, value, low, high) "
+        "VALUES (" +
+            places(row.size()) + ")",
+        row);
+  }
+  for (std::size_t k = 0; k < calibration.inputs.size(); ++k) {
+    const Row row = row_of(calibration.inputs[k], number, k);
+    connection_->run(fmt::format("INSERT INTO input (calibration, place, {}) VALUES ({})",
+                                 input_columns, places(row.size())),
+                     row);
+  }
+  for (const calibration::Document& document : calibration.documents)
+    add_document(number, document);
+  append_event("added", entry.id, entry.digest, now_utc);
+  return {entry.id, true, entry.facts.tool_version};
 }
 
 bool CalibrationArchive::attach_report(const std::string& id, std::string_view html,

@@ -57,6 +57,11 @@ class CalibrationArchive {
   /// @param now_utc for the chain.
   Added add(const calibration::NewCalibration& calibration, bool again, const std::string& now_utc);
 
+  /// All of them in one transaction: those of a robot's joints, none of which is there without the
+  /// others. In their order.
+  std::vector<Added> add(const std::vector<calibration::NewCalibration>& calibrations, bool again,
+                         const std::string& now_utc);
+
   /// The report that was made of an entry. @return false: it has one already, which stays.
   bool attach_report(const std::string& id, std::string_view html, const std::string& now_utc);
 
@@ -107,6 +112,9 @@ class CalibrationArchive {
  private:
   void append_event(const char* what, const std::string& id, const std::string& digest,
                     const std::string& now_utc);
+  /// Within a transaction.
+  Added insert(const calibration::NewCalibration& calibration, bool again,
+               const std::string& now_utc);
   void add_document(std::int64_t calibration, const calibration::Document& document);
 
   std::unique_ptr<sql::Connection> connection_;

@@ -134,7 +134,10 @@ std::string chain_link(const std::string& previous, const Event& event) {
 
 std::string identity_of(const std::vector<calibration::Input>& inputs) {
   std::vector<std::string> fingerprints;
-  for (const calibration::Input& input : inputs) fingerprints.push_back(input.sha256);
+  for (const calibration::Input& input : inputs) {
+    const bool is_of_joint = input.role.starts_with("manifest of joint ");
+    fingerprints.push_back(input.sha256 + (is_of_joint ? input.role : ""));
+  }
   std::sort(fingerprints.begin(), fingerprints.end());
   Fields fields("tribolog-identity-1");
   for (const std::string& fingerprint : fingerprints) fields.add(fingerprint);

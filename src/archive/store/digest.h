@@ -26,7 +26,8 @@ std::string narrow_digest_of(const std::string& id, const calibration::Facts& fa
 
 /// SHA-256 over the fingerprints of all inputs, manifest and recordings: what is measured again
 /// is another calibration; the same is the same, whatever the settings, the program's version and
-/// the files' names. Identified otherwise, it is a revision of the same.
+/// the files' names. Identified otherwise, it is a revision of the same. Joints whose manifest is
+/// that of a whole robot share their files; the joint's name tells them apart then.
 std::string identity_of(const std::vector<calibration::Input>& inputs);
 
 /// Of a review: the place is its number among those of the entry, from 0.

@@ -45,6 +45,21 @@ std::string reference(const friction::StaticFriction* friction) {
   return text;
 }
 
+bool is_current(const simulate::Scenario& scenario) {
+  return scenario.log.torque_constant_Nm_A > 0;
+}
+
+/// Of the table [effort].
+std::string effort_lines(const simulate::Scenario& scenario) {
+  std::string text = fmt::format("kind = \"{}\"\nside = \"motor\"\n",
+                                 is_current(scenario) ? "motor_current" : "motor_torque");
+  if (is_current(scenario)) {
+    text += fmt::format("torque_constant_Nm_A = {}\n",
+                        ingest::manifest::toml_number(scenario.log.torque_constant_Nm_A));
+  }
+  return text;
+}
+
 constexpr const char* speed_column = R"(speed = {name = "dq_rad_s", unit = "rad/s"})";
 
 /// Columns that not every recording has.
@@ -81,13 +96,7 @@ std::string dataset_toml(const simulate::Scenario& scenario,
   text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n",
                       ingest::manifest::toml_text(scenario.joint),
                       ingest::manifest::toml_number(scenario.gear_ratio));
-  const bool is_current = scenario.log.torque_constant_Nm_A > 0;
-  text += fmt::format("\n[effort]\nkind = \"{}\"\nside = \"motor\"\n",
-                      is_current ? "motor_current" : "motor_torque");
-  if (is_current) {
-    text += fmt::format("torque_constant_Nm_A = {}\n",
-                        ingest::manifest::toml_number(scenario.log.torque_constant_Nm_A));
-  }
+  text += "\n[effort]\n" + effort_lines(scenario);
   text += fmt::format("\n[surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
                       ingest::manifest::toml_number(scenario.surrogate_distance_m),
                       ingest::manifest::toml_number(scenario.load.gravity_m_s2()));
@@ -96,8 +105,8 @@ std::string dataset_toml(const simulate::Scenario& scenario,
       "time = {name = \"t_s\", unit = \"s\"}\n"
       "angle = {name = \"q_rad\", unit = \"rad\", side = \"joint\"}\n"
       "effort = ";
-  text +=
-      is_current ? "{name = \"i_A\", unit = \"A\"}\n" : "{name = \"torque_Nm\", unit = \"Nm\"}\n";
+  text += is_current(scenario) ? "{name = \"i_A\", unit = \"A\"}\n"
+                               : "{name = \"torque_Nm\", unit = \"Nm\"}\n";
   const bool speed_is_common =
       std::all_of(recordings.begin(), recordings.end(),
                   [](const joint::Recording& recording) { return !recording.dq_rad_s.empty(); });
@@ -212,33 +221,43 @@ Json noise(const simulate::Noise& n) {
 
 }  // namespace
 
-std::string truth_json(const simulate::Scenario& scenario) {
+namespace {
+
+Json truth_of(const simulate::Scenario& scenario) {
   const joint::GravityLoad& load = scenario.load;
   const double motor_torque_Nm = load.amplitude_Nm() / scenario.gear_ratio;
-  const Json truth = {
-      {"schema", "tribolog-truth-1"},
-      {"scenario", scenario.name},
-      {"robot", scenario.robot},
-      {"serial", scenario.serial},
-      {"joint", scenario.joint},
-      {"gear_ratio", scenario.gear_ratio},
-      {"q_peak_rad", load.q_peak_rad()},
-      {"q_c_rad", -load.q_peak_rad()},
-      {"mass_kg", load.mass_kg()},
-      {"distance_m", load.distance_m()},
-      {"gravity_m_s2", load.gravity_m_s2()},
-      {"gravity_torque_joint_Nm", load.amplitude_Nm()},
-      {"gravity_torque_motor_Nm", motor_torque_Nm},
-      {"surrogate_distance_m", scenario.surrogate_distance_m},
-      {"surrogate_mass_kg",
-       joint::surrogate_mass_kg(motor_torque_Nm, scenario.gear_ratio, scenario.surrogate_distance_m,
-                                load.gravity_m_s2(), 1.0)},
-      {"motor_inertia_kgm2", scenario.motor_inertia_kgm2},
-      {"arm_inertia_kgm2", scenario.arm_inertia_kgm2},
-      {"presliding", friction(*scenario.presliding)},
-      {"sliding", friction(scenario.sliding_model())},
-      {"noise", noise(scenario.noise)}};
-  return json_without_hidden(truth.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return {{"schema", "tribolog-truth-1"},
+          {"scenario", scenario.name},
+          {"robot", scenario.robot},
+          {"serial", scenario.serial},
+          {"joint", scenario.joint},
+          {"gear_ratio", scenario.gear_ratio},
+          {"q_peak_rad", load.q_peak_rad()},
+          {"q_c_rad", -load.q_peak_rad()},
+          {"mass_kg", load.mass_kg()},
+          {"distance_m", load.distance_m()},
+          {"gravity_m_s2", load.gravity_m_s2()},
+          {"gravity_torque_joint_Nm", load.amplitude_Nm()},
+          {"gravity_torque_motor_Nm", motor_torque_Nm},
+          {"surrogate_distance_m", scenario.surrogate_distance_m},
+          {"surrogate_mass_kg",
+           joint::surrogate_mass_kg(motor_torque_Nm, scenario.gear_ratio,
+                                    scenario.surrogate_distance_m, load.gravity_m_s2(), 1.0)},
+          {"motor_inertia_kgm2", scenario.motor_inertia_kgm2},
+          {"arm_inertia_kgm2", scenario.arm_inertia_kgm2},
+          {"presliding", friction(*scenario.presliding)},
+          {"sliding", friction(scenario.sliding_model())},
+          {"noise", noise(scenario.noise)}};
+}
+
+std::string document_of(const Json& json) {
+  return json_without_hidden(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+}  // namespace
+
+std::string truth_json(const simulate::Scenario& scenario) {
+  return document_of(truth_of(scenario));
 }
 
 void write_simulation(const simulate::Scenario& scenario,
@@ -265,6 +284,92 @@ void write_simulation(const simulate::Scenario& scenario,
   }
   add("truth.json", truth_json(scenario));
   add("dataset.toml", dataset_toml(scenario, recordings));
+  files.commit();
+}
+
+namespace {
+
+constexpr const char* robot_log_name = "robot.csv";
+
+/// Of the joint's effort in a robot's log, the joints being counted from 1.
+std::string effort_column(const simulate::Scenario& scenario, std::size_t joint) {
+  return is_current(scenario) ? fmt::format("i{}_A", joint) : fmt::format("torque{}_Nm", joint);
+}
+
+std::string robot_csv(const std::vector<simulate::Scenario>& scenarios,
+                      const simulate::RobotLog& log) {
+  std::string csv = "t_s";
+  for (std::size_t k = 0; k < scenarios.size(); ++k) {
+    csv += fmt::format(",q{}_rad,{}", k + 1, effort_column(scenarios[k], k + 1));
+  }
+  csv += '\n';
+  for (std::size_t i = 0; i < log.t_s.size(); ++i) {
+    append(csv, log.t_s[i], scenarios.front().log);
+    for (std::size_t k = 0; k < scenarios.size(); ++k) {
+      const simulate::LogForm& form = scenarios[k].log;
+      const double torque_Nm = log.joints[k].torque_Nm[i];
+      csv += ',';
+      append(csv, log.joints[k].q_rad[i], form);
+      csv += ',';
+      append(csv, is_current(scenarios[k]) ? torque_Nm / form.torque_constant_Nm_A : torque_Nm,
+             form);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string robot_toml(const std::vector<simulate::Scenario>& scenarios,
+                       const simulate::RobotLog& log) {
+  const simulate::Scenario& first = scenarios.front();
+  std::string text = "schema = \"tribolog-dataset-1\"\n\n[robot]\n";
+  text += fmt::format("name = {}\n", ingest::manifest::toml_text(first.robot));
+  if (!first.serial.empty()) {
+    text += fmt::format("serial = {}\n", ingest::manifest::toml_text(first.serial));
+  }
+  text += fmt::format("note = {}\n", ingest::manifest::toml_text("simulated: " + first.name));
+  text += "\n[columns]\ntime = {name = \"t_s\", unit = \"s\"}\n";
+  for (std::size_t k = 0; k < scenarios.size(); ++k) {
+    const simulate::Scenario& s = scenarios[k];
+    text += fmt::format("\n[[joints]]\nname = {}\ngear_ratio = {}\n",
+                        ingest::manifest::toml_text(s.joint),
+                        ingest::manifest::toml_number(s.gear_ratio));
+    text += "[joints.effort]\n" + effort_lines(s);
+    text += fmt::format("[joints.surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
+                        ingest::manifest::toml_number(s.surrogate_distance_m),
+                        ingest::manifest::toml_number(s.load.gravity_m_s2()));
+    text += fmt::format(
+        "[joints.columns]\n"
+        "angle = {{name = \"q{}_rad\", unit = \"rad\", side = \"joint\"}}\n"
+        "effort = {{name = \"{}\", unit = \"{}\"}}\n",
+        k + 1, effort_column(s, k + 1), is_current(s) ? "A" : "Nm");
+    for (const simulate::RobotLog::Part& part : log.joints[k].parts) {
+      text += fmt::format(
+          "[[joints.recording]]\nrole = \"{}\"\nfile = \"{}\"\nfrom_s = {}\nto_s = {}\n",
+          joint::to_string(part.role), robot_log_name, ingest::manifest::toml_number(part.from_s),
+          ingest::manifest::toml_number(part.to_s));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_robot_simulation(const std::vector<simulate::Scenario>& joints,
+                            const simulate::RobotLog& log, const std::string& directory,
+                            const std::vector<std::string>& inputs) {
+  AtomicFiles files;
+  files.make_directory(directory);
+  const auto add = [&](const std::string& name, const std::string& content) {
+    const std::string path = (std::filesystem::path(directory) / name).string();
+    check_output_can_be_written(path, inputs);
+    files.add(path, content);
+  };
+  Json truth{{"schema", "tribolog-robot-truth-1"}, {"joints", Json::array()}};
+  for (const simulate::Scenario& one : joints) truth["joints"].push_back(truth_of(one));
+  add(robot_log_name, robot_csv(joints, log));
+  add("truth.json", document_of(truth));
+  add("robot.toml", robot_toml(joints, log));
   files.commit();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "joint/recording.h"
+#include "simulate/robot_log.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::exports::simulation {
@@ -48,5 +49,11 @@ std::string truth_json(const simulate::Scenario& scenario);
 void write_simulation(const simulate::Scenario& scenario,
                       const std::vector<joint::Recording>& recordings, const std::string& directory,
                       const std::vector<std::string>& inputs = {});
+
+/// Writes a robot's log, robot.csv, with its manifest, robot.toml, and the truth of each joint,
+/// truth.json: {"schema", "joints"}. As write_simulation() otherwise.
+void write_robot_simulation(const std::vector<simulate::Scenario>& joints,
+                            const simulate::RobotLog& log, const std::string& directory,
+                            const std::vector<std::string>& inputs = {});
 
 }  // namespace tribolog::exports::simulation

@@ -199,7 +199,9 @@ joint::Dataset read_dataset(const std::string& manifest_path, const std::string&
   const std::filesystem::path path(manifest_path);
   joint::Dataset dataset;
   dataset.manifest = std::move(manifest.manifest);
-  dataset.inputs.push_back(fingerprint(path.filename().string(), "manifest", text));
+  // Joints of a robot share their files: by this they are different calibrations.
+  const std::string role = joint.empty() ? "manifest" : "manifest of joint " + joint;
+  dataset.inputs.push_back(fingerprint(path.filename().string(), role, text));
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
   UnusedColumns unused;

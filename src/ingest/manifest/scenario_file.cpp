@@ -10,7 +10,9 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/robot_joints.h"
 #include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
 #include "simulate/simulate_joint.h"
 
@@ -116,10 +118,7 @@ void read_experiments(const TomlTable& top, simulate::Scenario& scenario) {
   }
 }
 
-}  // namespace
-
-simulate::Scenario parse_scenario(std::string_view text, const std::string& file) {
-  const TomlTable top = TomlTable::parse(text, file);
+simulate::Scenario scenario_of(const TomlTable& top, const std::string& file) {
   (void)top.choice("schema", {"tribolog-scenario-1"});
   simulate::Scenario scenario;
   scenario.name = required_name(top);
@@ -152,6 +151,23 @@ simulate::Scenario parse_scenario(std::string_view text, const std::string& file
          ""});
   }
   return scenario;
+}
+
+}  // namespace
+
+simulate::Scenario parse_scenario(std::string_view text, const std::string& file) {
+  return scenario_of(TomlTable::parse(text, file), file);
+}
+
+std::vector<simulate::Scenario> read_robot_scenario(const std::string& path) {
+  const std::string text = read_file(path, largest_scenario_bytes);
+  precheck_toml(text, path);
+  const TomlNode document = parse_toml(text, path);
+  std::vector<simulate::Scenario> scenarios;
+  for (const std::string& joint : joint_names(document, path)) {
+    scenarios.push_back(scenario_of(TomlTable::of(manifest_of_joint(document, joint), path), path));
+  }
+  return scenarios;
 }
 
 simulate::Scenario read_scenario(const std::string& path) {

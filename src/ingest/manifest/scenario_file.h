@@ -28,9 +28,14 @@
 //                 [[noise.ripple]] amplitude_Nm, periods_per_turn, phase (all optional)
 //
 // Every experiment may be left out, but not all of them.
+//
+// [[joints]] in place of [joint] are those of a whole robot, one after another in one log: each has
+// what stands in [joint], and tables of its own, [joints.load] for example, as a robot's manifest
+// (robot_joints.h).
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "simulate/scenario.h"
 
@@ -38,6 +43,10 @@ namespace tribolog::ingest::manifest {
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
 simulate::Scenario read_scenario(const std::string& path);
+
+/// One for each joint of a robot; empty: it is a single joint's.
+/// @throw InputError as read_scenario().
+std::vector<simulate::Scenario> read_robot_scenario(const std::string& path);
 
 /// The same from a text; the robot's description is named but not read.
 /// @param file its name, for messages.

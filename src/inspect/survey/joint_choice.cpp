@@ -56,7 +56,23 @@ std::vector<Found> all_joints(const std::vector<LogSurvey>& logs) {
                     "\"#2\""});
 }
 
+std::vector<std::string> names_of(const std::vector<Found>& found) {
+  std::vector<std::string> names;
+  for (const Found& f : found) {
+    if (std::find(names.begin(), names.end(), f.joint->name) == names.end()) {
+      names.push_back(f.joint->name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
+
+std::vector<std::string> joints_in(const std::vector<LogSurvey>& logs) {
+  const std::vector<Found> found = all_joints(logs);
+  if (found.empty()) refuse_without_angle(logs);
+  return names_of(found);
+}
 
 JointChoice choose_joint(const std::vector<LogSurvey>& logs,
                          const std::optional<std::string>& name) {
@@ -65,12 +81,7 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
   JointChoice choice;
   const auto range = [](const Found& f) { return f.joint->range_rad(); };
   if (name) {
-    std::vector<std::string> names;
-    for (const Found& f : found) {
-      if (std::find(names.begin(), names.end(), f.joint->name) == names.end()) {
-        names.push_back(f.joint->name);
-      }
-    }
+    const std::vector<std::string> names = names_of(found);
     if (std::find(names.begin(), names.end(), *name) == names.end()) {
       throw UsageError("no log has a joint " + in_quotes(*name) + ", only " + list_of_names(names));
     }

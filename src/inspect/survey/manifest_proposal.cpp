@@ -42,12 +42,39 @@ class ManifestText {
         first_(roles.recordings.front().of),
         effort_(propose_effort(logs, choice.in_logs, options)) {}
 
+  /// A manifest of this joint alone.
   std::string text() {
-    add_identity();
+    add_robot();
+    text_ += "\n[joint]\n";
+    add_joint(true);
     add_conditions();
     add_effort();
     add_log_rules();
-    text_ += "\n[columns]\n";
+    add_recordings();
+    return std::move(text_);
+  }
+
+  /// What the manifest of a whole robot has before its joints.
+  std::string shared_text() {
+    add_robot();
+    add_conditions();
+    add_log_rules();
+    return std::move(text_);
+  }
+
+  /// Its joint's part.
+  std::string part_of_robot() {
+    before_table_ = "joints.";
+    text_ += "\n[[joints]]\n";
+    add_joint(false);
+    add_effort();
+    add_recordings();
+    return std::move(text_);
+  }
+
+ private:
+  void add_recordings() {
+    text_ += "\n[" + before_table_ + "columns]\n";
     for (const std::string& line : columns_of(first_, true)) text_ += line + "\n";
     if (effort_.kind == joint::EffortKind::none) {
       text_ += "# effort = { name = \"...\", unit = \"A\" }  # or \"Nm\": once it is recorded\n";
@@ -57,10 +84,8 @@ class ManifestText {
       text_ += "\n# " + printable(path_of(log), 200) +
                ": no motion that a stage reads was found; not used.\n";
     }
-    return std::move(text_);
   }
 
- private:
   [[nodiscard]] const TableSurvey& table(const JointInLog& of) const { return table_of(logs_, of); }
   [[nodiscard]] const JointSurvey& joint(const JointInLog& of) const { return joint_of(logs_, of); }
 
@@ -87,7 +112,7 @@ class ManifestText {
                       in_quotes(text), "", "rename it"});
   }
 
-  void add_identity() {
+  void add_robot() {
     line(
         "# Proposed by tribolog from the logs alone. Each guess is marked; look at it before use.");
     line("schema = \"tribolog-dataset-1\"");
@@ -104,11 +129,16 @@ class ManifestText {
                        "' is no time that there is");
     }
     add("measured_on", options_.measured_on);
-    text_ += "\n[joint]\n";
+  }
+
+  /// @param alone others that move beside it are named.
+  void add_joint(bool alone) {
     const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
     line("name = " + (has_name ? quoted(choice_.name, "the joint's name", first_.log)
                                : ingest::manifest::toml_text("joint")),
-         has_name ? moves_too() : "the log names none");
+         !has_name ? "the log names none"
+         : alone   ? moves_too()
+                   : "");
     if (options_.gear_ratio) {
       line(fmt::format("gear_ratio = {}", *options_.gear_ratio));
     } else {
@@ -149,7 +179,7 @@ class ManifestText {
   }
 
   void add_effort() {
-    text_ += "\n[effort]\n";
+    text_ += "\n[" + before_table_ + "effort]\n";
     for (const std::string& remark : effort_.remarks) text_ += "# " + printable(remark, 300) + "\n";
     for (const std::string& key : effort_.lines) text_ += key + "\n";
   }
@@ -231,7 +261,7 @@ class ManifestText {
   }
 
   void add_recording(const ProposedRecording& recording) {
-    text_ += "\n[[recording]]\n";
+    text_ += "\n[[" + before_table_ + "recording]]\n";
     line("role = " + ingest::manifest::toml_text(joint::to_string(recording.role)),
          roles_.is_makeshift ? "a stopgap: no sweep, run, oscillation or ramp was recognised"
                              : recording.what);
@@ -254,23 +284,87 @@ class ManifestText {
   const RoleProposal& roles_;
   JointInLog first_;
   EffortProposal effort_;
+  std::string before_table_;  ///< Of a joint's tables in a robot's manifest.
   std::string text_;
 };
+
+ManifestProposal without_text(const std::vector<LogSurvey>& logs, const JointChoice& choice) {
+  ManifestProposal proposal;
+  proposal.joint = choice.name;
+  proposal.in_logs = choice.in_logs;
+  proposal.moves_too = choice.moves_too;
+  proposal.roles = propose_roles(logs, choice.in_logs);
+  return proposal;
+}
+
+/// Never one that cannot be read.
+void check_that_it_reads(const std::string& text) {
+  static_cast<void>(ingest::manifest::TomlTable::parse(text, "the proposed manifest"));
+}
+
+/// The joint's own of numbers that are stated for all, or for each.
+std::optional<double> own(const std::vector<double>& values, std::size_t joint) {
+  if (values.empty()) return std::nullopt;
+  return values.size() == 1 ? values.front() : values[joint];
+}
+
+void check_count(const std::vector<double>& values, const char* option,
+                 const std::vector<std::string>& names) {
+  if (values.size() <= 1 || values.size() == names.size()) return;
+  throw UsageError(fmt::format("{}: {} values for {} joints, {}; one for all, or one for each",
+                               option, values.size(), names.size(), list_of_names(names)));
+}
 
 }  // namespace
 
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options) {
   const JointChoice choice = choose_joint(logs, options.joint);
-  ManifestProposal proposal;
-  proposal.joint = choice.name;
-  proposal.in_logs = choice.in_logs;
-  proposal.moves_too = choice.moves_too;
-  proposal.roles = propose_roles(logs, choice.in_logs);
+  ManifestProposal proposal = without_text(logs, choice);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
-  (void)ingest::manifest::TomlTable::parse(
-      proposal.text, "the proposed manifest");  // never one that cannot be read
+  check_that_it_reads(proposal.text);
   return proposal;
+}
+
+RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
+                                     const ProposalOptions& options, const KnownOfJoints& known) {
+  std::vector<JointChoice> moving;
+  RobotProposal robot;
+  for (const std::string& name : joints_in(logs)) {
+    JointChoice choice = choose_joint(logs, name);
+    ManifestProposal proposal = without_text(logs, choice);
+    if (proposal.roles.is_makeshift) {
+      robot.without_role.push_back(name);
+      continue;
+    }
+    moving.push_back(std::move(choice));
+    robot.joints.push_back(std::move(proposal));
+  }
+  if (moving.empty()) {
+    throw InputError(
+        {logs.front().file, 0, 0},
+        {"no joint moves in a way that a stage reads", list_of_names(robot.without_role),
+         "sweeps, runs at constant speed, oscillations or ramps of the torque",
+         "without --all-joints a manifest for one of them is proposed all the same"});
+  }
+  std::vector<std::string> names;
+  for (const JointChoice& choice : moving) names.push_back(choice.name);
+  check_count(known.gear_ratios, "--gear-ratio", names);
+  check_count(known.torque_constants_Nm_A, "--torque-constant", names);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    ProposalOptions of_joint = options;
+    of_joint.gear_ratio = own(known.gear_ratios, k);
+    of_joint.torque_constant_Nm_A = own(known.torque_constants_Nm_A, k);
+    ManifestProposal& joint = robot.joints[k];
+    if (k == 0) robot.text = ManifestText(logs, of_joint, moving[k], joint.roles).shared_text();
+    joint.text = ManifestText(logs, of_joint, moving[k], joint.roles).part_of_robot();
+    robot.text += joint.text;
+  }
+  for (const std::string& name : robot.without_role) {
+    robot.text += "\n# Joint " + in_quotes(name) + ": no motion that a stage reads; left out.\n";
+  }
+  check_that_it_reads(robot.text);
+  return robot;
 }
 
 }  // namespace tribolog::inspect::survey

@@ -44,8 +44,9 @@ struct RoleProposal {
 };
 
 /// Strokes of constant speed are a rough sweep where they are slow (a stroke of 3 s or longer, up
-/// to 0.5 rad/s) and wider than those of any other speed, and a precise one where they are the
-/// slowest by far, and narrow, beside a sweep. All others are runs at constant speed.
+/// to 0.5 rad/s), as wide as those of any other speed and wider than the slow ones, and a precise
+/// one where they are the slowest by far, and narrow, beside a sweep. All others are runs at
+/// constant speed.
 RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
                            const std::vector<JointInLog>& joint);
 
@@ -90,6 +91,26 @@ struct ManifestProposal {
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options);
 
+/// A manifest of a whole robot.
+struct RobotProposal {
+  std::vector<ManifestProposal>
+      joints;  ///< In the order of the logs, `text` being the joint's part.
+  std::vector<std::string> without_role;  ///< Joints that move in no way that a stage reads.
+  std::string text;
+};
+
+/// What is known of each joint; one value is that of all.
+struct KnownOfJoints {
+  std::vector<double> gear_ratios;
+  std::vector<double> torque_constants_Nm_A;
+};
+
+/// All joints that the logs name, but those that do not move.
+/// @param options what is known of the robot and of all joints alike; its joint is ignored.
+/// @throw as propose_manifest(); UsageError where the numbers of a joint are not as many as joints.
+RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
+                                     const ProposalOptions& options, const KnownOfJoints& known);
+
 // Which joint a manifest is for, and what its effort is.
 
 struct JointChoice {
@@ -97,6 +118,10 @@ struct JointChoice {
   std::vector<JointInLog> in_logs;     ///< One of each log that has it, and in it the widest.
   std::vector<std::string> moves_too;  ///< Others that move a hundredth as far or further.
 };
+
+/// Names of all joints that have a clock, in the order of the logs; one without a name is "".
+/// @throw InputError if no log has a clock and an angle.
+std::vector<std::string> joints_in(const std::vector<LogSurvey>& logs);
 
 /// The joint of that name, or else the one with the widest motion. Logs whose only joint has no
 /// name take part in either case.

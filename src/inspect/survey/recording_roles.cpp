@@ -63,15 +63,19 @@ class RoleChooser {
     if (stroke_s(s) < shortest_stroke_s || s.speed_rad_s > fastest_sweep_rad_s) return false;
     if (s.travel_rad() < narrowest_sweep_rad) return false;
     double widest = 0;
+    double widest_slow = 0;
     std::vector<double> speeds;
     for (const Candidate& c : steady_) {
       const double speed = c.segment->speed_rad_s;
       if (same_speed(speed, s.speed_rad_s)) continue;
       widest = std::max(widest, c.segment->travel_rad());
+      if (speed <= fastest_sweep_rad_s) {
+        widest_slow = std::max(widest_slow, c.segment->travel_rad());
+      }
       const auto is_known = [&](double other) { return same_speed(speed, other); };
       if (std::none_of(speeds.begin(), speeds.end(), is_known)) speeds.push_back(speed);
     }
-    if (s.travel_rad() >= wider_than_runs * widest) return true;
+    if (s.travel_rad() >= std::max(widest, wider_than_runs * widest_slow)) return true;
     return speeds.size() == 1 && s.speed_rad_s < speeds.front() &&
            s.travel_rad() >= half_as_wide * widest;
   }

@@ -33,8 +33,8 @@ constexpr double smallest_gain = 1e-4;
 /// Rows from which on it stops there.
 constexpr Eigen::Index many_rows = 100'000;
 
-/// Most evaluations from a rough solution: what shows is a few steps away; what does not, wanders
-/// along the valley that share and fall of the friction make together.
+/// Most evaluations from a rough solution of a friction that falls, or over so many rows: what shows
+/// is a few steps away; what does not, wanders along the valley that share and fall make together.
 constexpr int longest_way = 25;
 
 std::vector<Shared::Index> with(std::vector<Shared::Index> some,
@@ -141,14 +141,16 @@ class Climber {
     LuGrePoint start = guess;
     statistics::LeastSquaresLimits limits;
     if (halfway_ != nullptr) {
-      const double cost_change = smallest_gain / static_cast<double>(problem_.rows());
-      const LuGreProblem::Solution nearby =
-          halfway_->solve(free, guess, {cost_change, limits.step, longest_way});
+      statistics::LeastSquaresLimits rough = limits;
+      rough.cost_change = smallest_gain / static_cast<double>(problem_.rows());
+      if (free.has(Shared::fall)) rough.evaluations = longest_way;
+      const LuGreProblem::Solution nearby = halfway_->solve(free, guess, rough);
       evaluations_ += nearby.evaluations;
       if (!nearby.converged) return out;  // all samples would not lead anywhere either
       start = nearby.point;
-      limits.evaluations = longest_way;
-      if (problem_.rows() > many_rows) limits.cost_change = cost_change;
+      const bool has_many = problem_.rows() > many_rows;
+      if (has_many) limits.cost_change = rough.cost_change;
+      if (has_many || free.has(Shared::fall)) limits.evaluations = longest_way;
     }
     const LuGreProblem::Solution s = problem_.solve(free, start, limits);
     evaluations_ += s.evaluations;

@@ -255,17 +255,16 @@ LagCompetition let_rivals_compete(const Transients& transients, const std::vecto
   // A delay and a filter of size d differ by d^2/2 J d^4 q/dt^4. What else bends starts and stops,
   // such as the bristle, does so in all of them alike: it must be less than what tells the two.
   constexpr double most_of_difference = 0.3;
-  // Over few samples, what sampling and smoothing do to a start looks like a filter.
-  constexpr double fewest_samples_of_filter = 3;
+  // Over few samples, what sampling and smoothing do to a start looks like a filter, or like a gear
+  // that gives way.
+  constexpr double fewest_samples = 3;
   double interval_s = 0;
   for (const Travel& travel : transients.travels) interval_s = std::max(interval_s, travel.dt_s);
   const auto is_told_by_shape = [&](const Rivalry::Fitted& one) {
     const LagRival& rival = one.rival;
-    if (rival.shape == LagShape::elastic_gear) return true;
-    if (rival.shape == LagShape::filter &&
-        std::abs(rival.size_s) < fewest_samples_of_filter * interval_s) {
-      return false;
-    }
+    const bool is_short = std::abs(rival.size_s) < fewest_samples * interval_s;
+    if (rival.shape == LagShape::elastic_gear) return !is_short;
+    if (rival.shape == LagShape::filter && is_short) return false;
     return std::abs(one.bend_s2) < most_of_difference * rival.size_s * rival.size_s / 2;
   };
   LagCompetition out;

@@ -1,0 +1,172 @@
+#include "report/robot_page.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/element_values.h"
+#include "report/page_style.h"
+#include "report/thumbnail.h"
+#include "report/view_parts.h"
+#include "wording/number_text.h"
+#include "wording/tr.h"
+#include "wording/words.h"
+
+namespace tribolog::report {
+namespace {
+
+using wording::tr;
+using wording::tr_count;
+
+Outcome outcome_of(const RobotJoint& joint) {
+  if (joint.calibration == nullptr) return Outcome::bad;
+  switch (joint.calibration->judgement.verdict) {
+    case calibration::Verdict::usable:
+      return Outcome::good;
+    case calibration::Verdict::doubtful:
+      return Outcome::partial;
+    case calibration::Verdict::not_identifiable:
+      break;
+  }
+  return Outcome::bad;
+}
+
+std::string word_of(const RobotJoint& joint) {
+  return joint.calibration == nullptr ? tr("refused")
+                                      : verdict_in_words(joint.calibration->judgement.verdict);
+}
+
+void fill_thumbnail(const std::optional<Thumbnail>& picture, const std::string& name,
+                    TemplateValues& values) {
+  if (!picture) return;
+  TemplateValues& out = values.add_section("THUMBNAIL");
+  out.set("NAME", name);
+  out.set("ZERO", picture->zero);
+  out.set("KIND", picture->is_of_points ? "measured dots" : "measured");
+  out.set("MEASURED", picture->measured);
+  out.set_optional("FITTED", picture->fitted);
+  out.set("SIZE", tr("{width}, {height}", {{"width", picture->across}, {"height", picture->up}}));
+}
+
+void fill_quantity(const QuantityRow& row, TemplateValues& values) {
+  TemplateValues& out = values.add_section("QUANTITY");
+  out.set("WORDS", row.words);
+  out.set("OUTCOME", class_of(row.outcome));
+  out.set_optional("VERDICT", row.outcome == Outcome::good ? "" : row.verdict_word);
+  out.set("ESTIMATE", or_dash(row.estimate));
+  out.set_optional("INTERVAL", row.interval);
+  if (row.change.empty()) return;
+  TemplateValues& change = out.add_section("CHANGE_IF");
+  change.set("CHANGE", row.change);
+  change.set("CHANGE_KIND", row.is_changed ? "changed" : "same");
+  change.set_optional("CHANGE_WORD", row.is_changed ? row.change_word : "");
+}
+
+void fill_numbers(const RobotJoint& joint, TemplateValues& values) {
+  const calibration::Calibration& c = *joint.calibration;
+  if (c.judgement.verdict != calibration::Verdict::usable) {
+    values.set_optional("SENTENCE", as_sentence(c.judgement.sentence));
+  }
+  if (!c.judgement.findings.empty()) {
+    values.set_optional("FINDING", as_sentence(c.judgement.findings.front()));
+  }
+  values.set("CAPTION", tr("{joint}, torques at the motor", {{"joint", or_dash(joint.name)}}));
+  fill_thumbnail(loop_thumbnail(c), tr("Hysteresis loop"), values);
+  fill_thumbnail(curve_thumbnail(c), tr("Friction over speed"), values);
+  for (const QuantityRow& row : quantity_rows(c.judgement, joint.since_last)) {
+    const bool says_something = row.outcome != Outcome::good || !row.estimate.empty();
+    if (row.outcome != Outcome::absent && says_something) fill_quantity(row, values);
+  }
+}
+
+void fill_joint(const RobotJoint& joint, TemplateValues& values) {
+  values.set("OUTCOME", class_of(outcome_of(joint)));
+  values.set("VERDICT", word_of(joint));
+  TemplateValues& name = values.add_section(joint.file.empty() ? "NO_LINK" : "LINK");
+  name.set("TEXT", or_dash(joint.name));
+  if (!joint.file.empty()) name.set("HREF", link_to(joint.file));
+  if (joint.calibration == nullptr) {
+    values.set_optional("REFUSAL", joint.refusal);
+  } else {
+    fill_numbers(joint, values.add_section("NUMBERS"));
+  }
+}
+
+/// Of the first joint that has one: all of them are of one robot.
+const joint::Manifest* manifest_of(const std::vector<RobotJoint>& joints) {
+  const auto known = std::find_if(joints.begin(), joints.end(), [](const RobotJoint& joint) {
+    return joint.calibration != nullptr;
+  });
+  return known == joints.end() ? nullptr : &known->calibration->manifest;
+}
+
+std::vector<Fact> facts_of(const std::vector<RobotJoint>& joints) {
+  std::vector<Fact> facts{{tr("Joints"), wording::count(joints.size())}};
+  if (const joint::Manifest* m = manifest_of(joints)) {
+    facts.push_back({tr("Serial number"), or_dash(m->serial)});
+    facts.push_back({tr("Measured on"), or_dash(m->measured_on)});
+    facts.push_back({tr("Operator"), or_dash(m->operator_name)});
+  }
+  return facts;
+}
+
+std::string heading_of(const RobotJoint& joint) {
+  if (joint.calibration == nullptr) return tr("REFUSED");
+  switch (joint.calibration->judgement.verdict) {
+    case calibration::Verdict::usable:
+      return tr("USABLE");
+    case calibration::Verdict::doubtful:
+      return tr("DOUBTFUL");
+    case calibration::Verdict::not_identifiable:
+      break;
+  }
+  return tr("NOT IDENTIFIABLE");
+}
+
+void fill_verdict(const std::vector<RobotJoint>& joints, TemplateValues& values) {
+  TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
+  const auto worst = std::max_element(
+      joints.begin(), joints.end(),
+      [](const RobotJoint& a, const RobotJoint& b) { return outcome_of(a) < outcome_of(b); });
+  const auto usable = std::count_if(joints.begin(), joints.end(), [](const RobotJoint& joint) {
+    return outcome_of(joint) == Outcome::good;
+  });
+  verdict.set("WORD", heading_of(*worst));
+  verdict.set("SENTENCE",
+              tr_count(static_cast<std::int64_t>(usable), "{usable} of {joints} joints is usable.",
+                       "{usable} of {joints} joints are usable.",
+                       {{"usable", static_cast<std::size_t>(usable)}, {"joints", joints.size()}}));
+  fill_outcome(outcome_of(*worst), verdict);
+  std::map<std::string, std::vector<std::string>> others;
+  for (const RobotJoint& joint : joints) {
+    if (outcome_of(joint) != Outcome::good) others[word_of(joint)].push_back(joint.name);
+  }
+  if (others.empty()) return;
+  TemplateValues& findings = verdict.add_section("FINDINGS");
+  for (const auto& [word, names] : others) {
+    findings.add_section("FINDING").set(
+        "TEXT", as_sentence(tr(
+                    "{verdict}: {joints}",
+                    {{"verdict", word}, {"joints", fmt::format("{}", fmt::join(names, ", "))}})));
+  }
+}
+
+}  // namespace
+
+std::string robot_page(const std::vector<RobotJoint>& joints,
+                       const calibration::Provenance& provenance, wording::Language language) {
+  const wording::WordsIn words(language);
+  TemplateValues values;
+  fill_head(provenance, values, PageKind::robot);
+  const joint::Manifest* manifest = manifest_of(joints);
+  values.set("TITLE", manifest == nullptr ? tr("Robot") : or_dash(manifest->robot));
+  fill_facts(facts_of(joints), values);
+  fill_verdict(joints, values);
+  for (const RobotJoint& joint : joints) fill_joint(joint, values.add_section("JOINT"));
+  return expand_template("robot.tpl", values, language);
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,50 @@
+{{%AUTOESCAPE context="HTML"}}
+<!DOCTYPE html>
+<html lang="{{LANGUAGE}}">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{{CSP}}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="{{TOOL}}">
+<title>Robot: {{TITLE}}</title>
+<style>{{CSS:x-css}}</style>
+</head>
+<body>
+<a class="skip" href="#joints">Skip to the joints</a>
+<header class="page-head">
+<p class="kicker">{{TOOL}} · all joints of a robot</p>
+<h1><bdi>{{TITLE}}</bdi></h1>
+<p class="subtitle">Each joint's verdict, key numbers and pictures; its name leads to its report.</p>
+{{#FACTS}}<dl class="identity">
+{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
+{{/FACT}}</dl>{{/FACTS}}
+</header>
+<main id="content" class="page-body">
+{{>VERDICT}}
+<section id="joints" aria-labelledby="joints-title">
+<h2 id="joints-title">Joints</h2>
+<div class="cards">
+{{#JOINT}}<article class="joint {{OUTCOME}}">
+<h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="state {{OUTCOME}}">{{VERDICT}}</span></h3>
+{{#REFUSAL_IF}}<p class="refusal"><bdi>{{REFUSAL}}</bdi></p>{{/REFUSAL_IF}}
+{{#NUMBERS}}{{#SENTENCE_IF}}<p><bdi>{{SENTENCE}}</bdi></p>
+{{/SENTENCE_IF}}{{#FINDING_IF}}<p class="finding"><bdi>{{FINDING}}</bdi></p>{{/FINDING_IF}}
+<div class="thumbnails">
+{{#THUMBNAIL}}<figure><svg viewBox="0 0 240 130" aria-hidden="true"><path class="zero" d="{{ZERO}}"/><path class="{{KIND}}" d="{{MEASURED}}"/>{{#FITTED_IF}}<path class="fitted" d="{{FITTED}}"/>{{/FITTED_IF}}</svg><figcaption>{{NAME}}: {{SIZE}}</figcaption></figure>
+{{/THUMBNAIL}}</div>
+<table class="joint-numbers"><caption>{{CAPTION}}</caption><thead><tr><th scope="col">Quantity</th><th scope="col" class="number">Estimate, 95 % interval</th></tr></thead><tbody>
+{{#QUANTITY}}<tr class="{{OUTCOME}}"><th scope="row">{{WORDS}}{{#VERDICT_IF}} <small>{{VERDICT}}</small>{{/VERDICT_IF}}</th><td class="number"><bdi>{{ESTIMATE}}</bdi>{{#INTERVAL_IF}}<small><bdi>{{INTERVAL}}</bdi></small>{{/INTERVAL_IF}}{{#CHANGE_IF}}<small class="{{CHANGE_KIND}}">since last: <bdi>{{CHANGE}}</bdi>{{#CHANGE_WORD_IF}}, {{CHANGE_WORD}}{{/CHANGE_WORD_IF}}</small>{{/CHANGE_IF}}</td></tr>
+{{/QUANTITY}}</tbody></table>{{/NUMBERS}}
+</article>
+{{/JOINT}}</div>
+</section>
+<section id="made" aria-labelledby="made-title">
+<h2 id="made-title">How this was made</h2>
+<p>In the pictures, dark: measured; light: the fitted model; dashed: no torque. Made {{CREATED}} with:</p>
+<pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
+</section>
+</main>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}}</p></footer>
+</body>
+</html>
