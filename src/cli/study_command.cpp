@@ -54,13 +54,11 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
   for (const study::MisfitCase& c : cases) {
     nlohmann::json quantities = nlohmann::json::object();
     for (const study::MisfitQuantity& q : c.quantities) {
-      quantities[to_string(q.quantity)] = {{"truth", q.truth},
-                                           {"found", q.found},
-                                           {"usable", q.usable},
-                                           {"inside", q.inside},
-                                           {"wrong", q.wrong},
-                                           {"wrong_usable", q.wrong_usable},
-                                           {"worst_usable", q.worst_usable}};
+      quantities[to_string(q.quantity)] = {
+          {"truth", q.truth},         {"found", q.found},
+          {"usable", q.usable},       {"inside", q.inside},
+          {"wrong", q.wrong},         {"wrong_usable", q.wrong_usable},
+          {"by_chance", q.by_chance}, {"worst_usable", q.worst_usable}};
     }
     list.push_back({{"joint", c.joint},
                     {"disturbance", c.disturbance},
@@ -80,6 +78,7 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
   std::size_t numbers = 0;
   std::size_t usable = 0;
   std::size_t wrong = 0;
+  double by_chance = 0;
   std::vector<std::string> where;
   std::map<std::string, std::pair<std::size_t, std::size_t>> named;  // of all runs
   for (const study::MisfitCase& c : cases) {
@@ -92,6 +91,7 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
       numbers += q.found;
       usable += q.usable;
       wrong += q.wrong_usable;
+      by_chance += q.by_chance;
       if (q.wrong_usable == 0) continue;
       where.push_back(fmt::format(
           "{}, {}: {} in {} of {} runs, at most {:.2g} times what matters", c.joint,
@@ -100,7 +100,9 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
     }
   }
   console.say(
-      fmt::format("wrong and usable: {} of {} numbers, {} of them usable", wrong, numbers, usable));
+      fmt::format("wrong and usable: {} of {} numbers, {} of them usable; {:.1f} by chance, where "
+                  "intervals are wider than what matters",
+                  wrong, numbers, usable, by_chance));
   for (const std::string& one : where) console.say("  " + one);
   if (named.empty()) return;
   constexpr double enough = 0.8;

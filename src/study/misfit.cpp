@@ -17,6 +17,7 @@
 #include "identify/identify.h"
 #include "joint/degrees.h"
 #include "simulate/simulate_joint.h"
+#include "statistics/distributions.h"
 #include "study/study.h"
 
 namespace tribolog::study {
@@ -427,6 +428,14 @@ struct RunOutcome {
   bool named{};
 };
 
+/// Of a normal error, to be beyond its 95 % interval and beyond what matters.
+/// @param half_width of the interval, in terms of what matters.
+double chance_of_wrong(double half_width) {
+  const double matters = half_width > 0 ? statistics::normal_975 / half_width
+                                        : std::numeric_limits<double>::infinity();
+  return std::erfc(std::max(matters, statistics::normal_975) / std::numbers::sqrt2);
+}
+
 MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturbance, double size,
                            const MisfitOptions& options) {
   Scenario laid = joint.scenario;
@@ -478,7 +487,9 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       q.inside += inside ? 1 : 0;
       q.wrong += is_wrong ? 1 : 0;
       q.wrong_usable += is_wrong && is_usable ? 1 : 0;
-      if (is_usable) q.worst_usable = std::max(q.worst_usable, off);
+      if (!is_usable) continue;
+      q.worst_usable = std::max(q.worst_usable, off);
+      q.by_chance += chance_of_wrong(it->estimate->half_width() / bound_of(q.quantity, q.truth));
     }
     out.quantities.push_back(std::move(q));
   }

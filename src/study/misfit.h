@@ -53,7 +53,10 @@ struct MisfitQuantity {
   std::size_t inside{};        ///< Runs whose interval holds the truth, of those found.
   std::size_t wrong{};         ///< Outside the interval and off by more than matters.
   std::size_t wrong_usable{};  ///< And called usable: must be 0.
-  double worst_usable{};       ///< Largest error of a usable number, as a share of bound_of().
+  /// Of the usable, how many would be wrong by chance: where 95 % intervals are wider than what
+  /// matters, one of twenty is, if each holds what it states and errors are normal.
+  double by_chance{};
+  double worst_usable{};  ///< Largest error of a usable number, as a share of bound_of().
 };
 
 struct MisfitCase {

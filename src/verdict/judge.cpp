@@ -134,7 +134,7 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::run_speeds, {Quantity::coulomb_torque}, doubtful},
       {CheckName::stick_slip, curve, doubtful},
       {CheckName::torque_alive, torque, doubtful},
-      {CheckName::torque_held, torque, doubtful},
+      {CheckName::torque_held, everything, doubtful},
       {CheckName::torque_noise, everything, none},
       {CheckName::torque_saturation, everything, doubtful},
       {CheckName::torque_step, torque, doubtful},

@@ -111,11 +111,26 @@ std::optional<statistics::Estimate> with_loops(
     const std::optional<statistics::Estimate>& loop_level_Nm) {
   if (!ramps_Nm || !loop_level_Nm) return ramps_Nm;
   const double difference = std::abs(loop_level_Nm->value - ramps_Nm->value);
-  const double noise = std::hypot(ramps_Nm->half_width(), loop_level_Nm->half_width());
-  if (difference <= noise) return ramps_Nm;
+  const double of_level = loop_level_Nm->half_width();
+  const double noise = std::hypot(ramps_Nm->half_width(), of_level);
+  // Of a contact that is not LuGre's the ramps are read by a law that is not its own.
+  const bool is_of_other_law = of_level == 0;
+  if (difference <= noise && !is_of_other_law) return ramps_Nm;
   return statistics::symmetric_estimate(
-      ramps_Nm->value, difference + loop_level_Nm->half_width(),
+      ramps_Nm->value, is_of_other_law ? std::hypot(noise, difference) : difference + of_level,
       {"interval.widened_by_loops", {{"interval", ramps_Nm->method}}});
+}
+
+/// The level at which the loops slide, by the law that describes them; where that is not LuGre's,
+/// without an interval.
+std::optional<statistics::Estimate> level_of_loops(const calibration::Calibration& c) {
+  using method::hysteresis::ContactLaw;
+  if (!c.lugre) return std::nullopt;
+  const method::hysteresis::ContactContest& contest = c.lugre->contacts;
+  if (!contest.winner || contest.winner == ContactLaw::lugre) {
+    return c.lugre->shown(LuGreParameterName::static_torque);
+  }
+  return statistics::symmetric_estimate(contest.find(*contest.winner)->static_Nm, 0, {});
 }
 
 /// From ramps if any broke away, else from the loop's level.
@@ -126,7 +141,7 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   const bool from_ramps = ramps.mean_Nm.has_value();
   calibration::QuantityVerdict q =
       by_estimate(Quantity::break_away_torque, "N·m",
-                  from_ramps ? with_loops(ramps.mean_Nm, loop_level_Nm) : loop_level_Nm, why,
+                  from_ramps ? with_loops(ramps.mean_Nm, level_of_loops(c)) : loop_level_Nm, why,
                   record_an_oscillation);
   if (!ramps.ramps.empty() && !from_ramps) {
     calibration::lower(q, calibration::Verdict::doubtful,

@@ -342,8 +342,8 @@ class Examination {
     if (!found.found) return std::nullopt;
     const FrictionDrift& drift = out.drift;
     const double friction = found.coulomb_Nm ? found.coulomb_Nm->value : out.mean_friction_Nm;
-    // Friction follows no curve of ours exactly.
-    constexpr double least_slack = 0.4;
+    // Friction follows no curve of ours exactly; without a common clock, nor do we know when.
+    const double least_slack = out.by_clock ? 0.4 : 0.7;
     SweepShift shift;
     const gravity::GravityShift best =
         effect_of(sweep, found, amplitude_known, friction, drift.change, drift.time_constant);
