@@ -334,6 +334,14 @@ std::vector<Rule> gravity_rules() {
        {Quantity::bristle_stiffness, Quantity::bristle_damping, Quantity::stribeck_speed,
         Quantity::viscous_coefficient},
        "record.more_of_the_same",
+       coloured_noise_in_friction},
+      // The choice of a law over the speed follows such noise too.
+      {"coloured_noise_large_in_friction",
+       "%",
+       10,
+       Verdict::doubtful,
+       {Quantity::break_away_torque, Quantity::coulomb_torque, Quantity::viscous_curve},
+       "record.more_of_the_same",
        coloured_noise_in_friction}};
 }
 

@@ -135,6 +135,8 @@ const Messages& verdict_messages() {
       {"rule.coloured_noise", text("Noise that hangs together in time, of the white noise")},
       {"rule.coloured_noise_in_friction",
        text("Noise that hangs together in time, by the friction")},
+      {"rule.coloured_noise_large_in_friction",
+       text("Noise that hangs together in time, against the friction")},
 
       // What was found to be wrong with the joint or the log.
       {"cause.no_gravity",

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -150,7 +151,52 @@ std::vector<Statement> notes_of(const FileArrays& found) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view simulink_values = ".signals.values";
+constexpr std::string_view simulink_time = ".time";
+
+const NamedArray* array_of(const FileArrays& found, const std::string& name) {
+  const auto it = std::find_if(found.arrays.begin(), found.arrays.end(),
+                               [&](const NamedArray& array) { return array.name == name; });
+  return it == found.arrays.end() ? nullptr : &*it;
+}
+
+/// Simulink's structures with time, q.time and q.signals.values: the signal is q or, where it has
+/// one, its label; their common clock is "time".
+void name_as_simulink_means(FileArrays& found) {
+  std::vector<std::string> signals;
+  for (const NamedArray& array : found.arrays) {
+    if (!array.name.ends_with(simulink_values)) continue;
+    const std::string name(array.name, 0, array.name.size() - simulink_values.size());
+    if (array_of(found, name + std::string(simulink_time)) != nullptr) signals.push_back(name);
+  }
+  if (signals.empty()) return;
+  const NamedArray clock = *array_of(found, signals.front() + std::string(simulink_time));
+  for (const std::string& name : signals) {
+    const std::string of_clock = name + std::string(simulink_time);
+    if (array_of(found, of_clock)->values != clock.values) continue;  // one of another clock
+    std::string shown = name;
+    const bool is_vector = array_of(found, name + std::string(simulink_values))->columns == 1;
+    for (const auto& [key, text] : found.texts) {
+      const bool is_one = is_vector && !text.empty() && array_of(found, text) == nullptr;
+      if (key == name + ".signals.label" && is_one) shown = text;
+    }
+    for (NamedArray& array : found.arrays) {
+      if (array.name == name + std::string(simulink_values)) array.name = shown;
+    }
+    std::erase_if(found.arrays, [&](const NamedArray& array) { return array.name == of_clock; });
+  }
+  if (array_of(found, "time") != nullptr) return;
+  found.arrays.insert(found.arrays.begin(), clock);
+  found.arrays.front().name = "time";
+  found.arrays.front().unit = "s";
+}
+
+}  // namespace
+
 std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file) {
+  name_as_simulink_means(found);
   std::vector<Statement> notes = notes_of(found);
   std::set<std::size_t> vector_lengths;
   for (const NamedArray& array : found.arrays) {

@@ -53,6 +53,9 @@ bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array
 
 /// All vectors of one length (2 or more) form one table; the tables come longest first.
 ///
+/// Simulink's structures with time, q.time and q.signals.values, are columns "time" and "q", or
+/// what q.signals.label says.
+///
 /// A matrix gives the columns name_0, name_1, ... . Its rows run along the dimension that is as
 /// long as a vector of the file, along the longer one where both or none are; along the first one
 /// where they are equal, which is noted. A dimension of more than 64 that fits no vector is not

@@ -133,8 +133,76 @@ void add_records(const std::string& prefix, const JsonValue& records, FileArrays
   }
 }
 
+// Tables as pandas writes them, in each of its orientations.
+
+bool is_row_label(const std::string& key) {
+  return !key.empty() &&
+         std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// {"0": {"t": 0, ...}, "1": ...}: a row each, by its label.
+bool are_labelled_records(const JsonValue& value) {
+  return is_object(value) && value.content->keys.size() > 1 && all_are(value, is_object) &&
+         std::all_of(value.content->keys.begin(), value.content->keys.end(), is_row_label);
+}
+
+/// {"0": 0.1, "1": 0.2, ...}: a column, by the labels of its rows.
+bool is_labelled_column(const JsonValue& value) {
+  return is_object(value) && value.content->keys.size() > 1 &&
+         std::all_of(value.content->keys.begin(), value.content->keys.end(), is_row_label) &&
+         std::none_of(
+             value.content->elements.begin(), value.content->elements.end(),
+             [](const JsonValue& one) { return is_object(one) || one.kind == JsonKind::array; });
+}
+
+bool is_text(const JsonValue& value) { return value.kind == JsonKind::text; }
+
+const JsonValue* member(const JsonValue& object, const char* key) {
+  const auto& keys = object.content->keys;
+  const auto found = std::find(keys.begin(), keys.end(), key);
+  return found == keys.end() ? nullptr : &object.content->elements[found - keys.begin()];
+}
+
+/// {"columns": ["t", ...], "index": [...], "data": [[0, ...], ...]}
+bool is_split_table(const JsonValue& value) {
+  if (!is_object(value)) return false;
+  const JsonValue* columns = member(value, "columns");
+  const JsonValue* data = member(value, "data");
+  const auto is_list = [](const JsonValue* one) {
+    return one != nullptr && one->kind == JsonKind::array && !one->content->elements.empty();
+  };
+  const auto is_row = [&](const JsonValue& row) {
+    return row.kind == JsonKind::array &&
+           row.content->elements.size() == columns->content->elements.size();
+  };
+  return is_list(columns) && is_list(data) && all_are(*columns, is_text) &&
+         std::all_of(data->content->elements.begin(), data->content->elements.end(), is_row);
+}
+
+void add_split_table(const std::string& prefix, const JsonValue& value, FileArrays& found) {
+  const auto& rows = member(value, "data")->content->elements;
+  const auto& names = member(value, "columns")->content->elements;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    RecordField field;
+    field.array.name = prefix + names[k].content->text;
+    for (const JsonValue& row : rows) count_value(row.content->elements[k], field);
+    if (!field.unusable_because.empty()) {
+      found.leave_out(field.array.name, field.unusable_because);
+      continue;
+    }
+    if (!shape_array({rows.size()}, field.array, found)) continue;
+    for (const JsonValue& row : rows) append(row.content->elements[k], field.array);
+    found.arrays.push_back(std::move(field.array));
+  }
+}
+
+void add_labelled_column(const std::string& name, const JsonValue& value, FileArrays& found) {
+  if (!all_are(value, is_number_or_gap)) return found.leave_out(name, "it holds texts");
+  add_vector(name, value, found);
+}
+
 std::size_t count_records(const JsonValue& value) {
-  if (are_records(value)) return 1;
+  if (are_records(value) || are_labelled_records(value)) return 1;
   std::size_t count = 0;
   if (is_object(value)) {
     for (const JsonValue& element : value.content->elements) count += count_records(element);
@@ -161,6 +229,12 @@ void add_value(const std::string& name, const JsonValue& value, bool only_record
       return;
     }
     case JsonKind::object:
+      if (is_split_table(value))
+        return add_split_table(name.empty() ? "" : name + "/", value, found);
+      if (is_labelled_column(value)) return add_labelled_column(shown, value, found);
+      if (are_labelled_records(value)) {
+        return add_records(only_records || name.empty() ? "" : name + "/", value, found);
+      }
       for (std::size_t i = 0; i < value.content->keys.size(); ++i) {
         const std::string inner =
             name.empty() ? value.content->keys[i] : name + "." + value.content->keys[i];
@@ -178,10 +252,42 @@ void add_value(const std::string& name, const JsonValue& value, bool only_record
   found.leave_out(shown, "it is a list of texts or of mixed values");
 }
 
+constexpr std::string_view blanks = " \t\r\n";
+
+/// JSON Lines: an object behind the other, a line each.
+bool are_json_lines(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos || text[begin] != '{') return false;
+  const std::size_t end = text.find('\n', begin);
+  if (end == std::string_view::npos) return false;
+  const std::size_t last = text.find_last_not_of(blanks, end);
+  const std::size_t next = text.find_first_not_of(blanks, end);
+  return text[last] == '}' && next != std::string_view::npos && text[next] == '{';
+}
+
+/// The lines as one array; each stays the line that it is.
+std::string array_of_lines(std::string_view text) {
+  std::string array = "[";
+  array.reserve(text.size() + text.size() / 16);
+  bool has_one = false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    const bool is_blank = line.find_first_not_of(blanks) == std::string_view::npos;
+    if (!is_blank && has_one) array += ',';
+    has_one = has_one || !is_blank;
+    array.append(line);
+    if (end < text.size()) array += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return array + "]";
+}
+
 }  // namespace
 
 std::vector<log::LogTable> parse_json_log(std::string_view bytes, const std::string& file) {
-  const JsonValue root = parse_json_text(bytes, file);
+  const JsonValue root = are_json_lines(bytes) ? parse_json_text(array_of_lines(bytes), file)
+                                               : parse_json_text(bytes, file);
   FileArrays found;
   add_value("", root, count_records(root) == 1, found);
   return tables_of(std::move(found), file);

@@ -31,6 +31,25 @@ std::vector<ingest::log::LogTable> tables(std::vector<ingest::arrays::NamedArray
   return ingest::arrays::tables_of(std::move(found), "log");
 }
 
+TEST(TablesOf, SimulinksStructuresWithTimeShareTheirClock) {
+  ingest::arrays::FileArrays found;
+  found.arrays = {counted("q_rad.time", 3), counted("q_rad.signals.values", 3),
+                  counted("sim2.time", 3), counted("sim2.signals.values", 3)};
+  found.texts = {{"sim2.signals.label", "torque_Nm"}, {"q_rad.signals.label", ""}};
+  const auto result = ingest::arrays::tables_of(std::move(found), "log");
+  ASSERT_EQ(result.size(), 1U);
+  EXPECT_EQ(result[0].header, (Names{"time", "q_rad", "torque_Nm"}));
+  // Of another clock, which none of the first's is: it stays what it is.
+  auto late = counted("b.time", 3);
+  late.values[2] = 7;
+  const auto two = tables(
+      {counted("a.time", 3), counted("a.signals.values", 3), late, counted("b.signals.values", 3)});
+  EXPECT_EQ(two[0].header, (Names{"time", "a", "b.time", "b.signals.values"}));
+  // Without values beside it, a time is a column like others.
+  EXPECT_EQ(tables({counted("run.time", 3), counted("run.q", 3)})[0].header,
+            (Names{"run.time", "run.q"}));
+}
+
 TEST(TablesOf, VectorsOfOneLengthAreOneTable) {
   const auto result = tables({counted("t", 3), counted("q", 3)});
   ASSERT_EQ(result.size(), 1U);

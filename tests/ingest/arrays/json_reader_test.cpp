@@ -49,6 +49,40 @@ std::string bam_log(int rows) {
   return log.dump();
 }
 
+TEST(Json, EveryOrientationOfPandasIsTheSameTable) {
+  // df.to_json(orient=...) of two columns, t and q, and three rows.
+  for (const char* const text :
+       {R"([{"t":0.0,"q":5.0},{"t":0.5,"q":6.0},{"t":1.0,"q":null}])",
+        R"({"t":{"0":0.0,"1":0.5,"2":1.0},"q":{"0":5.0,"1":6.0,"2":null}})",
+        R"({"0":{"t":0.0,"q":5.0},"1":{"t":0.5,"q":6.0},"2":{"t":1.0,"q":null}})",
+        R"({"columns":["t","q"],"index":[0,1,2],"data":[[0.0,5.0],[0.5,6.0],[1.0,null]]})",
+        "{\"t\":0.0,\"q\":5.0}\n{\"t\":0.5,\"q\":6.0}\n\n{\"t\":1.0,\"q\":null}\n"}) {
+    const auto tables = read(text);
+    ASSERT_EQ(tables.size(), 1U) << text;
+    ASSERT_EQ(tables[0].header.size(), 2U) << text;
+    const bool is_sorted = tables[0].header == Names{"q", "t"};
+    EXPECT_TRUE(is_sorted || tables[0].header == (Names{"t", "q"})) << text;
+    const Values& t = tables[0].columns[is_sorted ? 1 : 0].values;
+    const Values& q = tables[0].columns[is_sorted ? 0 : 1].values;
+    EXPECT_EQ(t, (Values{0, 0.5, 1})) << text;
+    ASSERT_EQ(q.size(), 3U) << text;
+    EXPECT_EQ(q[1], 6) << text;
+    EXPECT_TRUE(std::isnan(q[2])) << text;
+  }
+}
+
+TEST(Json, TextsInAColumnOfPandasAreLeftOut) {
+  const auto tables =
+      read(R"({"columns":["t","mode","q"],"index":[0,1],"data":[[0,"slow",5],[1,"fast",6]]})");
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].header, (Names{"t", "q"}));
+}
+
+TEST(Json, ABrokenLineIsNamed) {
+  const std::string said = refusal("{\"t\":0}\n{\"t\":1}\n{\"t\":oops}\n");
+  EXPECT_NE(said.find("a.json:3:"), std::string::npos) << said;
+}
+
 TEST(Json, BamLogsAreReadToTheBit) {
   const std::string text = bam_log(300);
   const test::TemporaryDirectory directory;
