@@ -27,23 +27,51 @@ struct Proposed {
   std::string refusal;  ///< Why not.
 };
 
+struct SurveyedFile {
+  std::string path;
+  bool is_named;  ///< By the user or a recorder, else just found in a folder.
+};
+
+std::vector<SurveyedFile> files_of(const std::vector<std::string>& paths) {
+  std::vector<SurveyedFile> files;
+  for (const std::string& path : paths) {
+    const bool is_named = !std::filesystem::is_directory(path) ||
+                          std::filesystem::exists(std::filesystem::path(path) / "metadata.yaml");
+    for (std::string& file : inspect::survey::log_files_in(path)) {
+      files.push_back({std::move(file), is_named});
+    }
+  }
+  return files;
+}
+
+std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files) {
+  std::vector<std::string> paths;
+  for (const SurveyedFile& file : files) paths.push_back(file.path);
+  return paths;
+}
+
 /// Surveys the logs in their order. One that is refused is told at once, and the others go on.
 /// @throw InputError of the only log, or of the first one if all are refused.
-std::vector<inspect::survey::LogSurvey> survey_logs(const InspectedLogs& options,
+std::vector<inspect::survey::LogSurvey> survey_logs(const std::vector<SurveyedFile>& files,
+                                                    const InspectedLogs& options,
                                                     Console& console) {
   std::vector<inspect::survey::LogSurvey> logs;
   std::optional<InputError> first;
-  for (std::size_t k = 0; k < options.files.size(); ++k) {
-    console.progress("reading the logs", k, options.files.size());
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    console.progress("reading the logs", k, files.size());
     try {
-      logs.push_back(inspect::survey::survey_log(options.files[k], options.known.log_rules,
+      logs.push_back(inspect::survey::survey_log(files[k].path, options.known.log_rules,
                                                  options.known.columns));
     } catch (const InputError& error) {
       if (!first) first = error;
+      if (!files[k].is_named) {
+        console.warn(std::string("note: not used: ") + error.what());
+        continue;
+      }
       logs.emplace_back();
-      logs.back().file = options.files[k];
+      logs.back().file = files[k].path;
       logs.back().refusal = error.what();
-      if (options.files.size() > 1) console.warn(std::string("error: ") + error.what());
+      if (files.size() > 1) console.warn(std::string("error: ") + error.what());
     }
   }
   console.finish();
@@ -141,9 +169,10 @@ std::string propose(const InitOptions& options, const std::vector<inspect::surve
 }  // namespace
 
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
-  if (!options.json.empty()) check_output_can_be_written(options.json, options.logs.files);
+  const std::vector<SurveyedFile> files = files_of(options.logs.files);
+  if (!options.json.empty()) check_output_can_be_written(options.json, paths_of(files));
   console.make_way_for(options.json);
-  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
+  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options.logs, console);
   const Proposed proposed = try_to_propose(logs, known_of_one(options.logs));
   console.say(inspect::survey::survey_text(logs, proposed.joint));
   if (!proposed.text.empty()) {
@@ -164,9 +193,10 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
     throw OutputError(printable(options.output, 400) +
                       ": exists and was left unchanged; --force replaces it");
   }
-  check_output_can_be_written(options.output, options.logs.files);
+  const std::vector<SurveyedFile> files = files_of(options.logs.files);
+  check_output_can_be_written(options.output, paths_of(files));
   console.make_way_for(options.output);
-  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
+  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options.logs, console);
   const std::string text = propose(options, logs, console);
   write_file_atomically(options.output, text);
   console.say("manifest: " + printable(options.output, 400));
@@ -184,7 +214,7 @@ const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
                                                {"joint", joint::Side::joint}};
 
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
-  command.add_option("FILE", logs.files, "logs of any format")->required();
+  command.add_option("FILE", logs.files, "logs of any format, or folders of them")->required();
   command.add_option("--joint", logs.known.joint,
                      "name of the joint in the logs; default: the one that moves most");
   command.add_option("--gear-ratio", logs.of_joints.gear_ratios, "motor angle / joint angle")

@@ -228,6 +228,37 @@ TEST(Inspect, JointStatesInMcapGiveAManifestThatIdentifyTakes) {
   EXPECT_NEAR(gravity_Nm, 3, 0.01);
 }
 
+TEST(Inspect, AFolderOfRosbag2IsTheFilesThatItLists) {
+  ScratchDirectory scratch;
+  scratch.write("bag_0.mcap", joint_state_log());
+  scratch.write("another.mcap", "no log of this recording");
+  scratch.write("metadata.yaml",
+                "rosbag2_bagfile_information:\n  version: 5\n  relative_file_paths:\n"
+                "    - \"bag_0.mcap\"\n  message_count: 4000\n");
+  const nlohmann::json calibration = identified(scratch, quoted(scratch.path()));
+  EXPECT_EQ(calibration["robot"]["joint"], "elbow");
+  scratch.write("metadata.yaml", "  relative_file_paths:\n    - gone.mcap\n");
+  const ProgramRun run = run_shell(program + "inspect " + quoted(scratch.path()));
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find("gone.mcap"), std::string::npos) << run.err;
+}
+
+TEST(Inspect, OfAFolderWhatIsNoLogIsToldAndLeftOut) {
+  const SmallDataset data;
+  data.scratch().write("notes.txt", "measured on a cold morning\n");
+  const std::string folder = quoted(data.scratch().path());
+  const std::string manifest = data.file("found.toml");
+  const ProgramRun run = run_shell(program + "init " + folder + "-o " + quoted(manifest));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("note: not used: "), std::string::npos) << run.err;
+  EXPECT_NE(read_text(manifest).find("file = \"log.csv\""), std::string::npos);
+  const ProgramRun over =
+      run_shell(program + "init --force " + folder + "-o " + quoted(data.file("log.csv")));
+  EXPECT_EQ(over.status, 2) << "a log of the folder is an input";
+  const ScratchDirectory empty;
+  EXPECT_EQ(run_shell(program + "inspect " + quoted(empty.path())).status, 3);
+}
+
 /// The windows that are proposed have to count as the reader counts.
 TEST(Inspect, AClockFrom1970InABinaryLogGivesWindowsThatIdentifyTakes) {
   const ScratchDirectory scratch;

@@ -59,10 +59,11 @@ TEST(ManifestProposal, LeavesTheTorqueConstantToTheUser) {
   const inspect::survey::ManifestProposal proposal = propose(scratch, log);
   try {
     (void)ingest::manifest::read_manifest(scratch.write("dataset.toml", proposal.text));
-    FAIL() << "a torque constant of 0 was taken";
+    FAIL() << "a current without a torque constant was taken";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("torque_constant_Nm_A"), std::string::npos);
   }
+  EXPECT_EQ(proposal.text.find("= 0\n"), std::string::npos) << "no number for what is not known";
   inspect::survey::ProposalOptions options;
   options.torque_constant_Nm_A = 0.35;
   options.gear_ratio = 100;

@@ -256,8 +256,8 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.lines.push_back(
         options.torque_constant_Nm_A
             ? fmt::format("torque_constant_Nm_A = {}", *options.torque_constant_Nm_A)
-            : "torque_constant_Nm_A = 0  # state it: N·m per ampere on the side above; 0 is "
-              "refused");
+            : "# torque_constant_Nm_A =  # not in the log, and needed: N·m per ampere on that "
+              "side");
   }
   const bool is_stated =
       options.effort_kind || is_taken_as_current || (is_current && meaning.unit_is_stated);

@@ -117,4 +117,9 @@ std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& j
 /// @param manifest the proposed one; empty: none could be proposed.
 std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& manifest);
 
+/// The logs that a path names: itself or, of a folder, what rosbag2's metadata.yaml lists, else all
+/// files in it whose names end as those of logs, by their names.
+/// @throw InputError: a folder without any.
+std::vector<std::string> log_files_in(const std::string& path);
+
 }  // namespace tribolog::inspect::survey

@@ -83,7 +83,7 @@ struct ManifestProposal {
   std::vector<std::string> moves_too;  ///< Other joints that move beside it.
   RoleProposal roles;
   std::string text;  ///< TOML that read_manifest() takes, but for a torque
-                     ///< constant nobody stated, which is 0 there.
+                     ///< constant nobody stated, which is missing.
 };
 
 /// @param logs those refused take no part.
