@@ -1,8 +1,10 @@
 // A whole robot by its manifest: from one log of all joints to a page, a report and numbers of
 // each.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

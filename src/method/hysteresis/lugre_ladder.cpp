@@ -33,8 +33,9 @@ constexpr double smallest_gain = 1e-4;
 /// Rows from which on it stops there.
 constexpr Eigen::Index many_rows = 100'000;
 
-/// Most evaluations from a rough solution of a friction that falls, or over so many rows: what shows
-/// is a few steps away; what does not, wanders along the valley that share and fall make together.
+/// Most evaluations from a rough solution of a friction that falls, or over so many rows: what
+/// shows is a few steps away; what does not, wanders along the valley that share and fall make
+/// together.
 constexpr int longest_way = 25;
 
 std::vector<Shared::Index> with(std::vector<Shared::Index> some,
