@@ -39,9 +39,9 @@ const Messages& gravity_messages() {
 
       // Gravity from the sweeps.
       {"gravity.no_rough_sweep",
-       text("no rough_sweep was recorded; a slow sweep over the joint's range in both directions "
+       text("no rough sweep was recorded; a slow sweep over the joint's range in both directions "
             "would give the angle of the centre of gravity and the gravity torque")},
-      {"gravity.no_precise_sweep", text("no precise_sweep was recorded; a slow sweep of about 1° "
+      {"gravity.no_precise_sweep", text("no precise sweep was recorded; a slow sweep of about 1° "
                                         "to each side of the gravity peak would serve")},
       {"gravity.too_few_samples",
        by_count("samples",
