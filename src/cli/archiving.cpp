@@ -38,8 +38,9 @@ void tell_added(const archive::store::Added& added, const std::string& what, Con
     console.say(fmt::format("archived: {} ({})", id, file));
   } else {
     console.say(fmt::format(
-        "already archived: {} ({}), identified by tribolog {}; --again keeps this one as well", id,
-        file, printable(added.tool_version)));
+        "already archived: {} ({}), identified by tribolog {}; --again (of identify and report: "
+        "--archive-again) keeps this one as well",
+        id, file, printable(added.tool_version)));
   }
 }
 

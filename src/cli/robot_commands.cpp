@@ -28,13 +28,16 @@ void add_numbers(const std::vector<IdentifiedJoint>& joints, const std::string& 
   }
 }
 
-/// What can be told before anything is computed.
-void check(const DatasetChoice& dataset, const std::string& directory) {
+/// Makes the directory, and tells before anything is computed whether files can be written to it.
+/// @param page one of them.
+void prepare(const DatasetChoice& dataset, const std::string& directory, const std::string& page,
+             const ArchivingOptions& archiving, AtomicFiles& files) {
   if (directory == "-") {
     throw UsageError(
         "the manifest is that of a whole robot: -o names a directory, or --joint one joint");
   }
-  check_output_can_be_written(directory + ".tribolog", {dataset.manifest});
+  files.make_directory(directory);
+  check_output_can_be_written(directory + "/" + page, {dataset.manifest, archiving.file()});
   static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
 }
 
@@ -42,13 +45,13 @@ void check(const DatasetChoice& dataset, const std::string& directory) {
 
 ExitStatus identify_robot(const IdentifyArguments& options, const std::vector<std::string>& joints,
                           const std::vector<std::string>& arguments, Console& console) {
-  check(options.dataset, options.output);
+  AtomicFiles files;
+  prepare(options.dataset, options.output, file_names_of(joints).front() + ".calibration.json",
+          options.archiving, files);
   Archiving archiving(options.archiving);
   std::vector<IdentifiedJoint> done =
       identify_joints(options.dataset.manifest, joints,
                       {options.intervals, options.truth_runs, arguments}, console);
-  AtomicFiles files;
-  files.make_directory(options.output);
   protect_inputs(done, options.output);
   add_numbers(done, options.output, files);
   keep_numbers(done, options.dataset.manifest, archiving, console);
@@ -60,10 +63,11 @@ ExitStatus identify_robot(const IdentifyArguments& options, const std::vector<st
 
 ExitStatus report_robot(const ReportOptions& options, const std::vector<std::string>& joints,
                         const std::vector<std::string>& arguments, Console& console) {
-  check(options.dataset, options.output);
   if (!options.calibration.empty()) {
     throw UsageError("--calibration is for one joint; those of a robot's are beside its reports");
   }
+  AtomicFiles files;
+  prepare(options.dataset, options.output, page_name, options.archiving, files);
   Archiving archiving(options.archiving);
   std::optional<Renderer> renderer;  // starts while the numbers are computed
   if (options.figures) {
@@ -72,8 +76,6 @@ ExitStatus report_robot(const ReportOptions& options, const std::vector<std::str
   std::vector<IdentifiedJoint> done =
       identify_joints(options.dataset.manifest, joints,
                       {options.intervals, options.truth_runs, arguments}, console);
-  AtomicFiles files;
-  files.make_directory(options.output);
   protect_inputs(done, options.output);
   add_numbers(done, options.output, files);
   keep_numbers(done, options.dataset.manifest, archiving, console);

@@ -177,6 +177,11 @@ TEST(WholeRobot, IdentifyWritesTheNumbersOfEach) {
   EXPECT_TRUE(std::filesystem::exists(robot.file("numbers/J1.calibration.json")));
   EXPECT_TRUE(std::filesystem::exists(robot.file("numbers/J2.calibration.json")));
   EXPECT_EQ(Robot::run("identify '" + robot.file("robot.toml") + "' -o -").status, 2);
+  const ProgramRun late = Robot::run("identify '" + robot.file("robot.toml") + "' -o '" +
+                                     robot.file("robot.csv") + "'");
+  EXPECT_EQ(late.status, 4);
+  EXPECT_EQ(late.err.find("J1: "), std::string::npos) << "told before anything is read\n"
+                                                      << late.err;
 }
 
 }  // namespace
