@@ -84,6 +84,19 @@ Points mirrored(Points points) {
   return points;
 }
 
+/// The fitted curve over the speeds that were run; below them it is a guess.
+Points from_slowest(const method::selection::FrictionCurve& fit, const std::vector<double>& runs) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const double speed : runs) slowest = std::min(slowest, std::abs(speed));
+  Points points;
+  for (std::size_t i = 0; i < fit.speed_rad_s.size(); ++i) {
+    if (fit.speed_rad_s[i] < slowest) continue;
+    points.x.push_back(fit.speed_rad_s[i]);
+    points.y.push_back(fit.torque_Nm[i]);
+  }
+  return points;
+}
+
 std::string size_in_words(double size, const wording::Scale& scale) {
   constexpr int digits = 3;
   return wording::with_unit(wording::significant(size * scale.factor, digits), scale.unit);
@@ -160,8 +173,7 @@ std::optional<Thumbnail> curve_thumbnail(const calibration::Calibration& c) {
   Thumbnail out;
   out.measured = frame.dots(measured);
   out.is_of_points = true;
-  const method::selection::FrictionCurve& fit = c.curves.friction;
-  const Points forwards{fit.speed_rad_s, fit.torque_Nm};
+  const Points forwards = from_slowest(c.curves.friction, measured.x);
   out.fitted =
       (x.high > 0 ? frame.line(forwards) : "") + (x.low < 0 ? frame.line(mirrored(forwards)) : "");
   out.zero = frame.zero();
