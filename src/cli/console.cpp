@@ -21,11 +21,15 @@ std::string line_of(const Console::Step& step) {
   return step.name + ": " + step.what;
 }
 
+/// Of several works a line that wraps would be drawn again below: short enough for 80 columns.
 std::string bar_of(const Console::Step& step) {
   constexpr std::size_t width = 30;
+  constexpr std::size_t longest_of_several = 36;
+  const std::size_t longest = step.name.empty() ? longest_bar_text : longest_of_several;
   const std::size_t filled = step.all == 0 ? 0 : width * step.done / step.all;
-  return fmt::format("[{}{}] {}/{} {}", std::string(filled, '#'), std::string(width - filled, '.'),
-                     step.done, step.all, printable(line_of(step), longest_bar_text));
+  return fmt::format(
+      "[{}{}] {}/{} {}", std::string(filled, '#'), std::string(width - filled, '.'), step.done,
+      step.all, printable(step.what.empty() ? step.name + ": waiting" : line_of(step), longest));
 }
 
 /// Of several lines, the cursor being in the last.
