@@ -474,9 +474,10 @@ const std::vector<Rule>& rules() {
        "%",
        2,
        Verdict::doubtful,
-       {Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::bristle_damping,
+       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
+        Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::bristle_damping,
         Quantity::inertia, Quantity::coulomb_torque, Quantity::stribeck_speed,
-        Quantity::viscous_coefficient},
+        Quantity::viscous_coefficient, Quantity::viscous_curve},
        "record.more_of_the_same",
        torque_outliers},
       // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or
