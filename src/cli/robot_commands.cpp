@@ -41,6 +41,29 @@ void prepare(const DatasetChoice& dataset, const std::string& directory, const s
   static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
 }
 
+/// Where the numbers go.
+struct Keepers {
+  AtomicFiles& files;
+  Archiving& archiving;
+  Console& console;
+};
+
+/// Identifies the joints; their numbers are in the archive then, and among the files.
+/// @param options of identify or of report.
+template <class Options>
+std::vector<IdentifiedJoint> identified_and_kept(const Options& options,
+                                                 const std::vector<std::string>& joints,
+                                                 const std::vector<std::string>& arguments,
+                                                 const Keepers& to) {
+  std::vector<IdentifiedJoint> done =
+      identify_joints(options.dataset.manifest, joints,
+                      {options.intervals, options.truth_runs, arguments}, to.console);
+  protect_inputs(done, options.output);
+  add_numbers(done, options.output, to.files);
+  keep_numbers(done, options.dataset.manifest, to.archiving, to.console);
+  return done;
+}
+
 }  // namespace
 
 ExitStatus identify_robot(const IdentifyArguments& options, const std::vector<std::string>& joints,
@@ -49,12 +72,8 @@ ExitStatus identify_robot(const IdentifyArguments& options, const std::vector<st
   prepare(options.dataset, options.output, file_names_of(joints).front() + ".calibration.json",
           options.archiving, files);
   Archiving archiving(options.archiving);
-  std::vector<IdentifiedJoint> done =
-      identify_joints(options.dataset.manifest, joints,
-                      {options.intervals, options.truth_runs, arguments}, console);
-  protect_inputs(done, options.output);
-  add_numbers(done, options.output, files);
-  keep_numbers(done, options.dataset.manifest, archiving, console);
+  const std::vector<IdentifiedJoint> done =
+      identified_and_kept(options, joints, arguments, {files, archiving, console});
   files.commit();
   tell_outcome(done, console);
   console.say("calibrations: " + printable(options.output, longest_path));
@@ -73,12 +92,8 @@ ExitStatus report_robot(const ReportOptions& options, const std::vector<std::str
   if (options.figures) {
     renderer.emplace(RendererOptions{options.processes, options.dataset.manifest});
   }
-  std::vector<IdentifiedJoint> done =
-      identify_joints(options.dataset.manifest, joints,
-                      {options.intervals, options.truth_runs, arguments}, console);
-  protect_inputs(done, options.output);
-  add_numbers(done, options.output, files);
-  keep_numbers(done, options.dataset.manifest, archiving, console);
+  const std::vector<IdentifiedJoint> done =
+      identified_and_kept(options, joints, arguments, {files, archiving, console});
 
   std::vector<RobotJoint> shown;
   std::size_t failed_figures = 0;

@@ -34,7 +34,10 @@ CalibrationArchive::CalibrationArchive(std::unique_ptr<sql::Connection> connecti
 
 Added CalibrationArchive::add(const calibration::NewCalibration& calibration, bool again,
                               const std::string& now_utc) {
-  return add(std::vector{calibration}, again, now_utc).front();
+  refuse_unkept_texts(calibration);
+  Added added;
+  connection_->write([&] { added = insert(calibration, again, now_utc); });
+  return added;
 }
 
 std::vector<Added> CalibrationArchive::add(

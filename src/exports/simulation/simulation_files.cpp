@@ -219,10 +219,6 @@ Json noise(const simulate::Noise& n) {
           {"seed", n.seed}};
 }
 
-}  // namespace
-
-namespace {
-
 Json truth_of(const simulate::Scenario& scenario) {
   const joint::GravityLoad& load = scenario.load;
   const double motor_torque_Nm = load.amplitude_Nm() / scenario.gear_ratio;

@@ -149,10 +149,6 @@ std::vector<Statement> notes_of(const FileArrays& found) {
                     "arrays of two or more numbers", ""});
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::string_view simulink_values = ".signals.values";
 constexpr std::string_view simulink_time = ".time";
 
