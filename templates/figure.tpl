@@ -5,8 +5,9 @@
 {{#NO_PICTURE}}<div class="card no-picture" role="note"><p><b>This figure is missing.</b> <bdi>{{ERROR}}</bdi></p><p>It would show: <bdi>{{ALT}}</bdi></p></div>{{/NO_PICTURE}}
 <figcaption>
 {{#FIGURE_CAPTION_IF}}<p><bdi>{{FIGURE_CAPTION:x-symbols}}</bdi></p>{{/FIGURE_CAPTION_IF}}
-{{#HOW_TO_READ_IF}}<p class="how"><b>How to read this.</b> <bdi>{{HOW_TO_READ:x-symbols}}</bdi></p>{{/HOW_TO_READ_IF}}
+{{#MORE}}<details class="how"><summary>How to read this</summary>
+{{#HOW_TO_READ_IF}}<p><bdi>{{HOW_TO_READ:x-symbols}}</bdi></p>{{/HOW_TO_READ_IF}}
 {{#DATA}}<p class="data"><a download="{{FILE}}" href="{{CSV:x-csv}}">Data of this figure <small>CSV, {{SIZE}}</small></a></p>
-{{/DATA}}{{#WARNING}}<p class="warning"><b>Drawn with a warning:</b> <bdi>{{TEXT}}</bdi></p>{{/WARNING}}
+{{/DATA}}</details>{{/MORE}}{{#WARNING}}<p class="warning"><b>Drawn with a warning:</b> <bdi>{{TEXT}}</bdi></p>{{/WARNING}}
 </figcaption>
 </figure>

@@ -13,41 +13,58 @@
 <body>
 <a class="skip" href="#content">Skip to the results</a>
 <header class="page-head">
-<p class="kicker">{{TOOL}} · {{SUBTITLE}}</p>
+<p class="kicker">Identification report <bdi>{{REPORT_NUMBER}}</bdi></p>
 <h1><bdi>{{DOCUMENT_TITLE}}</bdi></h1>
-{{#FACTS}}<dl class="identity">
-{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
-{{/FACT}}</dl>{{/FACTS}}
 {{#NOTE}}<div class="free">{{#NOTE_LINE}}<p><bdi>{{TEXT}}</bdi></p>{{/NOTE_LINE}}</div>{{/NOTE}}
 </header>
+<main id="content">
+<div class="page-one">
+<div class="answer">
+{{>VERDICT}}
+{{>QUANTITIES}}
+</div>
+<div class="key-pictures">
+{{>KEY_PICTURE}}
+</div>
+<div class="page-terms">
+{{>CERTIFICATE}}
+</div>
+</div>
 <div class="layout">
 <nav class="contents" aria-label="Contents">
 <h2 id="contents">Contents</h2>
 <ol>
-<li><a href="#verdict">Verdict</a></li>
-{{#HAS_QUANTITIES}}<li><a href="#quantities">Quantities</a></li>{{/HAS_QUANTITIES}}
-<li><a href="#key-numbers">Key numbers</a></li>
-{{#HAS_MISSING}}<li><a href="#missing">What is missing, and why</a></li>{{/HAS_MISSING}}
-{{#HAS_DATA_CHECKS}}<li><a href="#data-checks">Checks on the data</a></li>{{/HAS_DATA_CHECKS}}
-{{#HAS_CONVERSIONS}}<li><a href="#conversions">From the log to the motor shaft</a></li>{{/HAS_CONVERSIONS}}
+<li><a href="#verdict">Page one</a></li>
+{{#HAS_FINDINGS}}<li><a href="#findings">Findings, and what to record next</a></li>{{/HAS_FINDINGS}}
+{{#HAS_BUDGET}}<li><a href="#budget">Uncertainty budget</a></li>{{/HAS_BUDGET}}
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}}. {{TITLE}}</a> <span class="state {{OUTCOME}}">{{STATUS}}</span></li>
 {{/CONTENTS_ENTRY}}
+{{#HAS_DATA_CHECKS}}<li><a href="#data-checks">Checks on the data</a></li>{{/HAS_DATA_CHECKS}}
+<li><a href="#key-numbers">Numbers on both sides of the gear</a></li>
+{{#HAS_CONVERSIONS}}<li><a href="#conversions">From the log to the motor shaft</a></li>{{/HAS_CONVERSIONS}}
 <li><a href="#intervals">About the method and its intervals</a></li>
 <li><a href="#provenance">Provenance</a></li>
 </ol>
 </nav>
-<main id="content">
-{{>VERDICT}}
-{{>QUANTITIES}}
-<section id="key-numbers" aria-labelledby="key-numbers-title">
-<h2 id="key-numbers-title">Key numbers <a class="self" href="#key-numbers" aria-label="Link to this section">#</a></h2>
-{{>KEY_NUMBERS}}
+<div class="body">
+{{>FURTHER_FINDINGS}}
+{{#HAS_BUDGET}}<section id="budget" aria-labelledby="budget-title">
+<h2 id="budget-title">Uncertainty budget <a class="self" href="#budget" aria-label="Link to this section">#</a></h2>
 {{>BUDGET}}
-</section>
-{{>MISSING}}
-{{>DATA_CHECKS}}
-{{>CONVERSIONS}}
+</section>{{/HAS_BUDGET}}
 {{>STAGE}}
+{{#HAS_DATA_CHECKS}}<details class="folded"><summary>Checks on the data, and rules of the verdict <small>{{CHECKS_PASSED}}</small></summary>
+{{>DATA_CHECKS}}
+</details>{{/HAS_DATA_CHECKS}}
+<details class="folded"><summary>Numbers on both sides of the gear</summary>
+<section id="key-numbers" aria-labelledby="key-numbers-title">
+<h2 id="key-numbers-title">Numbers on both sides of the gear <a class="self" href="#key-numbers" aria-label="Link to this section">#</a></h2>
+{{>KEY_NUMBERS}}
+</section>
+</details>
+{{#HAS_CONVERSIONS}}<details class="folded"><summary>From the log to the motor shaft</summary>
+{{>CONVERSIONS}}
+</details>{{/HAS_CONVERSIONS}}
 <details class="folded"><summary>About the method and its intervals</summary>
 <section id="intervals" aria-labelledby="intervals-title">
 <h2 id="intervals-title">About the method and its intervals <a class="self" href="#intervals" aria-label="Link to this section">#</a></h2>
@@ -59,8 +76,10 @@
 <details class="folded"><summary>Provenance</summary>
 {{>PROVENANCE}}
 </details>
-</main>
+<p class="on-paper">Method, tables, checks and further figures are folded in the file <bdi>{{REPORT_NUMBER}}</bdi> and are not printed unless they are unfolded first. End of the report.</p>
 </div>
+</div>
+</main>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · the full result as JSON is embedded in this file, in the element <code>tribolog-result</code></p></footer>
 <script type="application/json" id="tribolog-result">{{RESULT_JSON:x-json}}</script>
 {{#REVIEW_DATA}}<script type="application/json" id="tribolog-loops">{{LOOPS_JSON:x-json}}</script>

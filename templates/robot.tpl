@@ -34,7 +34,7 @@
 {{#THUMBNAIL}}<figure><svg viewBox="0 0 240 130" aria-hidden="true"><path class="zero" d="{{ZERO}}"/><path class="{{KIND}}" d="{{MEASURED}}"/>{{#FITTED_IF}}<path class="fitted" d="{{FITTED}}"/>{{/FITTED_IF}}</svg><figcaption>{{NAME}}: {{SIZE}}</figcaption></figure>
 {{/THUMBNAIL}}</div>
 <table class="joint-numbers"><caption>{{CAPTION}}</caption><thead><tr><th scope="col">Quantity</th><th scope="col" class="number">Estimate, 95 % interval</th></tr></thead><tbody>
-{{#QUANTITY}}<tr class="{{OUTCOME}}"><th scope="row">{{WORDS}}{{#VERDICT_IF}} <small>{{VERDICT}}</small>{{/VERDICT_IF}}</th><td class="number"><bdi>{{ESTIMATE}}</bdi>{{#INTERVAL_IF}}<small><bdi>{{INTERVAL}}</bdi></small>{{/INTERVAL_IF}}{{#CHANGE_IF}}<small class="{{CHANGE_KIND}}">since last: <bdi>{{CHANGE}}</bdi>{{#CHANGE_WORD_IF}}, {{CHANGE_WORD}}{{/CHANGE_WORD_IF}}</small>{{/CHANGE_IF}}</td></tr>
+{{#QUANTITY}}<tr class="{{OUTCOME}}"><th scope="row">{{WORDS}}{{#VERDICT_IF}} <small>{{VERDICT}}</small>{{/VERDICT_IF}}</th><td class="number"><bdi>{{ESTIMATE}}</bdi>{{#CHANGE_IF}}<small class="{{CHANGE_KIND}}">since last: <bdi>{{CHANGE}}</bdi>{{#CHANGE_WORD_IF}}, {{CHANGE_WORD}}{{/CHANGE_WORD_IF}}</small>{{/CHANGE_IF}}</td></tr>
 {{/QUANTITY}}</tbody></table>{{/NUMBERS}}
 </article>
 {{/JOINT}}</div>

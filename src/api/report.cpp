@@ -69,7 +69,7 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
     }
     if (options.progress) options.progress("writing the report", 1, 1);
     return Report{report::html_report(identified.calibration, figures, drawn, provenance,
-                                      since_last, language),
+                                      since_last, language, options.kept_as),
                   api::outcomes_of(drawn)};
   });
 }

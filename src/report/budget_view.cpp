@@ -1,11 +1,9 @@
 // What each quantity's uncertainty is made of.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "report/view_parts.h"
 #include "wording/rounding.h"
@@ -25,62 +23,52 @@ std::string name_of(Influence influence) {
   return wording::words_for("influence", to_string(influence));
 }
 
-/// "torque constant 97 % (B), the recordings 3 % (A)"
-std::string largest_parts(const UncertaintyBudget& budget) {
-  constexpr std::size_t shown = 3;
-  std::vector<std::string> parts;
-  for (const BudgetPart& part : budget.parts) {
-    if (parts.size() == shown || !(part.share > 0)) break;
-    const std::string share = part.share < 0.01 ? "< 1" : wording::fixed(100 * part.share, 0);
-    parts.push_back(tr("{influence} {share} ({type})", {{"influence", name_of(part.influence)},
-                                                        {"share", wording::with_unit(share, "%")},
-                                                        {"type", part.is_type_b ? "B" : "A"}}));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string not_included(const UncertaintyBudget& budget) {
-  std::vector<std::string> names;
-  for (const Influence influence : budget.not_stated) names.push_back(name_of(influence));
-  return or_dash(fmt::format("{}", fmt::join(names, ", ")));
+std::string share_in_words(double share) {
+  return wording::with_unit(share < 0.01 ? "< 1" : wording::fixed(100 * share, 0), "%");
 }
 
 }  // namespace
 
-Table budget_table(const calibration::Judgement& judgement) {
-  Table table;
-  table.id = "table-budget";
-  table.caption = tr("Uncertainty budgets");
-  table.columns = {{tr("Quantity"), "", false, true},
-                   {tr("Standard uncertainty u"), "", true},
-                   {tr("Degrees of freedom"), "", true},
-                   {tr("Coverage factor k"), "", true},
-                   {tr("Expanded, 95 %"), "", true},
-                   {tr("Largest parts of u²"), "", false, true},
-                   {tr("Not stated, not included"), "", false, true}};
-  table.is_stacked = true;
+std::string largest_part(const calibration::QuantityVerdict& q) {
+  if (!q.budget || q.budget->parts.empty() || !(q.budget->parts.front().share > 0)) return "";
+  const BudgetPart& part = q.budget->parts.front();
+  return tr("{influence} {share}",
+            {{"influence", name_of(part.influence)}, {"share", share_in_words(part.share)}});
+}
+
+std::vector<BudgetRow> budget_rows(const calibration::Judgement& judgement) {
+  std::vector<BudgetRow> rows;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
     if (!q.budget || q.verdict == calibration::Verdict::not_identifiable) continue;
     const UncertaintyBudget& budget = *q.budget;
     const wording::Scale scale = wording::quantity_scale(q.unit, q.estimate->value);
-    constexpr int digits = 2;
-    table.rows.push_back(
-        {{wording::capitalised(wording::words_for("quantity", to_string(q.quantity))),
-          wording::with_unit(
-              wording::significant(budget.standard_uncertainty * scale.factor, digits), scale.unit),
-          std::isinf(budget.freedom) ? "∞" : wording::fixed(budget.freedom, 1),
-          wording::fixed(budget.coverage_factor, 2),
-          "± " + wording::with_unit(
-                     wording::significant(budget.expanded.half_width() * scale.factor, digits),
-                     scale.unit),
-          or_dash(largest_parts(budget)), not_included(budget)},
-         false});
+    const auto in_unit = [&](double value) {
+      constexpr int digits = 2;
+      return wording::with_unit(wording::significant(value * scale.factor, digits), scale.unit);
+    };
+    BudgetRow row;
+    row.quantity = wording::words_for("quantity", to_string(q.quantity));
+    row.standard = in_unit(budget.standard_uncertainty);
+    row.freedom = std::isinf(budget.freedom) ? "∞" : wording::fixed(budget.freedom, 1);
+    row.coverage = wording::fixed(budget.coverage_factor, 2);
+    row.expanded = "± " + in_unit(budget.expanded.half_width());
+    double from = 0;
+    for (const BudgetPart& part : budget.parts) {
+      if (!(part.share > 0)) continue;
+      BudgetRow::Part shown;
+      shown.name = tr("{influence} {share} ({type})", {{"influence", name_of(part.influence)},
+                                                       {"share", share_in_words(part.share)},
+                                                       {"type", part.is_type_b ? "B" : "A"}});
+      shown.kind = to_string(part.influence);
+      std::replace(shown.kind.begin(), shown.kind.end(), '_', '-');
+      shown.from_percent = from;
+      shown.percent = 100 * part.share;
+      from += shown.percent;
+      row.parts.push_back(std::move(shown));
+    }
+    rows.push_back(std::move(row));
   }
-  table.note = tr(
-      "At the motor, after JCGM 100 (GUM). Type A: from the recordings, with noise, ripple and the "
-      "choice of the model. Type B: from the manifest's [uncertainty]. Degrees of freedom by "
-      "Welch and Satterthwaite; ∞ where the stage does not state them.");
-  return table;
+  return rows;
 }
 
 }  // namespace tribolog::report

@@ -72,7 +72,7 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
       TemplateValues& cell = line.add_section(i == 0 ? "ROW_HEADING" : "CELL");
       cell.set("KIND", class_of(table.columns[i]));
       cell.set("TEXT", row.cells[i].empty() ? "–" : row.cells[i]);
-      if (table.is_stacked) cell.set_optional("NAME", table.columns[i].heading);
+      cell.set_optional("NAME", table.columns[i].heading);
     }
   }
   out.set_optional("TABLE_NOTE", table.note);
@@ -97,8 +97,22 @@ void fill_lines(const std::string& text, const std::string& section, const std::
   }
 }
 
-void fill_figure(const FigureCard& figure, TemplateValues& values) {
-  TemplateValues& out = values.add_include("FIGURE", "figure.tpl");
+namespace {
+
+void fill_reading(const FigureCard& figure, TemplateValues& values) {
+  values.set_optional("HOW_TO_READ", figure.how_to_read);
+  if (figure.csv.empty()) return;
+  TemplateValues& data = values.add_section("DATA");
+  data.set("FILE", figure.id + ".csv");
+  data.set_checked_by_modifier("CSV", wording::visible_text(figure.csv));
+  data.set("SIZE",
+           fmt::format("{:.0f} kB", std::ceil(1e-3 * static_cast<double>(figure.csv.size()))));
+}
+
+}  // namespace
+
+void fill_figure(const FigureCard& figure, TemplateValues& values, const std::string& marker) {
+  TemplateValues& out = values.add_include(marker, "figure.tpl");
   out.set("FIGURE_ID", figure.id);
   out.set("FIGURE_HEADING", figure.heading);
   if (figure.png != nullptr) {
@@ -114,13 +128,8 @@ void fill_figure(const FigureCard& figure, TemplateValues& values) {
     missing.set("ALT", figure.alt);
   }
   out.set_optional("FIGURE_CAPTION", figure.caption);
-  out.set_optional("HOW_TO_READ", figure.how_to_read);
-  if (!figure.csv.empty()) {
-    TemplateValues& data = out.add_section("DATA");
-    data.set("FILE", figure.id + ".csv");
-    data.set_checked_by_modifier("CSV", wording::visible_text(figure.csv));
-    data.set("SIZE",
-             fmt::format("{:.0f} kB", std::ceil(1e-3 * static_cast<double>(figure.csv.size()))));
+  if (!figure.how_to_read.empty() || !figure.csv.empty()) {
+    fill_reading(figure, out.add_section("MORE"));
   }
   for (const std::string& warning : figure.warnings) {
     if (!warning.empty()) out.add_section("WARNING").set("TEXT", warning);

@@ -29,6 +29,7 @@ void fill_lines(const std::string& text, const std::string& section, const std::
                 TemplateValues& values);
 
 /// One more figure.tpl at the marker FIGURE.
-void fill_figure(const FigureCard& figure, TemplateValues& values);
+void fill_figure(const FigureCard& figure, TemplateValues& values,
+                 const std::string& marker = "FIGURE");
 
 }  // namespace tribolog::report

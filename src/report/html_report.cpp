@@ -1,5 +1,6 @@
 #include "report/html_report.h"
 
+#include "base/encodings.h"
 #include "calibration/calibration_json.h"
 #include "report/page_style.h"
 #include "report/report_values.h"
@@ -13,20 +14,21 @@ std::string html_report(const calibration::Calibration& calibration,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance,
                         const std::optional<history::Comparison>& since_last,
-                        wording::Language language) {
+                        wording::Language language, const std::string& id) {
   const wording::WordsIn words(language);
-  const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
+  const std::string result = calibration::calibration_json(calibration, provenance);
+  const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last,
+                                           id.empty() ? sha256_hex(result) : id);
   TemplateValues values;
   const std::string loops = review_json(calibration);
   fill_report(view, !loops.empty(), values);
   if (loops.empty()) {
-    fill_style(values);
+    fill_style(values, PageKind::plain, view.number);
   } else {
-    fill_style_and_script(values);
+    fill_style_and_script(values, view.number);
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
   }
-  values.set_checked_by_modifier("RESULT_JSON",
-                                 calibration::calibration_json(calibration, provenance));
+  values.set_checked_by_modifier("RESULT_JSON", result);
   return expand_template("report.tpl", values, language);
 }
 

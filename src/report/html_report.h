@@ -25,12 +25,15 @@ namespace tribolog::report {
 /// with the reason, and the banner says how many are missing.
 /// @param since_last from the joint's calibration before to this one.
 /// @param language of the page and the viewer; the embedded result is the same in every language.
+/// @param id hexadecimal, of the calibration in the archive: the report's number where the manifest
+/// states none. Without it, the digest of the embedded result.
 std::string html_report(const calibration::Calibration& calibration,
                         const std::vector<figures::ReportFigure>& figures,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance,
                         const std::optional<history::Comparison>& since_last = std::nullopt,
-                        wording::Language language = wording::Language{});
+                        wording::Language language = wording::Language{},
+                        const std::string& id = {});
 
 /// The graphics stack as the provenance keeps it.
 calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info);

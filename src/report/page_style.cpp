@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -55,6 +56,40 @@ const std::string& own_style(PageKind kind) {
   return plain;
 }
 
+namespace {
+
+constexpr std::string_view head_begins = "@page{@top-right{content:\"";
+constexpr std::string_view head_ends = "\";font:8pt sans-serif;color:#444444}}\n";
+
+/// What may stand within a string of the style.
+bool is_harmless(char c) {
+  constexpr std::string_view marks = " ./_-";
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || marks.find(c) != std::string_view::npos;
+}
+
+std::string running_head(const std::string& number) {
+  std::string kept;
+  std::copy_if(number.begin(), number.end(), std::back_inserter(kept), is_harmless);
+  if (kept.empty()) return "";
+  return std::string(head_begins) + kept + std::string(head_ends);
+}
+
+}  // namespace
+
+bool is_own_style(std::string_view style) {
+  for (const PageKind kind :
+       {PageKind::with_viewer, PageKind::fleet, PageKind::robot, PageKind::plain}) {
+    if (!style.starts_with(own_style(kind))) continue;
+    std::string_view head = style.substr(own_style(kind).size());
+    if (head.empty()) return true;
+    if (!head.starts_with(head_begins) || !head.ends_with(head_ends)) continue;
+    head.remove_prefix(head_begins.size());
+    head.remove_suffix(head_ends.size());
+    if (std::all_of(head.begin(), head.end(), is_harmless)) return true;
+  }
+  return false;
+}
+
 const std::string& own_script() {
   static const std::string script = [] {
     // A block: its names are none of the page's.
@@ -98,10 +133,12 @@ void fill(const std::string& style, const std::string& script, TemplateValues& v
 
 }  // namespace
 
-void fill_style(TemplateValues& values, PageKind kind) { fill(own_style(kind), "", values); }
+void fill_style(TemplateValues& values, PageKind kind, const std::string& number) {
+  fill(own_style(kind) + running_head(number), "", values);
+}
 
-void fill_style_and_script(TemplateValues& values) {
-  fill(own_style(PageKind::with_viewer), own_script(), values);
+void fill_style_and_script(TemplateValues& values, const std::string& number) {
+  fill(own_style(PageKind::with_viewer) + running_head(number), own_script(), values);
 }
 
 void fill_head(const calibration::Provenance& provenance, TemplateValues& values, PageKind kind) {

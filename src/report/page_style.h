@@ -2,6 +2,7 @@
 // Style and script as they stand in a page, and what the head of every page has.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibration/provenance.h"
@@ -14,6 +15,9 @@ enum class PageKind { plain, with_viewer, fleet, robot };
 
 /// The style sheet, with the page's own behind it.
 const std::string& own_style(PageKind kind);
+
+/// Whether it is the style of such a page, alone or with the running head of printed pages.
+bool is_own_style(std::string_view style);
 
 /// The script of the loop viewer without its indentation and its lines of comment.
 const std::string& own_script();
@@ -28,11 +32,13 @@ void fill_head(const calibration::Provenance& provenance, TemplateValues& values
                PageKind kind = PageKind::plain);
 
 /// CSS, the style of such a page, and CSP, the content security policy that allows it by its hash
-/// and nothing else but pictures as data URIs.
-void fill_style(TemplateValues& values, PageKind kind = PageKind::plain);
+/// and nothing else but pictures as data URIs. @param number of the document, on top of each printed
+/// page; of it letters, digits and ". / _ -" are kept. Empty: pages have none.
+void fill_style(TemplateValues& values, PageKind kind = PageKind::plain,
+                const std::string& number = {});
 
 /// The same with the style of the loop viewer, and SCRIPT, its script, which the policy allows by
 /// its hash too.
-void fill_style_and_script(TemplateValues& values);
+void fill_style_and_script(TemplateValues& values, const std::string& number = {});
 
 }  // namespace tribolog::report

@@ -92,17 +92,6 @@ std::string load_in_words(const joint::KnownLoad& load) {
   return load.note.empty() ? words : words + "; " + load.note;
 }
 
-std::string payload_in_words(const joint::Manifest& m) {
-  if (!m.payload_kg) return m.payload;
-  std::string words = wording::with_unit(wording::as_stated(*m.payload_kg), "kg");
-  if (m.payload_distance_m) {
-    words = tr("{mass} at {distance} from the axis",
-               {{"mass", words},
-                {"distance", wording::with_unit(wording::as_stated(*m.payload_distance_m), "m")}});
-  }
-  return words + (m.payload.empty() ? "" : ", " + m.payload);
-}
-
 Table manifest_table(const joint::Manifest& m) {
   Table table = two_columns("table-manifest", tr("What the manifest states"), tr("Fact"));
   add(table, tr("Gear ratio n"), wording::as_stated(m.drive.gear_ratio()));
@@ -162,17 +151,15 @@ Table software_table(const calibration::Provenance& p) {
 
 }  // namespace
 
-std::vector<Fact> identity_facts(const joint::Manifest& m) {
-  const bool is_direct = m.drive.gear_ratio() == 1.0;
-  std::vector<Fact> facts{{tr("Robot"), or_dash(m.robot)},
-                          {tr("Joint"), or_dash(m.joint)},
-                          {tr("Serial number"), or_dash(m.serial)},
-                          {tr("Measured on"), or_dash(m.measured_on)},
-                          {tr("Operator"), or_dash(m.operator_name)},
-                          {tr("Gear ratio"), is_direct ? tr("1 (direct drive)")
-                                                       : wording::as_stated(m.drive.gear_ratio())}};
-  if (m.reference) facts.push_back({tr("Data"), tr("simulated, the true curve is known")});
-  return facts;
+std::string payload_in_words(const joint::Manifest& m) {
+  if (!m.payload_kg) return m.payload;
+  std::string words = wording::with_unit(wording::as_stated(*m.payload_kg), "kg");
+  if (m.payload_distance_m) {
+    words = tr("{mass} at {distance} from the axis",
+               {{"mass", words},
+                {"distance", wording::with_unit(wording::as_stated(*m.payload_distance_m), "m")}});
+  }
+  return words + (m.payload.empty() ? "" : ", " + m.payload);
 }
 
 std::vector<Table> provenance_tables(const calibration::Calibration& c,

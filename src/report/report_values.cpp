@@ -1,13 +1,20 @@
 #include "report/report_values.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/element_values.h"
 #include "report/report_view.h"
 #include "report/template_engine.h"
 #include "report/view_parts.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -15,11 +22,8 @@ namespace tribolog::report {
 
 namespace {
 
+using wording::tr;
 using wording::tr_count;
-
-/// Nothing where there are none.
-void fill_quantities(const ReportView& view, TemplateValues& values);
-void fill_data_checks(const ReportView& view, TemplateValues& values);
 
 /// Beside the word and the colour.
 const char* icon_of(Outcome outcome) {
@@ -41,44 +45,38 @@ void fill_state(Outcome outcome, TemplateValues& values) {
   values.set("ICON", icon_of(outcome));
 }
 
-/// The weightiest in sight, the others behind a click.
-void fill_reasons(const std::vector<std::string>& reasons, TemplateValues& values) {
-  if (reasons.empty()) return;
-  values.add_section("REASON").set("TEXT", reasons.front());
-  if (reasons.size() == 1) return;
-  TemplateValues& further = values.add_section("FURTHER");
-  const std::size_t count = reasons.size() - 1;
-  further.set("COUNT", tr_count(count, "{reasons} more reason", "{reasons} more reasons",
-                                {{"reasons", count}}));
-  for (std::size_t k = 1; k < reasons.size(); ++k) {
-    further.add_section("REASON").set("TEXT", reasons[k]);
+void fill_references(const std::vector<int>& findings, TemplateValues& values) {
+  for (const int number : findings) {
+    values.add_section("REFERENCE").set("NUMBER", std::to_string(number));
   }
 }
 
-/// Columns that nothing stands in are not shown.
+/// Columns in which something stands.
 struct ShownColumns {
-  bool limits{};
+  bool joint_side{};
   bool changes{};
-  [[nodiscard]] int count() const { return 4 + (limits ? 1 : 0) + (changes ? 1 : 0); }
+  bool parts{};
 };
 
 void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
-  out.set("WORDS", row.words);
+  out.set("WORDS", wording::capitalised(row.words));
   out.set("VERDICT", row.verdict_word);
   fill_state(row.outcome, out);
-  out.set("ESTIMATE", or_dash(row.estimate));
-  out.set("INTERVAL", or_dash(row.interval));
-  if (row.estimate.empty()) out.add_section("NO_ESTIMATE");
-  if (row.interval.empty()) out.add_section("NO_INTERVAL");
-  if (shown.limits) {
-    TemplateValues& cell = out.add_section("LIMITS");
-    for (const LimitCell& limit : row.limits) {
-      TemplateValues& line = cell.add_section("LIMIT");
-      line.set("RULE", limit.rule);
-      line.set("WORD", limit.word);
-      fill_state(limit.outcome, line);
-    }
-    if (row.limits.empty()) cell.add_section("NONE");
+  fill_references(row.findings, out);
+  out.set("AT_MOTOR", or_dash(row.at_motor));
+  out.set("MOTOR_KIND", row.at_motor.empty() ? "none" : "some");
+  if (shown.joint_side) {
+    TemplateValues& cell = out.add_section("JOINT_SIDE");
+    cell.set("AT_JOINT", or_dash(row.at_joint));
+    cell.set("JOINT_KIND", row.at_joint.empty() ? "none" : "some");
+  }
+  out.set("COVERAGE", or_dash(row.coverage));
+  out.set("COVERAGE_KIND", row.coverage.empty() ? "none" : "some");
+  for (const LimitCell& limit : row.limits) {
+    TemplateValues& line = out.add_section("LIMIT");
+    line.set("RULE", limit.rule);
+    line.set("WORD", limit.word);
+    fill_state(limit.outcome, line);
   }
   if (shown.changes) {
     TemplateValues& cell = out.add_section("CHANGE");
@@ -87,22 +85,25 @@ void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
     cell.set_optional("RANGE", row.change_range);
     cell.set("KIND", row.is_changed ? "changed" : row.change_word.empty() ? "none" : "unchanged");
   }
-  if (row.reasons.empty() && row.experiment.empty()) return;
-  TemplateValues& why = out.add_section("WHY");
-  why.set("COLUMNS", std::to_string(shown.count()));
-  fill_reasons(row.reasons, why);
-  why.set_optional("EXPERIMENT", row.experiment);
+  if (!shown.parts) return;
+  TemplateValues& part = out.add_section("PART");
+  part.set("LARGEST_PART", or_dash(row.largest_part));
+  part.set("PART_KIND", row.largest_part.empty() ? "none" : "some");
 }
 
 void fill_quantities(const ReportView& view, TemplateValues& values) {
   const std::vector<QuantityRow>& rows = view.quantities;
   if (rows.empty()) return;
-  values.add_section("HAS_QUANTITIES");
   TemplateValues& table = values.add_include("QUANTITIES", "quantities.tpl");
-  const bool has_limits = std::any_of(rows.begin(), rows.end(),
-                                      [](const QuantityRow& row) { return !row.limits.empty(); });
-  const ShownColumns shown{has_limits, !view.last_day.empty()};
-  table.add_section(shown.limits ? "LIMITS_HEAD" : "NO_LIMITS");
+  const auto any = [&](auto has) { return std::any_of(rows.begin(), rows.end(), has); };
+  const bool has_limits = any([](const QuantityRow& row) { return !row.limits.empty(); });
+  const ShownColumns shown{
+      any([](const QuantityRow& row) { return !row.at_joint.empty(); }), !view.last_day.empty(),
+      std::any_of(view.budget.begin(), view.budget.end(),
+                  [](const BudgetRow& row) { return row.parts.size() > 1; })};
+  if (shown.joint_side) table.add_section("JOINT_HEAD");
+  if (shown.parts) table.add_section("PARTS_HEAD");
+  if (!has_limits) table.add_section("NO_LIMITS");
   TemplateValues& since = table.add_section(shown.changes ? "CHANGES_HEAD" : "NO_CHANGES");
   if (shown.changes) {
     since.set("DAY", view.last_day);
@@ -110,7 +111,81 @@ void fill_quantities(const ReportView& view, TemplateValues& values) {
     note.set("DAY", view.last_day);
     note.set("ID", view.last_id);
   }
+  table.set_optional("NOT_ASKED_FOR", view.not_asked_for);
   for (const QuantityRow& row : rows) fill_row(row, shown, table.add_section("QUANTITY"));
+}
+
+void fill_ticks(const std::vector<KeyPicture::Tick>& ticks, const std::string& section,
+                TemplateValues& values) {
+  for (const KeyPicture::Tick& tick : ticks) {
+    TemplateValues& label = values.add_section(section);
+    label.set("AT", fmt::format("{:.1f}", tick.at));
+    label.set("LABEL", tick.label);
+  }
+}
+
+void fill_pictures(const std::vector<KeyPicture>& pictures, TemplateValues& values) {
+  for (const KeyPicture& picture : pictures) {
+    TemplateValues& out = values.add_include("KEY_PICTURE", "key_picture.tpl");
+    out.set("PICTURE_ID", picture.id);
+    out.set("TITLE", picture.title);
+    out.set("CAPTION", picture.caption);
+    out.set("X_TITLE", picture.x_title);
+    out.set("Y_TITLE", picture.y_title);
+    out.set("GRID", picture.grid);
+    fill_ticks(picture.x_ticks, "X_TICK", out);
+    fill_ticks(picture.y_ticks, "Y_TICK", out);
+    const std::pair<const char*, const std::string&> paths[] = {
+        {"band", picture.band},         {"level", picture.level},
+        {"bars", picture.bars},         {"measured", picture.measured},
+        {"backward", picture.backward}, {"hollow", picture.backward},
+        {"fitted", picture.fitted},     {"forward", picture.forward}};
+    for (const auto& [kind, path] : paths) {
+      if (path.empty()) continue;
+      TemplateValues& line = out.add_section("PATH");
+      line.set("KIND", kind);
+      line.set("PATH", path);
+    }
+  }
+}
+
+void fill_terms(const ReportView& view, TemplateValues& values) {
+  TemplateValues& out = values.add_include("CERTIFICATE", "certificate.tpl");
+  out.set("REPORT_NUMBER", view.number);
+  for (const Fact& fact : view.boundary) {
+    TemplateValues& item = out.add_section("BOUNDARY");
+    item.set("NAME", fact.name);
+    item.set("TEXT", fact.text);
+  }
+  for (const Fact& fact : view.certificate) {
+    TemplateValues& item = out.add_section("STATED");
+    item.set("NAME", fact.name);
+    item.set("TEXT", fact.text);
+  }
+}
+
+void fill_budget(const std::vector<BudgetRow>& rows, TemplateValues& values) {
+  if (rows.empty()) return;
+  values.add_section("HAS_BUDGET");
+  TemplateValues& table = values.add_include("BUDGET", "budget.tpl");
+  for (const BudgetRow& row : rows) {
+    TemplateValues& out = table.add_section("ROW");
+    out.set("QUANTITY", wording::capitalised(row.quantity));
+    out.set("STANDARD", row.standard);
+    out.set("FREEDOM", row.freedom);
+    out.set("COVERAGE", row.coverage);
+    out.set("EXPANDED", row.expanded);
+    for (const BudgetRow::Part& part : row.parts) {
+      TemplateValues& bar = out.add_section("BAR");
+      bar.set("KIND", part.kind);
+      bar.set("FROM", fmt::format("{:.1f}", part.from_percent));
+      bar.set("WIDTH", fmt::format("{:.1f}", part.percent));
+      TemplateValues& named = out.add_section("PART");
+      named.set("KIND", part.kind);
+      named.set("NAME", part.name);
+    }
+    if (row.parts.empty()) out.add_section("NO_PARTS");
+  }
 }
 
 void fill_check(const DataCheckRow& row, TemplateValues& out) {
@@ -132,6 +207,11 @@ void fill_data_checks(const ReportView& view, TemplateValues& values) {
   values.add_section("HAS_DATA_CHECKS");
   TemplateValues& table = values.add_include("DATA_CHECKS", "data_checks.tpl");
   for (const DataCheckRow& row : view.data_checks) fill_check(row, table.add_section("CHECK"));
+  const auto passed = static_cast<std::size_t>(
+      std::count_if(view.data_checks.begin(), view.data_checks.end(),
+                    [](const DataCheckRow& row) { return row.outcome == Outcome::good; }));
+  values.set("CHECKS_PASSED", tr("{passed} of {all} passed", {{"passed", passed},
+                                                              {"all", view.data_checks.size()}}));
   if (view.rules.empty()) return;
   TemplateValues& rules = table.add_section("HAS_RULES");
   for (const DataCheckRow& row : view.rules) fill_check(row, rules.add_section("RULE"));
@@ -154,6 +234,13 @@ void fill_provenance(const std::string& command_line, const std::string& created
 
 namespace {
 
+/// What the fold of a section holds.
+std::string fold_in_words(bool has_tables, bool has_figures) {
+  if (has_tables && has_figures) return tr("Method, tables and further figures");
+  if (has_tables) return tr("Method and tables");
+  return has_figures ? tr("Method and further figures") : tr("Method");
+}
+
 void fill_section(const Section& section, bool has_viewer, TemplateValues& values) {
   TemplateValues& out = values.add_include("STAGE", "stage.tpl");
   out.set("SECTION_ID", section.id);
@@ -161,15 +248,33 @@ void fill_section(const Section& section, bool has_viewer, TemplateValues& value
   out.set("TITLE", section.title);
   out.set("STATUS", section.status);
   fill_outcome(section.outcome, out);
-  out.add_include("EXPLANATION", section.explanation);
-  out.set_optional("REASON", section.reason);
-  out.set_optional("EXPERIMENT", section.experiment);
+  if (section.finding > 0) {
+    out.add_section("REFERENCE").set("NUMBER", std::to_string(section.finding));
+  } else {
+    out.set_optional("REASON", section.reason);
+  }
   fill_facts(section.facts, out);
   if (has_viewer && section.id == section_anchor(StageId::hysteresis)) {
     out.add_include("REVIEW", "review.tpl");
   }
-  for (const FigureCard& figure : section.figures) fill_figure(figure, out);
-  for (const Table& table : section.tables) fill_table(table, "TABLE", out);
+  TemplateValues& fold = out.add_section("FOLD");
+  fold.set_optional("EXPERIMENT", section.experiment);
+  fold.add_include("EXPLANATION", section.explanation);
+  bool has_tables = false;
+  for (const Table& table : section.tables) {
+    has_tables |= !table.rows.empty();
+    fill_table(table, "TABLE", fold);
+  }
+  bool has_figures = false;
+  for (const FigureCard& figure : section.figures) {
+    has_figures |= !figure.is_primary;
+    if (figure.is_primary) {
+      fill_figure(figure, out);
+    } else {
+      fill_figure(figure, fold, "FOLDED_FIGURE");
+    }
+  }
+  fold.set("WHAT", fold_in_words(has_tables, has_figures));
 }
 
 void fill_contents(const ReportView& view, TemplateValues& values) {
@@ -183,33 +288,52 @@ void fill_contents(const ReportView& view, TemplateValues& values) {
   }
 }
 
-/// The weightiest in sight, the others behind a click.
-void fill_findings(const std::vector<std::string>& findings, TemplateValues& verdict) {
-  constexpr std::size_t in_sight = findings_in_sight;
-  if (findings.empty()) return;
-  TemplateValues& first = verdict.add_section("FINDINGS");
-  for (std::size_t k = 0; k < std::min(in_sight, findings.size()); ++k) {
-    first.add_section("FINDING").set("TEXT", or_dash(findings[k]));
-  }
-  if (findings.size() <= in_sight) return;
-  const std::size_t others = findings.size() - in_sight;
-  TemplateValues& further = verdict.add_section("FURTHER");
-  further.set("COUNT", tr_count(others, "{findings} more finding", "{findings} more findings",
-                                {{"findings", others}}));
-  for (std::size_t k = in_sight; k < findings.size(); ++k) {
-    further.add_section("FINDING").set("TEXT", or_dash(findings[k]));
-  }
+void fill_finding(const Finding& finding, const std::string& section, TemplateValues& values) {
+  TemplateValues& item = values.add_section(section);
+  item.set("NUMBER", std::to_string(finding.number));
+  item.set("TEXT", or_dash(finding.text));
+  item.set_optional("CONSEQUENCE", finding.consequence);
+  item.set_optional("QUANTITIES", fmt::format("{}", fmt::join(finding.quantities, ", ")));
 }
 
-void fill_missing(const std::vector<MissingResult>& missing, TemplateValues& values) {
-  if (missing.empty()) return;
-  TemplateValues& list = values.add_include("MISSING", "missing.tpl");
-  for (const MissingResult& result : missing) {
-    TemplateValues& item = list.add_section("ITEM");
-    item.set("STAGE_NAME", result.stage);
-    item.set("SECTION_ID", result.section_id);
-    item.set("REASON", result.reason);
-    item.set_optional("EXPERIMENT", result.experiment);
+/// The first on page one; of the others those that lower a verdict in sight, notes behind a click.
+void fill_findings(const ReportView& view, TemplateValues& verdict, TemplateValues& values) {
+  const std::vector<Finding>& all = view.findings;
+  const std::size_t first = std::min(findings_on_page_one, all.size());
+  if (first > 0) {
+    TemplateValues& list = verdict.add_section("NUMBERED");
+    for (std::size_t k = 0; k < first; ++k) fill_finding(all[k], "FINDING", list);
+    if (all.size() > first) {
+      verdict.add_section("FURTHER_LINK").set(
+          "COUNT", tr_count(all.size() - first, "{findings} more finding", "{findings} more findings",
+                            {{"findings", all.size() - first}}));
+    }
+  }
+  if (all.size() <= first && view.next_steps.empty()) return;
+  values.add_section("HAS_FINDINGS");
+  TemplateValues& section = values.add_include("FURTHER_FINDINGS", "findings.tpl");
+  std::vector<const Finding*> notes;
+  TemplateValues* list = nullptr;
+  for (std::size_t k = first; k < all.size(); ++k) {
+    if (all[k].quantities.empty()) {
+      notes.push_back(&all[k]);
+      continue;
+    }
+    if (list == nullptr) list = &section.add_section("FINDINGS");
+    fill_finding(all[k], "FINDING", *list);
+  }
+  if (!notes.empty()) {
+    TemplateValues& folded = section.add_section("NOTES");
+    folded.set("COUNT", tr_count(notes.size(), "{notes} note that lowers no verdict",
+                                 "{notes} notes that lower no verdict", {{"notes", notes.size()}}));
+    for (const Finding* note : notes) fill_finding(*note, "FINDING", folded);
+  }
+  if (view.next_steps.empty()) return;
+  TemplateValues& steps = section.add_section("STEPS");
+  for (const NextStep& step : view.next_steps) {
+    TemplateValues& item = steps.add_section("STEP");
+    item.set("TEXT", step.text);
+    item.set("QUANTITIES", fmt::format("{}", fmt::join(step.quantities, ", ")));
   }
 }
 
@@ -226,27 +350,28 @@ void fill_conversions(const std::vector<Table>& tables, TemplateValues& values) 
 
 void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values) {
   values.set("DOCUMENT_TITLE", view.title);
-  values.set("SUBTITLE", view.subtitle);
+  values.set("REPORT_NUMBER", view.number);
   values.set("CREATED", view.created_utc);
   values.set("TOOL", view.tool);
-  fill_facts(view.identity, values);
   if (!view.note.empty()) fill_lines(view.note, "NOTE_LINE", "TEXT", values.add_section("NOTE"));
   fill_contents(view, values);
 
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   verdict.set("WORD", view.verdict_word);
-  verdict.set("SENTENCE", view.verdict_sentence);
+  const bool has_sentence = !view.verdict_sentence.empty();
+  verdict.set("SENTENCE", has_sentence ? view.verdict_sentence : or_dash(view.verdict_rows));
+  if (has_sentence) verdict.set_optional("ROWS", view.verdict_rows);
   fill_outcome(view.verdict, verdict);
   verdict.set_optional("FIGURES_MISSING", view.figures_missing);
-  fill_findings(view.findings, verdict);
+  fill_findings(view, verdict, values);
 
   fill_quantities(view, values);
+  fill_pictures(view.pictures, values);
+  fill_terms(view, values);
   fill_data_checks(view, values);
   fill_conversions(view.conversion_tables, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
-  fill_table(view.budget, "BUDGET", values);
-  fill_missing(view.missing, values);
-  if (!view.missing.empty()) values.add_section("HAS_MISSING");
+  fill_budget(view.budget, values);
   for (const Section& section : view.sections) fill_section(section, has_viewer, values);
   fill_provenance(view.command_line, view.created_utc, view.notes, view.provenance_tables, values);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/key_pictures.h"
 #include "report/view_parts.h"
 #include "wording/tr.h"
 
@@ -94,10 +95,11 @@ std::string missing_figures(const ReportView& view) {
 }
 
 void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
-  view.verdict_sentence = or_dash(as_sentence(judgement.sentence));
-  for (const Statement& finding : judgement.findings) {
-    view.findings.push_back(as_sentence(finding));
-  }
+  // These two say what the rows say.
+  const bool is_of_rows = judgement.sentence.is("verdict.not_all_usable") ||
+                          judgement.sentence.is("verdict.nothing_usable");
+  if (!is_of_rows) view.verdict_sentence = as_sentence(judgement.sentence);
+  view.verdict_rows = rows_in_words(judgement);
   switch (judgement.verdict) {
     case calibration::Verdict::usable:
       view.verdict = Outcome::good;
@@ -126,14 +128,21 @@ ReportView make_report_view(const calibration::Calibration& c,
                             const std::vector<figures::ReportFigure>& figures,
                             const std::vector<render::workers::DrawnFigure>& drawn,
                             const calibration::Provenance& provenance,
-                            const std::optional<history::Comparison>& since_last) {
+                            const std::optional<history::Comparison>& since_last,
+                            const std::string& id) {
   ReportView view;
+  const NumberedFindings findings(c.judgement);
   view.title = robot_and_joint(c.manifest);
-  view.subtitle = tr("identification of centre of gravity, surrogate mass and friction");
-  view.identity = identity_facts(c.manifest);
+  view.number = report_number(c.manifest, id);
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);
-  view.quantities = quantity_rows(c.judgement, since_last);
+  view.quantities = quantity_rows(c, findings, since_last);
+  view.not_asked_for = not_asked_for(c.judgement);
+  view.findings = findings.all();
+  view.next_steps = next_steps(c.judgement);
+  view.pictures = key_pictures(c);
+  view.boundary = boundary_facts(c);
+  view.certificate = certificate_facts(c, provenance);
   if (since_last) {
     constexpr std::size_t day = 10;
     view.last_day = since_last->first.facts.measured_at.substr(0, day);
@@ -143,15 +152,11 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.rules = rule_rows(c.judgement.rules);
   view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);
-  view.budget = budget_table(c.judgement);
+  view.budget = budget_rows(c.judgement);
   for (const StageId stage : all_stages) {
     if (stage == StageId::break_away && c.break_away.ramps.empty()) continue;
     view.sections.push_back(make_section(c, stage));
-    const Section& section = view.sections.back();
-    if (section.outcome == Outcome::good) continue;
-    view.missing.push_back(
-        {std::to_string(section.number) + ". " + section.title + ": " + section.status, section.id,
-         or_dash(section.reason), section.experiment});
+    view.sections.back().finding = findings.number_of(stage_report(c, stage).reason);
   }
   if (!c.cross_checks.checks.empty() || !c.intervals.quantities.empty()) {
     view.sections.push_back(cross_checks_section(c));

@@ -36,7 +36,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<Row> rows;
   std::string note;   ///< Below the table; empty: none.
-  bool is_stacked{};  ///< On a narrow screen each row is a list of named values.
+  bool is_stacked{};  ///< Of words rather than numbers: its columns are wide.
   bool is_of_estimates{};
 };
 
@@ -55,7 +55,8 @@ struct FigureCard {
   int width_px{};
   int height_px{};
   bool is_lazy{false};
-  std::string error;  ///< Why the figure is missing.
+  bool is_primary{true};  ///< In sight; the others are folded.
+  std::string error;      ///< Why the figure is missing.
   std::vector<std::string> warnings;
   std::string csv;  ///< The data behind it; empty: it shows none.
 };
@@ -71,6 +72,7 @@ struct Section {
   Outcome outcome{Outcome::absent};
   std::string status;      ///< The outcome in words: "not identifiable".
   std::string reason;      ///< Of the stage's report; may be empty if done.
+  int finding{};           ///< That tells the reason, by its number; 0: none does.
   std::string experiment;  ///< What would bring the missing numbers; empty if nothing is missing.
   std::vector<Fact> facts;
   std::vector<Table> tables;
@@ -89,15 +91,67 @@ struct QuantityRow {
   std::string words;
   Outcome outcome{Outcome::absent};
   std::string verdict_word;  ///< "not identifiable"
-  std::string estimate;      ///< With its unit; may be empty.
-  std::string interval;      ///< "3.8789 … 3.8875"; may be empty.
+  std::string at_motor;      ///< "3.8833 ± 0.0086 N·m"; may be empty.
+  std::string at_joint;      ///< The same on the other side of the gear; may be empty.
+  std::string coverage;      ///< "1.96"; may be empty.
+  std::string largest_part;  ///< Of the budget: "the recordings 97 %"; may be empty.
   std::vector<LimitCell> limits;
   std::string change;        ///< Since the last calibration, with its unit; may be empty.
   std::string change_range;  ///< Of its interval: "± 0.0047"; may be empty.
   std::string change_word;   ///< "no change seen"; empty: there is none to compare with.
   bool is_changed{};
-  std::vector<std::string> reasons;
-  std::string experiment;  ///< What to record next; may be empty.
+  std::vector<int> findings;  ///< On which the verdict rests, by their numbers.
+};
+
+/// Said once, and referred to by its number.
+struct Finding {
+  int number{};
+  std::string text;
+  std::string consequence;              ///< May be empty.
+  std::vector<std::string> quantities;  ///< Whose verdict rests on it; none: it is a note.
+};
+
+/// What to record next, and for what.
+struct NextStep {
+  std::string text;
+  std::vector<std::string> quantities;
+};
+
+/// A diagram of page one: paths and labels, in the pixels of its drawing.
+struct KeyPicture {
+  struct Tick {
+    double at{};
+    std::string label;
+  };
+  std::string id;
+  std::string title;
+  std::string caption;  ///< What is drawn how.
+  std::string x_title, y_title;
+  std::vector<Tick> x_ticks, y_ticks;
+  std::string grid;
+  std::string band;      ///< Closed; may be empty, as those below.
+  std::string level;     ///< A line across.
+  std::string measured;  ///< A line.
+  std::string forward;   ///< Dots.
+  std::string backward;  ///< Dots.
+  std::string bars;      ///< Intervals of the dots.
+  std::string fitted;
+};
+
+/// One quantity's uncertainty.
+struct BudgetRow {
+  struct Part {
+    std::string name;     ///< "torque constant 97 % (B)"
+    std::string kind;     ///< Class of its colour: "torque-constant".
+    double from_percent;  ///< Where it begins in the bar.
+    double percent;
+  };
+  std::string quantity;
+  std::string standard;  ///< With its unit.
+  std::string freedom;
+  std::string coverage;
+  std::string expanded;
+  std::vector<Part> parts;
 };
 
 /// One check on the data.
@@ -115,22 +169,20 @@ struct DataCheckRow {
   std::string experiment;   ///< May be empty.
 };
 
-struct MissingResult {
-  std::string stage;
-  std::string section_id;
-  std::string reason;
-  std::string experiment;
-};
-
 struct ReportView {
   std::string title;  ///< Of the document: robot and joint.
-  std::string subtitle;
-  std::vector<Fact> identity;  ///< Robot, serial, joint, date...
+  std::string number;  ///< Of the report: "tribolog-0123456789ab", or the laboratory's.
   std::string note;            ///< The operator's note; may be empty.
   Outcome verdict{Outcome::absent};
   std::string verdict_word;  ///< "USABLE"
-  std::string verdict_sentence;
-  std::vector<std::string> findings;
+  std::string verdict_sentence;  ///< May be empty.
+  std::string verdict_rows;      ///< Which quantities are usable, doubtful...; may be empty.
+  std::vector<Finding> findings;
+  std::vector<NextStep> next_steps;
+  std::string not_asked_for;  ///< Quantities that nothing rests on and that do not show; may be empty.
+  std::vector<KeyPicture> pictures;
+  std::vector<Fact> boundary;     ///< What went in, is included, is not, was seen.
+  std::vector<Fact> certificate;  ///< What ISO/IEC 17025, 7.8 asks for.
   std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
   std::vector<QuantityRow> quantities;
   std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.
@@ -138,8 +190,7 @@ struct ReportView {
   std::vector<DataCheckRow> data_checks;
   std::vector<DataCheckRow> rules;  ///< Of the verdict, in the same columns.
   Table key_numbers;
-  Table budget;  ///< Of the uncertainty of each quantity.
-  std::vector<MissingResult> missing;
+  std::vector<BudgetRow> budget;
   std::vector<Section> sections;         ///< Stages 1 to 8, then what was recorded beyond.
   std::vector<std::string> notes;        ///< From reading the input.
   std::vector<Table> conversion_tables;  ///< From the log to the motor shaft; speeds.
@@ -152,11 +203,12 @@ struct ReportView {
 /// Figures and drawn pictures pair up by id. A figure whose picture is missing or has an error
 /// becomes a card that says so; a picture without a figure is left out.
 /// `drawn` must outlive the view. @param since_last from the joint's calibration before to this
-/// one.
+/// one. @param id of the content, hexadecimal: the report's number where the manifest has none.
 ReportView make_report_view(const calibration::Calibration& calibration,
                             const std::vector<figures::ReportFigure>& figures,
                             const std::vector<render::workers::DrawnFigure>& drawn,
                             const calibration::Provenance& provenance,
-                            const std::optional<history::Comparison>& since_last = std::nullopt);
+                            const std::optional<history::Comparison>& since_last = std::nullopt,
+                            const std::string& id = {});
 
 }  // namespace tribolog::report

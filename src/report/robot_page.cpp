@@ -56,8 +56,7 @@ void fill_quantity(const QuantityRow& row, TemplateValues& values) {
   out.set("WORDS", row.words);
   out.set("OUTCOME", class_of(row.outcome));
   out.set_optional("VERDICT", row.outcome == Outcome::good ? "" : row.verdict_word);
-  out.set("ESTIMATE", or_dash(row.estimate));
-  out.set_optional("INTERVAL", row.interval);
+  out.set("ESTIMATE", or_dash(row.at_motor));
   if (row.change.empty()) return;
   TemplateValues& change = out.add_section("CHANGE_IF");
   change.set("CHANGE", row.change);
@@ -76,8 +75,9 @@ void fill_numbers(const RobotJoint& joint, TemplateValues& values) {
   values.set("CAPTION", tr("{joint}, torques at the motor", {{"joint", or_dash(joint.name)}}));
   fill_thumbnail(loop_thumbnail(c), tr("Hysteresis loop"), values);
   fill_thumbnail(curve_thumbnail(c), tr("Friction over speed"), values);
-  for (const QuantityRow& row : quantity_rows(c.judgement, joint.since_last)) {
-    const bool says_something = row.outcome != Outcome::good || !row.estimate.empty();
+  const NumberedFindings findings(c.judgement);
+  for (const QuantityRow& row : quantity_rows(c, findings, joint.since_last)) {
+    const bool says_something = row.outcome != Outcome::good || !row.at_motor.empty();
     if (row.outcome != Outcome::absent && says_something) fill_quantity(row, values);
   }
 }

@@ -55,11 +55,7 @@ class OwnStyle : public ctemplate::TemplateModifier {
  public:
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
               ctemplate::ExpandEmitter* out, const std::string&) const override {
-    const std::string_view text(in, length);
-    for (const PageKind kind :
-         {PageKind::plain, PageKind::with_viewer, PageKind::fleet, PageKind::robot}) {
-      if (text == own_style(kind)) return out->Emit(in, length);
-    }
+    if (is_own_style({in, length})) out->Emit(in, length);
   }
 };
 

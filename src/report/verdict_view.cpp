@@ -49,15 +49,28 @@ LimitCell cell_of(const calibration::LimitOutcome& limit) {
   return {rule_of(limit), tr("not known"), Outcome::absent};
 }
 
-void add_estimate(const calibration::QuantityVerdict& q, QuantityRow& row) {
+/// The quantity on the joint's side, where that is another.
+const joint::LimitedQuantity* at_joint_of(joint::Quantity quantity, double gear_ratio) {
+  if (gear_ratio == 1.0) return nullptr;
+  const auto& all = joint::limited_quantities();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const joint::LimitedQuantity& q) {
+    return q.quantity == quantity && q.at_joint;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+void add_estimate(const calibration::QuantityVerdict& q, double gear_ratio, QuantityRow& row) {
   if (!q.estimate) return;
-  const wording::Scale scale = wording::quantity_scale(q.unit, q.estimate->value);
-  const wording::RoundedEstimate text =
-      wording::round_by_interval(q.budget ? q.budget->expanded : *q.estimate, scale);
-  row.estimate = wording::with_unit(text.estimate, scale.unit);
-  // Narrower than what is printed of the estimate.
-  row.interval =
-      text.low.empty() && !text.half_width.empty() ? "± " + text.half_width : text.range();
+  const statistics::Estimate& shown = q.budget ? q.budget->expanded : *q.estimate;
+  row.at_motor = wording::in_words(shown, wording::quantity_scale(q.unit, shown.value));
+  if (q.budget) row.coverage = wording::fixed(q.budget->coverage_factor, 2);
+  row.largest_part = largest_part(q);
+  const joint::LimitedQuantity* joint_side = at_joint_of(q.quantity, gear_ratio);
+  if (joint_side == nullptr) return;
+  const statistics::Estimate at_joint = statistics::scaled(
+      q.budget ? calibration::expanded_at(*q.budget, *q.estimate, joint_side->gear_power) : shown,
+      std::pow(gear_ratio, joint_side->gear_power));
+  row.at_joint = wording::in_words(at_joint, wording::quantity_scale(q.unit, at_joint.value));
 }
 
 void add_change(const history::Comparison& since_last, const calibration::QuantityVerdict& q,
@@ -92,38 +105,92 @@ std::string verdict_in_words(calibration::Verdict verdict) {
   return tr("not identifiable");
 }
 
-std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
+namespace {
+
+/// What nothing rests on, and does not show, is no fault.
+bool is_merely_absent(const calibration::QuantityVerdict& q) {
+  return !q.decides && q.verdict == calibration::Verdict::not_identifiable;
+}
+
+}  // namespace
+
+std::vector<QuantityRow> quantity_rows(const calibration::Calibration& c,
+                                       const NumberedFindings& findings,
                                        const std::optional<history::Comparison>& since_last) {
-  const auto& findings = judgement.findings;
-  const auto end_in_sight =
-      findings.begin() + static_cast<std::ptrdiff_t>(std::min(findings.size(), findings_in_sight));
-  // A limit's words stand once on the first screen; its row has the rule and what came of it.
-  const auto stands_above = [&](const calibration::QuantityVerdict& q, const Statement& reason) {
-    return std::any_of(
-               q.limits.begin(), q.limits.end(),
-               [&](const calibration::LimitOutcome& limit) { return limit.outcome == reason; }) &&
-           std::find(findings.begin(), end_in_sight, reason) != end_in_sight;
-  };
   std::vector<QuantityRow> rows;
-  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    if (is_merely_absent(q) && q.limits.empty()) continue;
     QuantityRow row;
     row.words = wording::words_for("quantity", to_string(q.quantity));
-    // What nothing rests on, and does not show, is no fault.
-    const bool is_merely_absent = !q.decides && q.verdict == calibration::Verdict::not_identifiable;
-    row.outcome = is_merely_absent ? Outcome::absent : outcome_of(q.verdict);
+    row.outcome = is_merely_absent(q) ? Outcome::absent : outcome_of(q.verdict);
     row.verdict_word = verdict_in_words(q.verdict);
-    add_estimate(q, row);
+    // A number that its verdict refuses is none to file.
+    if (q.verdict != calibration::Verdict::not_identifiable) {
+      add_estimate(q, c.manifest.drive.gear_ratio(), row);
+      if (q.quantity == joint::Quantity::viscous_curve && c.curve_model.chosen_any) {
+        row.at_motor = wording::capitalised(described(c.curve_model.chosen.law));
+      }
+    }
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
     if (since_last) add_change(*since_last, q, row);
-    for (const Statement& reason : q.reasons) {
-      if (!stands_above(q, reason)) row.reasons.push_back(as_sentence(reason));
-    }
-    row.experiment = as_sentence(q.experiment);
+    row.findings = findings.numbers_of(q);
     rows.push_back(std::move(row));
   }
   std::stable_partition(rows.begin(), rows.end(),
                         [](const QuantityRow& row) { return row.outcome != Outcome::absent; });
   return rows;
+}
+
+namespace {
+
+/// "Coulomb torque, gravity torque", of those that a test picks.
+template <typename Test>
+std::string names_of(const calibration::Judgement& judgement, Test is_meant) {
+  std::vector<std::string> names;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (!is_meant(q)) continue;
+    names.push_back(
+        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity))));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string rows_in_words(const calibration::Judgement& judgement) {
+  const auto has = [](calibration::Verdict verdict) {
+    return [verdict](const calibration::QuantityVerdict& q) {
+      return !is_merely_absent(q) && q.verdict == verdict;
+    };
+  };
+  const auto count = [&](auto is_meant) {
+    return std::count_if(judgement.quantities.begin(), judgement.quantities.end(), is_meant);
+  };
+  const auto usable = count(has(calibration::Verdict::usable));
+  const auto all =
+      count([](const calibration::QuantityVerdict& q) { return !is_merely_absent(q); });
+  if (all == 0) return "";
+  if (usable == all) {
+    return tr_count(all, "The one quantity is usable.", "All {quantities} quantities are usable.",
+                    {{"quantities", all}});
+  }
+  std::string words = tr_count(usable, "{usable} of {quantities} quantities is usable.",
+                               "{usable} of {quantities} quantities are usable.",
+                               {{"usable", usable}, {"quantities", all}});
+  const std::string doubtful = names_of(judgement, has(calibration::Verdict::doubtful));
+  const std::string none = names_of(judgement, has(calibration::Verdict::not_identifiable));
+  if (!doubtful.empty()) words += " " + tr("Doubtful: {quantities}.", {{"quantities", doubtful}});
+  if (!none.empty()) words += " " + tr("Not identifiable: {quantities}.", {{"quantities", none}});
+  return words;
+}
+
+std::string not_asked_for(const calibration::Judgement& judgement) {
+  const std::string names = names_of(judgement, [](const calibration::QuantityVerdict& q) {
+    return is_merely_absent(q) && q.limits.empty();
+  });
+  if (names.empty()) return "";
+  return tr("Not identified, and not needed for the verdict: {quantities}.",
+            {{"quantities", names}});
 }
 
 // The checks on the data, as rows of their table.

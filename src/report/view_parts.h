@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/findings_view.h"
 #include "report/report_view.h"
 #include "wording/rounding.h"
 #include "wording/words.h"
@@ -65,17 +66,31 @@ void describe_lugre(const method::hysteresis::LuGreFit& fit, double gear_ratio, 
 /// The known-truth check as the section "known-truth"; only where the check was made.
 Section truth_check_section(const calibration::TruthCheckResult& check, int number);
 
-/// Of the findings, as many are shown; the others are behind a click.
-inline constexpr std::size_t findings_in_sight = 3;
+/// Of the findings, as many stand on page one.
+inline constexpr std::size_t findings_on_page_one = 3;
 
-std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
+std::vector<QuantityRow> quantity_rows(const calibration::Calibration& calibration,
+                                       const NumberedFindings& findings,
                                        const std::optional<history::Comparison>& since_last);
+/// "9 of 10 quantities are usable. Doubtful: ..."; of those that stand in the first table.
+std::string rows_in_words(const calibration::Judgement& judgement);
+/// Quantities that nothing rests on and that do not show; empty: there are none.
+std::string not_asked_for(const calibration::Judgement& judgement);
+/// "tribolog-0123456789ab" of an id, or the laboratory's own number.
+std::string report_number(const joint::Manifest& manifest, const std::string& id);
+/// What went in, what the intervals include and do not, what was seen.
+std::vector<Fact> boundary_facts(const calibration::Calibration& calibration);
+std::vector<Fact> certificate_facts(const calibration::Calibration& calibration,
+                                    const calibration::Provenance& provenance);
+/// "2 kg at 0.3 m from the axis, gripper"; empty where not stated.
+std::string payload_in_words(const joint::Manifest& manifest);
 std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks);
 std::vector<DataCheckRow> rule_rows(const std::vector<calibration::RuleOutcome>& rules);
-/// No rows where no quantity has an estimate.
-Table budget_table(const calibration::Judgement& judgement);
+/// Of the quantities that have a number to state.
+std::vector<BudgetRow> budget_rows(const calibration::Judgement& judgement);
+/// "the recordings 97 %"; empty without a budget.
+std::string largest_part(const calibration::QuantityVerdict& quantity);
 Table key_numbers_table(const calibration::Calibration& calibration);
-std::vector<Fact> identity_facts(const joint::Manifest& manifest);
 /// From the columns of the logs to signals; where speeds come from.
 std::vector<Table> conversion_tables(const calibration::Calibration& calibration);
 /// "1.825 N·m cos(q1_rad + q2_rad − 90°)", at the joint.

@@ -222,6 +222,15 @@ std::string capitalised(const std::string& text) {
 
 std::string capitalised(const Statement& statement) { return capitalised(words(statement)); }
 
+std::string within_a_sentence(const std::string& label) {
+  const bool is_name = label.starts_with("Coulomb") || label.starts_with("Stribeck");
+  const bool is_capital = !label.empty() && label.front() >= 'A' && label.front() <= 'Z';
+  if (is_name || !is_capital) return label;
+  std::string text = label;
+  text.front() = static_cast<char>(text.front() - 'A' + 'a');
+  return text;
+}
+
 std::string as_sentence(const std::string& text) {
   if (text.empty()) return text;
   std::string sentence = capitalised(text);

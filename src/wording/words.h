@@ -40,7 +40,10 @@ std::vector<std::string> all_codes();
 std::string capitalised(const std::string& text);
 std::string capitalised(const Statement& statement);
 
-/// The same with a full stop.
+/// As it stands within a sentence: a label's capital becomes small, that of a person's name stays.
+std::string within_a_sentence(const std::string& label);
+
+/// With a capital letter and a full stop.
 std::string as_sentence(const std::string& text);
 std::string as_sentence(const Statement& statement);
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # One test file in a browser; skips, saying so, where there is none that can be driven.
-#   run.sh PACKAGES REPORTS TEST.mjs
+#   run.sh PACKAGES REPORTS TEST.mjs [ARGUMENT...]
 skip() { echo "SKIPPED: $*"; exit 0; }
 chromium=$(command -v chromium || command -v chromium-browser) || skip 'chromium is not installed'
 case $(readlink -f "$chromium") in
@@ -13,4 +13,5 @@ packages=$1
 missing=$("$(dirname "$0")/../support/npm_packages.sh" "$packages" "$(dirname "$0")/package.json") ||
   skip "$missing"
 export CHROMIUM="$chromium" TRIBOLOG_PACKAGES="$packages" TRIBOLOG_REPORTS="$2"
-exec node "$3"
+shift 2
+exec node "$@"

@@ -1,0 +1,225 @@
+// Page one's terms: what the numbers rest on, and what a calibration certificate states (ISO/IEC
+// 17025:2017, 7.8). What the manifest does not state is said not to be.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/view_parts.h"
+#include "wording/axis_scale.h"
+#include "wording/rounding.h"
+#include "wording/tr.h"
+#include "wording/words.h"
+
+namespace tribolog::report {
+
+namespace {
+
+using joint::Role;
+using wording::tr;
+using wording::tr_count;
+
+constexpr Role roles[] = {Role::rough_sweep,    Role::precise_sweep, Role::oscillation,
+                          Role::constant_speed, Role::break_away,    Role::friction_points};
+
+std::string recordings_of(Role role, std::size_t count) {
+  const std::initializer_list<StatedValue> n = {{"count", count}};
+  switch (role) {
+    case Role::rough_sweep:
+      return tr_count(count, "{count} sweep", "{count} sweeps", n);
+    case Role::precise_sweep:
+      return tr_count(count, "{count} precise sweep", "{count} precise sweeps", n);
+    case Role::oscillation:
+      return tr_count(count, "{count} oscillation", "{count} oscillations", n);
+    case Role::constant_speed:
+      return tr_count(count, "{count} run at constant speed", "{count} runs at constant speed", n);
+    case Role::break_away:
+      return tr_count(count, "{count} torque ramp", "{count} torque ramps", n);
+    case Role::friction_points:
+      break;
+  }
+  return tr_count(count, "{count} table of friction points", "{count} tables of friction points",
+                  n);
+}
+
+std::string what_went_in(const calibration::Calibration& c) {
+  std::map<std::string, std::size_t> of_role;
+  std::size_t read = 0;
+  std::size_t used = 0;
+  for (const joint::InputFile& input : c.inputs) {
+    ++of_role[input.role];
+    read += input.rows_read;
+    used += input.rows_used;
+  }
+  std::vector<std::string> kinds;
+  for (const Role role : roles) {
+    const auto found = of_role.find(to_string(role));
+    if (found != of_role.end()) kinds.push_back(recordings_of(role, found->second));
+  }
+  if (kinds.empty()) return "–";
+  const std::string recordings = fmt::format("{}", fmt::join(kinds, ", "));
+  return tr("{recordings}; {used} of {read} rows used", {{"recordings", recordings},
+                                                         {"used", wording::count(used)},
+                                                         {"read", wording::count(read)}});
+}
+
+bool is_stated_as_number(const calibration::QuantityVerdict& q) {
+  return q.budget && q.verdict != calibration::Verdict::not_identifiable;
+}
+
+std::string names_of(const std::vector<calibration::Influence>& influences) {
+  std::vector<std::string> names;
+  for (const calibration::Influence one : influences) {
+    const std::string name = wording::words_for("influence", to_string(one));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string included(const calibration::Judgement& judgement) {
+  std::vector<calibration::Influence> parts;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (!is_stated_as_number(q)) continue;
+    for (const calibration::BudgetPart& part : q.budget->parts) parts.push_back(part.influence);
+  }
+  return or_dash(names_of(parts));
+}
+
+std::string not_included(const calibration::Judgement& judgement) {
+  std::vector<calibration::Influence> missing;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (!is_stated_as_number(q)) continue;
+    missing.insert(missing.end(), q.budget->not_stated.begin(), q.budget->not_stated.end());
+  }
+  const std::string never = tr("wear, and temperatures and loads other than those recorded");
+  return missing.empty() ? never
+                         : tr("uncertainty of the {influences}: not stated; {never}",
+                              {{"influences", names_of(missing)}, {"never", never}});
+}
+
+std::string range_in_words(double low, double high, const wording::Scale& scale) {
+  constexpr int digits = 3;
+  return tr("{low} to {high}",
+            {{"low", wording::significant(low * scale.factor, digits)},
+             {"high", wording::with_unit(wording::significant(high * scale.factor, digits),
+                                         scale.unit)}});
+}
+
+/// Angles, speeds and strokes: the numbers hold there.
+std::string what_was_seen(const calibration::Calibration& c) {
+  std::vector<std::string> seen;
+  const method::gravity::SweepCurves& sweep = c.curves.rough;
+  if (sweep.highest_rad > sweep.lowest_rad) {
+    seen.push_back(
+        tr("joint angles {range}", {{"range", range_in_words(sweep.lowest_rad, sweep.highest_rad,
+                                                             wording::degree_scale())}}));
+  }
+  wording::Extent speeds;
+  for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
+    if (run.speed_rad_s != 0) speeds.add(std::abs(run.speed_rad_s));
+  }
+  if (!speeds.empty) {
+    seen.push_back(tr("motor speeds {range}",
+                      {{"range", range_in_words(speeds.low, speeds.high,
+                                                wording::plain_scale("rad/s"))}}));
+  }
+  wording::Extent strokes;
+  for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
+    strokes.add(std::abs(o.amplitude_rad));
+  }
+  if (!strokes.empty) {
+    const wording::Scale scale = wording::radian_scale(strokes.high);
+    seen.push_back(tr("oscillations of ±{amplitude}",
+                      {{"amplitude", wording::with_unit(
+                                         wording::significant(strokes.high * scale.factor, 3),
+                                         scale.unit)}}));
+  }
+  return or_dash(fmt::format("{}", fmt::join(seen, ", ")));
+}
+
+std::string or_not_stated(const std::string& text) {
+  return text.empty() ? tr("not stated") : text;
+}
+
+/// "2026-11-22T10:05:00Z" -> "2026-11-22"
+std::string day_of(const std::string& utc) {
+  constexpr std::size_t day = 10;
+  return utc.substr(0, std::min(utc.size(), day));
+}
+
+/// Where the torque's scale comes from.
+std::string torque_scale_in_words(const joint::Manifest& m) {
+  std::vector<std::string> parts;
+  if (const auto constant = m.drive.torque_constant_Nm_A()) {
+    parts.push_back(
+        tr("torque constant {constant}",
+           {{"constant", wording::with_unit(wording::as_stated(*constant), "N·m/A")}}));
+  }
+  const auto& percent = m.uncertainty.torque_constant_percent;
+  parts.push_back(
+      percent ? tr("torque scale ± {percent} (95 %)",
+                   {{"percent", wording::with_unit(wording::as_stated(*percent), "%")}})
+              : tr("uncertainty of the torque scale not stated"));
+  const auto source = m.uncertainty.id.find("torque_constant");
+  if (source != m.uncertainty.id.end()) parts.push_back(source->second);
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string conditions_in_words(const joint::Manifest& m) {
+  std::vector<std::string> parts;
+  parts.push_back(m.temperature_C
+                      ? wording::with_unit(wording::as_stated(*m.temperature_C), "°C")
+                      : tr("temperature not stated"));
+  const std::string payload = payload_in_words(m);
+  parts.push_back(payload.empty() ? tr("payload not stated")
+                                  : tr("payload {payload}", {{"payload", payload}}));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+std::string report_number(const joint::Manifest&, const std::string& id) {
+  constexpr std::size_t digits = 12;
+  return id.empty() ? "–" : "tribolog-" + id.substr(0, digits);
+}
+
+std::vector<Fact> boundary_facts(const calibration::Calibration& c) {
+  return {{tr("What went in"), what_went_in(c)},
+          {tr("Included in U"), included(c.judgement)},
+          {tr("Not included"), not_included(c.judgement)},
+          {tr("Holds for"), what_was_seen(c)}};
+}
+
+std::vector<Fact> certificate_facts(const calibration::Calibration& c,
+                                    const calibration::Provenance& provenance) {
+  const joint::Manifest& m = c.manifest;
+  std::vector<Fact> facts;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    facts.push_back({name, or_not_stated(text)});
+  };
+  add(tr("Item"), fmt::format("{}; {}; {}", or_not_stated(m.robot),
+                              tr("serial number {serial}", {{"serial", or_not_stated(m.serial)}}),
+                              tr("joint {joint}", {{"joint", or_not_stated(m.joint)}})));
+  add(tr("Gear ratio"), wording::as_stated(m.drive.gear_ratio()));
+  add(tr("Measured"), m.measured_on);
+  add(tr("Issued"), day_of(provenance.created_utc));
+  add(tr("Conditions"), conditions_in_words(m));
+  add(tr("Traceability"), torque_scale_in_words(m));
+  add(tr("Method"),
+      tr("“Viscous friction measurement technique in robot joint with the use of surrogate mass”; "
+         "tribolog {version}",
+         {{"version", provenance.tool_version}}));
+  add(tr("Decision rule"),
+      tr("a limit is met where the whole 95 % interval meets it; usable, doubtful and not "
+         "identifiable by the rules listed below"));
+  add(tr("Operator"), m.operator_name);
+  if (m.reference) add(tr("Data"), tr("simulated, the true curve is known"));
+  return facts;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,124 @@
+#include "report/findings_view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <variant>
+
+#include "report/view_parts.h"
+#include "wording/words.h"
+
+namespace tribolog::report {
+
+namespace {
+
+/// The statements that stand inside another, by name; nullptr: there are none.
+const std::vector<Statement>* inside(const Statement& statement, std::string_view name) {
+  for (const StatedValue& value : statement.values()) {
+    if (value.name == name) return std::get_if<std::vector<Statement>>(&value.value);
+  }
+  return nullptr;
+}
+
+bool holds(const Statement& statement, const Statement& part) {
+  return std::any_of(
+      statement.values().begin(), statement.values().end(), [&](const StatedValue& value) {
+        const auto* parts = std::get_if<std::vector<Statement>>(&value.value);
+        return parts != nullptr && std::any_of(parts->begin(), parts->end(), [&](const auto& one) {
+                 return one == part || holds(one, part);
+               });
+      });
+}
+
+/// Whether the finding says what the reason rests on: the same, what the same check found, or what
+/// stands inside the reason ("nothing independent checks it: ...").
+bool tells(const Statement& finding, const Statement& reason) {
+  if (finding == reason || holds(reason, finding)) return true;
+  const auto* found = inside(finding, "found");
+  const auto* of_reason = inside(reason, "found");
+  return finding.is("verdict.check") && found != nullptr && of_reason != nullptr &&
+         *found == *of_reason;
+}
+
+/// Whether a quantity's verdict rests on it.
+bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) {
+  return std::any_of(q.reasons.begin(), q.reasons.end(),
+                     [&](const Statement& reason) { return tells(finding, reason); });
+}
+
+}  // namespace
+
+NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
+  statements_ = judgement.findings;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    for (const Statement& reason : q.reasons) {
+      if (number_of(reason) == 0) statements_.push_back(reason);
+    }
+  }
+  std::stable_partition(
+      statements_.begin(), statements_.end(), [&](const Statement& statement) {
+        return std::any_of(judgement.quantities.begin(), judgement.quantities.end(),
+                           [&](const calibration::QuantityVerdict& q) {
+                             return q.decides && is_reason(statement, q);
+                           });
+      });
+  for (const Statement& statement : statements_) {
+    Finding finding;
+    finding.number = static_cast<int>(findings_.size()) + 1;
+    finding.text = as_sentence(statement);
+    findings_.push_back(std::move(finding));
+  }
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    const std::string name =
+        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity)));
+    for (const int number : numbers_of(q)) {
+      findings_[static_cast<std::size_t>(number) - 1].quantities.push_back(name);
+    }
+    for (const Statement& reason : q.reasons) {
+      const auto* consequence = inside(reason, "consequence");
+      if (consequence == nullptr || consequence->empty()) continue;
+      findings_[static_cast<std::size_t>(number_of(reason)) - 1].consequence =
+          as_sentence(consequence->front());
+    }
+  }
+}
+
+int NumberedFindings::number_of(const Statement& statement) const {
+  // The same words before those that it merely rests on.
+  const auto same = std::find(statements_.begin(), statements_.end(), statement);
+  const auto found = same != statements_.end()
+                         ? same
+                         : std::find_if(statements_.begin(), statements_.end(),
+                                        [&](const auto& one) { return tells(one, statement); });
+  return found == statements_.end() ? 0 : static_cast<int>(found - statements_.begin()) + 1;
+}
+
+std::vector<int> NumberedFindings::numbers_of(const calibration::QuantityVerdict& q) const {
+  std::vector<int> numbers;
+  for (const Statement& reason : q.reasons) {
+    const int number = number_of(reason);
+    if (number > 0) numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+std::vector<NextStep> next_steps(const calibration::Judgement& judgement) {
+  std::vector<NextStep> steps;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (q.experiment.empty()) continue;
+    const std::string text = as_sentence(q.experiment);
+    auto step = std::find_if(steps.begin(), steps.end(),
+                             [&](const NextStep& one) { return one.text == text; });
+    if (step == steps.end()) step = steps.insert(steps.end(), {text, {}});
+    step->quantities.push_back(
+        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity))));
+  }
+  std::stable_sort(steps.begin(), steps.end(), [](const NextStep& a, const NextStep& b) {
+    return a.quantities.size() > b.quantities.size();
+  });
+  return steps;
+}
+
+}  // namespace tribolog::report
