@@ -120,7 +120,7 @@ void describe(const paper::claims::ArguedJoint& papers, const paper::claims::Arg
   std::erase_if(paper.figures, [](const figures::ReportFigure& figure) {
     constexpr int first = 11;  // of the identification
     constexpr int last = 22;
-    return figure.number < first || figure.number > last;
+    return figure.paper_number < first || figure.paper_number > last;
   });
 }
 

@@ -98,6 +98,7 @@ std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& ca
   misfit.add(loop.misfit.falling_Nm);
   ReportFigure out;
   out.id = "fig-lugre-loop";
+  out.is_primary = true;
   out.title = tr("LuGre fitted to the hysteresis loop");
   out.stage = "friction_parameters";
   const wording::AxisScale torque =

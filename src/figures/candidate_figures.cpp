@@ -146,7 +146,7 @@ std::optional<ReportFigure> friction_curves_figure(const calibration::Calibratio
   const method::viscous::ViscousCurvesResult& viscous = calibration.viscous;
   if (viscous.runs.empty()) return std::nullopt;
   ReportFigure out;
-  out.number = 18;
+  out.paper_number = 18;
   out.id = "fig-18-friction-curves";
   out.title = tr("Friction against speed, all candidates");
   out.stage = "viscous_curves";
@@ -169,7 +169,7 @@ std::optional<ReportFigure> friction_against_reference_figure(
     return std::nullopt;
   }
   ReportFigure out;
-  out.number = 19;
+  out.paper_number = 19;
   out.id = "fig-19-friction-against-reference";
   out.title = tr("Friction against speed, with the reference");
   out.stage = "quality_errors";
@@ -304,7 +304,7 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
   }
 
   ReportFigure out;
-  out.number = 20;
+  out.paper_number = 20;
   out.id = "fig-20-quality-error";
   out.title = tr("Error in % of the driving torque");
   out.stage = "quality_errors";

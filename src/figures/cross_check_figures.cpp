@@ -73,6 +73,7 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
                    [](const method::intervals::CrossCheck& c) { return c.is_recommended; });
   ReportFigure out;
   out.id = "fig-masses-by-way";
+  out.is_primary = true;
   out.title = tr("Surrogate mass by every estimator");
   out.stage = "cross-checks";
   const wording::AxisScale scale = wording::levelled("kg", extent_of(checks));

@@ -73,7 +73,8 @@ std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& c
                           model ? tr("first strokes, LuGre fit") : tr("first strokes"),
                           wording::prefixed("N·m", wording::extent_of(trace.torque_Nm).largest())};
   ReportFigure out = two_panels(calibration, *view, torque);
-  out.number = 15;
+  out.paper_number = 15;
+  out.is_primary = true;
   out.id = "fig-15-hysteresis";
   out.title = tr("Friction hysteresis: driving torque");
   if (!out.figure.panels.empty()) {
@@ -160,7 +161,7 @@ std::optional<ReportFigure> bristle_figure(const calibration::Calibration& calib
 std::optional<ReportFigure> bristle_loop_figure(const calibration::Calibration& calibration) {
   auto out = bristle_figure(calibration, LoopSignal::deflection);
   if (!out) return out;
-  out->number = 16;
+  out->paper_number = 16;
   out->id = "fig-16-bristle-deflection";
   out->title = tr("Friction hysteresis: bristle deflection");
   out->how_to_read =
@@ -173,7 +174,7 @@ std::optional<ReportFigure> bristle_loop_figure(const calibration::Calibration& 
 std::optional<ReportFigure> bristle_rate_loop_figure(const calibration::Calibration& calibration) {
   auto out = bristle_figure(calibration, LoopSignal::deflection_rate);
   if (!out) return out;
-  out->number = 17;
+  out->paper_number = 17;
   out->id = "fig-17-bristle-rate";
   out->title = tr("Friction hysteresis: bristle rate");
   out->how_to_read = tr(

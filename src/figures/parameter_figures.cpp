@@ -1,9 +1,12 @@
 #include "figures/parameter_figures.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -128,6 +131,7 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   if (chosen == nullptr) return std::nullopt;
   ReportFigure out;
   out.id = "fig-curve-models";
+  out.is_primary = true;
   out.title = tr("Which friction model the curve supports");
   out.stage = "friction_parameters";
   out.figure.panels.push_back(
@@ -164,6 +168,14 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
 }
 
 namespace {
+
+bool breaks_any(const calibration::Calibration& c, const std::vector<std::string>& rules) {
+  return std::any_of(c.judgement.rules.begin(), c.judgement.rules.end(),
+                     [&](const calibration::RuleOutcome& outcome) {
+                       return outcome.state == calibration::RuleState::broken &&
+                              std::find(rules.begin(), rules.end(), outcome.rule) != rules.end();
+                     });
+}
 
 void add_line(render::figure::Panel& panel, const std::optional<method::viscous::DirectionLine>& l,
               bool rising, const wording::AxisScale& scale) {
@@ -210,6 +222,8 @@ std::optional<ReportFigure> direction_lines_figure(const calibration::Calibratio
       wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest());
   ReportFigure out;
   out.id = "fig-directions";
+  out.is_primary = breaks_any(c, {"friction_by_direction", "friction_by_direction_large",
+                                  "direction_asymmetry", "torque_offset"});
   out.title = tr("Friction in each direction");
   out.stage = "friction_parameters";
   render::figure::Panel panel;
@@ -299,6 +313,9 @@ std::optional<ReportFigure> load_dependence_figure(const calibration::Calibratio
   const wording::AxisScale scale = wording::prefixed("N·m", friction.largest());
   ReportFigure out;
   out.id = "fig-load-dependence";
+  out.is_primary = breaks_any(
+      c, {"friction_by_load", "friction_by_load_slope", "friction_by_angle",
+          "friction_by_angle_slope", "torque_out_of_proportion", "slope_out_of_proportion"});
   out.title = tr("Friction against load");
   out.stage = "friction_parameters";
   out.figure.panels.push_back(over_load(r, scale));

@@ -3,6 +3,7 @@
 // made ready.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,15 @@ namespace tribolog::figures {
 /// `title`, `caption`, `how_to_read` and `alt` are plain UTF-8 text: no markup, no HTML.
 /// Texts inside `figure` use the markup of render/figure/figure.h.
 struct ReportFigure {
-  int number{};    ///< The paper's figure number; 0: not one of the paper's.
-  std::string id;  ///< File-name and anchor safe: "fig-15-hysteresis".
+  std::optional<int> paper_number;  ///< Absent: not one of the paper's.
+  std::string id;                   ///< File-name and anchor safe: "fig-15-hysteresis".
   std::string title;
   std::string caption;      ///< One or two sentences with the key numbers.
   std::string how_to_read;  ///< What to look for, and what a bad one looks like.
   std::string alt;          ///< The picture in words, made from the numbers.
   std::string stage;        ///< Name of the StageReport that it belongs to.
+  /// Shown at once; the others support it, and a report may fold them.
+  bool is_primary{};
   render::figure::Figure figure;
   std::string english_csv;  ///< Its data (figure_csv.h), where its words are in another language.
 };

@@ -65,7 +65,7 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   if (speeds.empty || friction.empty) return std::nullopt;
 
   ReportFigure out;
-  out.number = 21;
+  out.paper_number = 21;
   out.id = "fig-21-selected-curve";
   out.title = tr("Selected friction curve");
   out.stage = "friction_parameters";

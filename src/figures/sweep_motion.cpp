@@ -67,7 +67,7 @@ std::optional<ReportFigure> sweep_motion_figure(const joint::Dataset& dataset,
   if (angles.empty || torques.empty) return std::nullopt;
 
   ReportFigure out;
-  out.number = 11;
+  out.paper_number = 11;
   out.id = "fig-11-rough-motion";
   out.title = tr("Rough sweep over time");
   out.stage = "cog_rough";

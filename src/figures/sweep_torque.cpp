@@ -212,10 +212,11 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   const wording::AxisScale torque = wording::levelled("N·m", torques);
 
   ReportFigure out;
-  out.number = 13;
+  out.paper_number = 13;
   out.id = "fig-13-rough-torque";
   out.title = tr("Rough sweep: driving torque against angle");
   out.stage = "cog_rough";
+  out.is_primary = true;
   render::figure::Panel panel;
   panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
   panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
@@ -247,10 +248,11 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
       distance_to_argmax(sweep, directions[1]) < distance_to_argmax(sweep, directions[0]);
 
   ReportFigure out;
-  out.number = 14;
+  out.paper_number = 14;
   out.id = "fig-14-precise-torque";
   out.title = tr("Precise sweep: driving torque near its maximum");
   out.stage = "cog_precise";
+  out.is_primary = true;
   for (const Direction& direction : directions) {
     const wording::Extent torques = torques_of(samples, direction);
     const wording::AxisScale torque = wording::levelled("N·m", torques);

@@ -291,7 +291,7 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
       wording::prefixed("N·m", wording::extent_of(view->trace->torque_Nm).largest());
 
   ReportFigure out;
-  out.number = 22;
+  out.paper_number = 22;
   out.id = "fig-22-torque-choice";
   out.title = tr("Choice of torque and angle on the loop");
   out.stage = "selection";

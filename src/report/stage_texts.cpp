@@ -174,9 +174,10 @@ FigureCard card(const figures::ReportFigure& figure, const render::workers::Draw
   FigureCard made;
   made.id = figure.id;
   // Only the paper's figures have numbers.
-  made.heading = figure.number > 0 ? tr("Figure {number}: {title}",
-                                        {{"number", figure.number}, {"title", figure.title}})
-                                   : figure.title;
+  made.heading = figure.paper_number
+                     ? tr("Figure {number}: {title}",
+                          {{"number", *figure.paper_number}, {"title", figure.title}})
+                     : figure.title;
   made.caption = as_sentence(figure.caption);
   made.how_to_read = figure.how_to_read;
   made.alt = or_dash(figure.alt);

@@ -14,7 +14,8 @@ namespace {
 
 std::vector<int> numbers(const std::vector<figures::ReportFigure>& figures) {
   std::vector<int> all;
-  for (const figures::ReportFigure& figure : figures) all.push_back(figure.number);
+  for (const figures::ReportFigure& figure : figures)
+    all.push_back(figure.paper_number.value_or(0));
   return all;
 }
 

@@ -67,7 +67,7 @@ const render::figure::Series& styled(const render::figure::Panel& panel,
 
 TEST(PaperCharts, AreThePapersFigures) {
   std::vector<int> numbers;
-  for (const figures::ReportFigure& one : charts()) numbers.push_back(one.number);
+  for (const figures::ReportFigure& one : charts()) numbers.push_back(one.paper_number.value_or(0));
   EXPECT_EQ(numbers, (std::vector<int>{1, 2, 5}));
 }
 

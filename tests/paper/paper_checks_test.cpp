@@ -166,7 +166,8 @@ TEST_F(PaperChecks, ListTheWholePaperOnce) {
 
 TEST_F(PaperChecks, AFigureThatIsMissingIsNamed) {
   std::vector<figures::ReportFigure> figures = checks::paper_figures(*joint_);
-  std::erase_if(figures, [](const figures::ReportFigure& figure) { return figure.number == 16; });
+  std::erase_if(figures,
+                [](const figures::ReportFigure& figure) { return figure.paper_number == 16; });
   try {
     checks::paper_items(*joint_, figures);
     FAIL() << "nothing was thrown";

@@ -29,7 +29,7 @@ struct SmallPaper {
           {paper::checks::ItemKind::statement, 0, "Words", "", {as_printed}, {}}}}};
     paper.presliding = paper::charts::loops_of_figure_5({});
     figures::ReportFigure figure;
-    figure.number = 15;
+    figure.paper_number = 15;
     figure.id = "fig-15-loop";
     figure.title = "Loop";
     figure.alt = "a loop";

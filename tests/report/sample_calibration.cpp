@@ -359,8 +359,8 @@ std::vector<figures::ReportFigure> sample_figures(const calibration::Calibration
         calibration.masses.stage, calibration.viscous.stage, calibration.quality.stage,
         calibration.selection.stage, calibration.friction.stage}) {
     figures::ReportFigure figure;
-    figure.number = static_cast<int>(figures.size()) + 1;
-    figure.id = "fig-" + std::to_string(figure.number);
+    figure.paper_number = static_cast<int>(figures.size()) + 1;
+    figure.id = "fig-" + std::to_string(figures.size() + 1);
     figure.title = "Figure of " + stage.name;
     figure.caption = "Caption of " + stage.name;
     figure.how_to_read = "Look at the slope.";

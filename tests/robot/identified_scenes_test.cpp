@@ -29,7 +29,7 @@ robot::RobotDescription planar_arm() {
 
 std::vector<int> numbers(const std::vector<figures::ReportFigure>& figures) {
   std::vector<int> all;
-  for (const figures::ReportFigure& one : figures) all.push_back(one.number);
+  for (const figures::ReportFigure& one : figures) all.push_back(one.paper_number.value_or(0));
   return all;
 }
 
@@ -181,9 +181,9 @@ TEST_F(IdentifiedScenes, CountAsTheLogOfAnotherArmCounts) {
 
 TEST_F(IdentifiedScenes, StandAmongTheFiguresInTheOrderOfTheirNumbers) {
   std::vector<figures::ReportFigure> charts(3);
-  charts[0].number = 11;
-  charts[1].number = 13;
-  charts[2].number = 14;
+  charts[0].paper_number = 11;
+  charts[1].paper_number = 13;
+  charts[2].paper_number = 14;
   const robot::RobotDescription robot = paper_robot();
   EXPECT_EQ(numbers(paper::scenes::with_scene_figures(charts, &robot, calibration_)),
             (std::vector<int>{9, 10, 11, 12, 13, 14}));

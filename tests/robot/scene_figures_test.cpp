@@ -48,9 +48,9 @@ TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {
 
 TEST(SceneFigures, SayTheirNumbers) {
   const auto figures = paper::scenes::scene_figures(example());
-  EXPECT_EQ(figures[0].number, 9);
-  EXPECT_EQ(figures[1].number, 10);
-  EXPECT_EQ(figures[2].number, 12);
+  EXPECT_EQ(figures[0].paper_number, 9);
+  EXPECT_EQ(figures[1].paper_number, 10);
+  EXPECT_EQ(figures[2].paper_number, 12);
   for (const figures::ReportFigure& one : figures) {
     EXPECT_EQ(one.figure.id, one.id);
     EXPECT_FALSE(one.how_to_read.empty());
@@ -128,12 +128,12 @@ TEST(SceneFigures, LeaveOutWhatTheDescriptionDoesNotState) {
   robot.range.reset();
   auto figures = paper::scenes::scene_figures(robot);
   ASSERT_EQ(figures.size(), 2U);
-  EXPECT_EQ(figures[1].number, 10);
+  EXPECT_EQ(figures[1].paper_number, 10);
   robot = example();
   robot.load.reset();
   figures = paper::scenes::scene_figures(robot);
   ASSERT_EQ(figures.size(), 1U);
-  EXPECT_EQ(figures[0].number, 9);
+  EXPECT_EQ(figures[0].paper_number, 9);
 }
 
 TEST(SceneFigures, GrowWithTheRobot) {

@@ -219,7 +219,7 @@ figures::ReportFigure presliding_hysteresis_figure(const PreslidingLoops& loops)
     throw std::invalid_argument("there is no loop to draw");
   }
   figures::ReportFigure out;
-  out.number = 5;
+  out.paper_number = 5;
   out.id = "fig-05-presliding-hysteresis";
   out.title = tr("Hysteresis of friction in pre-sliding");
   out.caption = caption(loops);

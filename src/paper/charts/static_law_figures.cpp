@@ -153,7 +153,7 @@ figures::ReportFigure static_friction_figure(const friction::StribeckFriction& f
   const std::string coulomb_torque = parameter_text(levels.coulomb_Nm, "N·m");
   const std::string speed = parameter_text(levels.fall_rad_s, "rad/s");
   figures::ReportFigure out;
-  out.number = 1;
+  out.paper_number = 1;
   out.id = "fig-01-static-discontinuous";
   out.title = tr("Static friction, discontinuous at rest");
   out.caption =
@@ -254,7 +254,7 @@ figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction&
   const std::string coulomb_torque = parameter_text(levels.coulomb_Nm, "N·m");
   const std::string threshold_speed = parameter_text(p.threshold_rad_s, "rad/s");
   figures::ReportFigure out;
-  out.number = 2;
+  out.paper_number = 2;
   out.id = "fig-02-static-continuous";
   out.title = tr("Static friction with a linear zone around rest");
   out.caption =

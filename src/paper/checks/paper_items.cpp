@@ -252,7 +252,7 @@ class Figures {
   const figures::ReportFigure& operator[](int number) const {
     const auto found =
         std::find_if(figures_.begin(), figures_.end(),
-                     [&](const figures::ReportFigure& f) { return f.number == number; });
+                     [&](const figures::ReportFigure& f) { return f.paper_number == number; });
     if (found == figures_.end()) {
       throw std::invalid_argument("the paper's figure " + std::to_string(number) + " is missing");
     }
@@ -482,7 +482,7 @@ std::vector<figures::ReportFigure> paper_figures(const PapersJoint& joint) {
   add(figures::figure_set(joint.dataset, joint.calibration));
   std::sort(figures.begin(), figures.end(),
             [](const figures::ReportFigure& a, const figures::ReportFigure& b) {
-              return a.number < b.number;
+              return a.paper_number < b.paper_number;
             });
   return figures;
 }

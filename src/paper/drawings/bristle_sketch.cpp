@@ -131,7 +131,7 @@ void add_mean_bristle(render::figure::Diagram& diagram) {
 
 figures::ReportFigure bristle_sketch_figure() {
   figures::ReportFigure out;
-  out.number = 3;
+  out.paper_number = 3;
   out.id = "fig-03-bristles";
   out.title = tr("Surfaces in contact through elastic bristles");
   out.caption = tr(

@@ -88,7 +88,7 @@ SignalGraph drive_graph(const DriveElements& drive) {
 
 figures::ReportFigure drive_diagram_figure(double gear_ratio) {
   figures::ReportFigure out;
-  out.number = 6;
+  out.paper_number = 6;
   out.id = "fig-06-drive-diagram";
   out.title = tr("Inputs and outputs of the drive");
   out.caption =

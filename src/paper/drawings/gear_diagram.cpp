@@ -120,7 +120,7 @@ SignalGraph gear_graph(double gear_ratio, double inertia_kgm2) {
 
 figures::ReportFigure gear_diagram_figure(double gear_ratio) {
   figures::ReportFigure out;
-  out.number = 8;
+  out.paper_number = 8;
   out.id = "fig-08-gear-model";
   out.title = tr("Model of the gear");
   out.caption =

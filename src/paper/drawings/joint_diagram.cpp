@@ -130,7 +130,7 @@ figures::ReportFigure joint_diagram_figure() {
   any.drive = {1.0, 0.0, none};
   any.dynamic_friction_Nm = none;
   figures::ReportFigure out;
-  out.number = 7;
+  out.paper_number = 7;
   out.id = "fig-07-joint-model";
   out.title = tr("Model of the joint");
   out.caption =

@@ -106,7 +106,7 @@ figures::ReportFigure lugre_diagram_figure() {
   // The values do not show in the drawing.
   const friction::LuGreFriction any({1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
   figures::ReportFigure out;
-  out.number = 4;
+  out.paper_number = 4;
   out.id = "fig-04-lugre-diagram";
   out.title = tr("LuGre friction model as a block diagram");
   out.caption =

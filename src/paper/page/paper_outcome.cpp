@@ -34,7 +34,7 @@ bool is_drawn(const checks::PaperItem& item, const RegeneratedPaper& paper,
   if (item.kind != checks::ItemKind::figure) return true;
   return std::any_of(paper.figures.begin(), paper.figures.end(),
                      [&](const figures::ReportFigure& figure) {
-                       return figure.number == item.number &&
+                       return figure.paper_number == item.number &&
                               std::any_of(drawn.begin(), drawn.end(),
                                           [&](const render::workers::DrawnFigure& picture) {
                                             return picture.id == figure.id &&

@@ -114,7 +114,7 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
   }
   if (item.kind == checks::ItemKind::figure) {
     for (std::size_t i = 0; i < cards.size(); ++i) {
-      if (figures[i].number == item.number) report::fill_figure(cards[i], out);
+      if (figures[i].paper_number == item.number) report::fill_figure(cards[i], out);
     }
   }
   out.set_optional("REMARK", item.remark);

@@ -291,7 +291,7 @@ std::optional<figures::ReportFigure> mass_model_figure(const robot::RobotDescrip
                     test.arm().length_m()};
 
   figures::ReportFigure out;
-  out.number = 10;
+  out.paper_number = 10;
   out.id = "fig-10-phenomenological-model";
   out.title = numbers.mass ? tr("Phenomenological model: driven mass and surrogate mass")
                            : tr("Phenomenological model: the surrogate mass");

@@ -236,7 +236,7 @@ std::optional<figures::ReportFigure> motion_range_figure(const robot::RobotDescr
       test.arm().length_m()};
 
   figures::ReportFigure out;
-  out.number = 12;
+  out.paper_number = 12;
   out.id = "fig-12-range-of-motion";
   out.title = tr("Range of motion and angular position of the mass centre");
   const std::string origin =

@@ -125,7 +125,7 @@ figures::ReportFigure robot_figure(const robot::RobotDescription& robot) {
   add_base_frame(scene, {-0.15 * size, -0.2 * size, 0}, 0.09 * size);
 
   figures::ReportFigure out;
-  out.number = 9;
+  out.paper_number = 9;
   out.id = "fig-09-robot";
   out.title = tr("The robot, {robot}", {{"robot", arm.name()}});
   out.caption =
@@ -174,9 +174,9 @@ std::vector<figures::ReportFigure> with_scene_figures(std::vector<figures::Repor
                                                       const calibration::Calibration& calibration) {
   if (robot == nullptr) return figures;
   for (figures::ReportFigure& scene : scene_figures(*robot, calibration)) {
-    const auto after =
-        std::find_if(figures.begin(), figures.end(),
-                     [&](const figures::ReportFigure& one) { return one.number > scene.number; });
+    const auto after = std::find_if(
+        figures.begin(), figures.end(),
+        [&](const figures::ReportFigure& one) { return one.paper_number > scene.paper_number; });
     figures.insert(after, std::move(scene));
   }
   return figures;

@@ -63,8 +63,8 @@ std::vector<figures::ReportFigure> publication_set() {
   const text::Font font;
   std::vector<figures::ReportFigure> out;
   for (figures::ReportFigure& one : paper_set()) {
-    const bool wanted = one.number == 7 || one.number == 10 || one.number == 13 ||
-                        one.number == 15 || one.number == 18;
+    const bool wanted = one.paper_number == 7 || one.paper_number == 10 || one.paper_number == 13 ||
+                        one.paper_number == 15 || one.paper_number == 18;
     if (!wanted) continue;
     one.figure = composition::for_publication(one.figure, font);
     out.push_back(std::move(one));

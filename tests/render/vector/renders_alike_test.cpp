@@ -82,7 +82,8 @@ TEST(RendersAlike, InABrowserWithTheDocumentsOwnFont) {
   const text::Font font;
   std::vector<figures::ReportFigure> some;
   for (figures::ReportFigure& one : paper_set()) {
-    if (one.number == 3 || one.number == 10 || one.number == 15) some.push_back(std::move(one));
+    if (one.paper_number == 3 || one.paper_number == 10 || one.paper_number == 15)
+      some.push_back(std::move(one));
   }
   for (const DrawnExample& one : drawn(some)) {
     std::string svg = vector::svg_document(one.list, one.texts(), font, one.solid_parts);
