@@ -8,7 +8,7 @@
 {{#FINDING}}<li><bdi>{{TEXT}}</bdi></li>
 {{/FINDING}}</ul>{{/FINDINGS}}
 {{#NUMBERED}}<ol class="findings numbered">
-{{#FINDING}}<li id="finding-{{NUMBER}}"><span class="ref">{{NUMBER}}</span> <bdi>{{TEXT}}</bdi></li>
+{{#FINDING}}<li id="finding-{{NUMBER}}"><span class="ref">{{NUMBER}}</span> <bdi>{{TEXT}}</bdi>{{#QUANTITIES_IF}} <small>{{QUANTITIES}}</small>{{/QUANTITIES_IF}}</li>
 {{/FINDING}}</ol>{{/NUMBERED}}
 {{#FURTHER_LINK}}<p class="further"><a href="#findings">{{COUNT}}</a></p>{{/FURTHER_LINK}}
 {{#FURTHER}}<details><summary>{{COUNT}}</summary>

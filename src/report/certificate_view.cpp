@@ -63,9 +63,9 @@ std::string what_went_in(const calibration::Calibration& c) {
   }
   if (kinds.empty()) return "–";
   const std::string recordings = fmt::format("{}", fmt::join(kinds, ", "));
-  return tr("{recordings}; {used} of {read} rows used", {{"recordings", recordings},
-                                                         {"used", wording::count(used)},
-                                                         {"read", wording::count(read)}});
+  return tr(
+      "{recordings}; {used} of {read} rows used",
+      {{"recordings", recordings}, {"used", wording::count(used)}, {"read", wording::count(read)}});
 }
 
 bool is_stated_as_number(const calibration::QuantityVerdict& q) {
@@ -106,8 +106,8 @@ std::string range_in_words(double low, double high, const wording::Scale& scale)
   constexpr int digits = 3;
   return tr("{low} to {high}",
             {{"low", wording::significant(low * scale.factor, digits)},
-             {"high", wording::with_unit(wording::significant(high * scale.factor, digits),
-                                         scale.unit)}});
+             {"high",
+              wording::with_unit(wording::significant(high * scale.factor, digits), scale.unit)}});
 }
 
 /// Angles, speeds and strokes: the numbers hold there.
@@ -115,18 +115,18 @@ std::string what_was_seen(const calibration::Calibration& c) {
   std::vector<std::string> seen;
   const method::gravity::SweepCurves& sweep = c.curves.rough;
   if (sweep.highest_rad > sweep.lowest_rad) {
-    seen.push_back(
-        tr("joint angles {range}", {{"range", range_in_words(sweep.lowest_rad, sweep.highest_rad,
-                                                             wording::degree_scale())}}));
+    seen.push_back(tr(
+        "joint angles {range}",
+        {{"range", range_in_words(sweep.lowest_rad, sweep.highest_rad, wording::degree_scale())}}));
   }
   wording::Extent speeds;
   for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
     if (run.speed_rad_s != 0) speeds.add(std::abs(run.speed_rad_s));
   }
   if (!speeds.empty) {
-    seen.push_back(tr("motor speeds {range}",
-                      {{"range", range_in_words(speeds.low, speeds.high,
-                                                wording::plain_scale("rad/s"))}}));
+    seen.push_back(
+        tr("motor speeds {range}",
+           {{"range", range_in_words(speeds.low, speeds.high, wording::plain_scale("rad/s"))}}));
   }
   wording::Extent strokes;
   for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
@@ -134,10 +134,10 @@ std::string what_was_seen(const calibration::Calibration& c) {
   }
   if (!strokes.empty) {
     const wording::Scale scale = wording::radian_scale(strokes.high);
-    seen.push_back(tr("oscillations of ±{amplitude}",
-                      {{"amplitude", wording::with_unit(
-                                         wording::significant(strokes.high * scale.factor, 3),
-                                         scale.unit)}}));
+    seen.push_back(tr(
+        "oscillations of ±{amplitude}",
+        {{"amplitude",
+          wording::with_unit(wording::significant(strokes.high * scale.factor, 3), scale.unit)}}));
   }
   return or_dash(fmt::format("{}", fmt::join(seen, ", ")));
 }
@@ -156,15 +156,13 @@ std::string day_of(const std::string& utc) {
 std::string torque_scale_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
   if (const auto constant = m.drive.torque_constant_Nm_A()) {
-    parts.push_back(
-        tr("torque constant {constant}",
-           {{"constant", wording::with_unit(wording::as_stated(*constant), "N·m/A")}}));
+    parts.push_back(tr("torque constant {constant}",
+                       {{"constant", wording::with_unit(wording::as_stated(*constant), "N·m/A")}}));
   }
   const auto& percent = m.uncertainty.torque_constant_percent;
-  parts.push_back(
-      percent ? tr("torque scale ± {percent} (95 %)",
-                   {{"percent", wording::with_unit(wording::as_stated(*percent), "%")}})
-              : tr("uncertainty of the torque scale not stated"));
+  parts.push_back(percent ? tr("torque scale ± {percent} (95 %)",
+                               {{"percent", wording::with_unit(wording::as_stated(*percent), "%")}})
+                          : tr("uncertainty of the torque scale not stated"));
   const auto source = m.uncertainty.id.find("torque_constant");
   if (source != m.uncertainty.id.end()) parts.push_back(source->second);
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -172,9 +170,8 @@ std::string torque_scale_in_words(const joint::Manifest& m) {
 
 std::string conditions_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
-  parts.push_back(m.temperature_C
-                      ? wording::with_unit(wording::as_stated(*m.temperature_C), "°C")
-                      : tr("temperature not stated"));
+  parts.push_back(m.temperature_C ? wording::with_unit(wording::as_stated(*m.temperature_C), "°C")
+                                  : tr("temperature not stated"));
   const std::string payload = payload_in_words(m);
   parts.push_back(payload.empty() ? tr("payload not stated")
                                   : tr("payload {payload}", {{"payload", payload}}));

@@ -40,6 +40,11 @@ bool tells(const Statement& finding, const Statement& reason) {
          *found == *of_reason;
 }
 
+/// Not one that nothing rests on and that does not show.
+bool is_in_the_table(const calibration::QuantityVerdict& q) {
+  return q.decides || q.verdict != calibration::Verdict::not_identifiable;
+}
+
 /// Whether a quantity's verdict rests on it.
 bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) {
   return std::any_of(q.reasons.begin(), q.reasons.end(),
@@ -55,13 +60,12 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
       if (number_of(reason) == 0) statements_.push_back(reason);
     }
   }
-  std::stable_partition(
-      statements_.begin(), statements_.end(), [&](const Statement& statement) {
-        return std::any_of(judgement.quantities.begin(), judgement.quantities.end(),
-                           [&](const calibration::QuantityVerdict& q) {
-                             return q.decides && is_reason(statement, q);
-                           });
-      });
+  std::stable_partition(statements_.begin(), statements_.end(), [&](const Statement& statement) {
+    return std::any_of(judgement.quantities.begin(), judgement.quantities.end(),
+                       [&](const calibration::QuantityVerdict& q) {
+                         return is_in_the_table(q) && is_reason(statement, q);
+                       });
+  });
   for (const Statement& statement : statements_) {
     Finding finding;
     finding.number = static_cast<int>(findings_.size()) + 1;

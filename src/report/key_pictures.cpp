@@ -117,8 +117,7 @@ class Frame {
     std::string path;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       path += fmt::format("M{:.1f} {:.1f}V{:.1f}", x_.at(points.x[i]),
-                          y_.at(points.y[i] - half_widths[i]),
-                          y_.at(points.y[i] + half_widths[i]));
+                          y_.at(points.y[i] - half_widths[i]), y_.at(points.y[i] + half_widths[i]));
     }
     return path;
   }
@@ -176,8 +175,8 @@ std::vector<std::size_t> last_cycles(const std::vector<double>& t, double freque
 const calibration::QuantityVerdict* known(const calibration::Calibration& c,
                                           joint::Quantity quantity) {
   const calibration::QuantityVerdict* q = c.judgement.find(quantity);
-  const bool is_known = q != nullptr && q->budget &&
-                        q->verdict != calibration::Verdict::not_identifiable;
+  const bool is_known =
+      q != nullptr && q->budget && q->verdict != calibration::Verdict::not_identifiable;
   return is_known ? q : nullptr;
 }
 
@@ -199,8 +198,8 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   }
   if (!(angle.span() > 0) || !(torque.span() > 0)) return std::nullopt;
   constexpr double degree_rad = 0.0174532925199433;
-  const AxisScale x = angle.largest() > degree_rad ? wording::degrees()
-                                                   : wording::prefixed("rad", angle.largest());
+  const AxisScale x =
+      angle.largest() > degree_rad ? wording::degrees() : wording::prefixed("rad", angle.largest());
   const AxisScale y = wording::prefixed("N·m", torque.largest());
   Points measured;
   Points fitted;
@@ -251,7 +250,8 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
   Points rising;
   Points falling;
   for (std::size_t i = 0; i < sweep.fit_q_rad.size(); ++i) {
-    if (i < sweep.fit_rising_Nm.size()) rising.add(x(sweep.fit_q_rad[i]), y(sweep.fit_rising_Nm[i]));
+    if (i < sweep.fit_rising_Nm.size())
+      rising.add(x(sweep.fit_q_rad[i]), y(sweep.fit_rising_Nm[i]));
     if (i < sweep.fit_falling_Nm.size()) {
       falling.add(x(sweep.fit_q_rad[i]), y(sweep.fit_falling_Nm[i]));
     }
@@ -296,7 +296,10 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].speed_rad_s == 0.0 || !std::isfinite(curve->friction_Nm[i])) continue;
     speed.add(std::abs(runs[i].speed_rad_s));
-    torque.add(std::copysign(1.0, runs[i].speed_rad_s) * curve->friction_Nm[i]);
+    const double friction_Nm = std::copysign(1.0, runs[i].speed_rad_s) * curve->friction_Nm[i];
+    torque.add(friction_Nm - runs[i].torque_half_width_Nm);
+    torque.add(friction_Nm + runs[i].torque_half_width_Nm);
+    torque.add(friction_Nm);
   }
   if (!(speed.span() > 0) || !(torque.span() > 0)) return std::nullopt;
   // Read upwards from zero, as friction is, unless it hardly differs.

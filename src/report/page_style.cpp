@@ -64,7 +64,8 @@ constexpr std::string_view head_ends = "\";font:8pt sans-serif;color:#444444}}\n
 /// What may stand within a string of the style.
 bool is_harmless(char c) {
   constexpr std::string_view marks = " ./_-";
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || marks.find(c) != std::string_view::npos;
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+         marks.find(c) != std::string_view::npos;
 }
 
 std::string running_head(const std::string& number) {

@@ -32,8 +32,8 @@ void fill_head(const calibration::Provenance& provenance, TemplateValues& values
                PageKind kind = PageKind::plain);
 
 /// CSS, the style of such a page, and CSP, the content security policy that allows it by its hash
-/// and nothing else but pictures as data URIs. @param number of the document, on top of each printed
-/// page; of it letters, digits and ". / _ -" are kept. Empty: pages have none.
+/// and nothing else but pictures as data URIs. @param number of the document, on top of each
+/// printed page; of it letters, digits and ". / _ -" are kept. Empty: pages have none.
 void fill_style(TemplateValues& values, PageKind kind = PageKind::plain,
                 const std::string& number = {});
 

@@ -97,10 +97,10 @@ void fill_quantities(const ReportView& view, TemplateValues& values) {
   TemplateValues& table = values.add_include("QUANTITIES", "quantities.tpl");
   const auto any = [&](auto has) { return std::any_of(rows.begin(), rows.end(), has); };
   const bool has_limits = any([](const QuantityRow& row) { return !row.limits.empty(); });
-  const ShownColumns shown{
-      any([](const QuantityRow& row) { return !row.at_joint.empty(); }), !view.last_day.empty(),
-      std::any_of(view.budget.begin(), view.budget.end(),
-                  [](const BudgetRow& row) { return row.parts.size() > 1; })};
+  const ShownColumns shown{any([](const QuantityRow& row) { return !row.at_joint.empty(); }),
+                           !view.last_day.empty(),
+                           std::any_of(view.budget.begin(), view.budget.end(),
+                                       [](const BudgetRow& row) { return row.parts.size() > 1; })};
   if (shown.joint_side) table.add_section("JOINT_HEAD");
   if (shown.parts) table.add_section("PARTS_HEAD");
   if (!has_limits) table.add_section("NO_LIMITS");
@@ -210,8 +210,8 @@ void fill_data_checks(const ReportView& view, TemplateValues& values) {
   const auto passed = static_cast<std::size_t>(
       std::count_if(view.data_checks.begin(), view.data_checks.end(),
                     [](const DataCheckRow& row) { return row.outcome == Outcome::good; }));
-  values.set("CHECKS_PASSED", tr("{passed} of {all} passed", {{"passed", passed},
-                                                              {"all", view.data_checks.size()}}));
+  values.set("CHECKS_PASSED", tr("{passed} of {all} passed",
+                                 {{"passed", passed}, {"all", view.data_checks.size()}}));
   if (view.rules.empty()) return;
   TemplateValues& rules = table.add_section("HAS_RULES");
   for (const DataCheckRow& row : view.rules) fill_check(row, rules.add_section("RULE"));
@@ -253,12 +253,12 @@ void fill_section(const Section& section, bool has_viewer, TemplateValues& value
   } else {
     out.set_optional("REASON", section.reason);
   }
-  fill_facts(section.facts, out);
   if (has_viewer && section.id == section_anchor(StageId::hysteresis)) {
     out.add_include("REVIEW", "review.tpl");
   }
   TemplateValues& fold = out.add_section("FOLD");
   fold.set_optional("EXPERIMENT", section.experiment);
+  fill_facts(section.facts, fold);
   fold.add_include("EXPLANATION", section.explanation);
   bool has_tables = false;
   for (const Table& table : section.tables) {
@@ -304,9 +304,9 @@ void fill_findings(const ReportView& view, TemplateValues& verdict, TemplateValu
     TemplateValues& list = verdict.add_section("NUMBERED");
     for (std::size_t k = 0; k < first; ++k) fill_finding(all[k], "FINDING", list);
     if (all.size() > first) {
-      verdict.add_section("FURTHER_LINK").set(
-          "COUNT", tr_count(all.size() - first, "{findings} more finding", "{findings} more findings",
-                            {{"findings", all.size() - first}}));
+      verdict.add_section("FURTHER_LINK")
+          .set("COUNT", tr_count(all.size() - first, "{findings} more finding",
+                                 "{findings} more findings", {{"findings", all.size() - first}}));
     }
   }
   if (all.size() <= first && view.next_steps.empty()) return;

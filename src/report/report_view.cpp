@@ -84,6 +84,25 @@ void place_figures(const calibration::Calibration& c,
   view.sections.push_back(others);
 }
 
+/// In the order in which they stand, those in sight before the folded ones of their section.
+void number_figures(ReportView& view) {
+  constexpr int loaded_at_once = 3;
+  int number = 0;
+  for (Section& section : view.sections) {
+    std::stable_partition(section.figures.begin(), section.figures.end(),
+                          [](const FigureCard& card) { return card.is_primary; });
+    for (FigureCard& card : section.figures) {
+      ++number;
+      const std::initializer_list<StatedValue> values = {
+          {"number", number}, {"title", card.title}, {"paper_number", card.paper_number}};
+      card.heading = card.paper_number > 0
+                         ? tr("Figure {number}: {title} (paper: figure {paper_number})", values)
+                         : tr("Figure {number}: {title}", values);
+      card.is_lazy = number > loaded_at_once;
+    }
+  }
+}
+
 std::string missing_figures(const ReportView& view) {
   std::size_t missing = 0;
   for (const Section& section : view.sections) {
@@ -167,6 +186,7 @@ ReportView make_report_view(const calibration::Calibration& c,
         truth_check_section(c.truth_check, static_cast<int>(view.sections.size()) + 1));
   }
   place_figures(c, figures, drawn, view);
+  number_figures(view);
   view.figures_missing = missing_figures(view);
   for (const Statement& note : c.notes) view.notes.push_back(as_sentence(note));
   view.provenance_tables = provenance_tables(c, provenance);

@@ -47,6 +47,8 @@ struct Fact {
 
 struct FigureCard {
   std::string id;
+  std::string title;    ///< "Friction hysteresis"
+  int paper_number{};   ///< 0: it is none of the paper's.
   std::string heading;  ///< "Figure 15: Friction hysteresis"
   std::string caption;
   std::string how_to_read;
@@ -170,20 +172,21 @@ struct DataCheckRow {
 };
 
 struct ReportView {
-  std::string title;  ///< Of the document: robot and joint.
+  std::string title;   ///< Of the document: robot and joint.
   std::string number;  ///< Of the report: "tribolog-0123456789ab", or the laboratory's.
-  std::string note;            ///< The operator's note; may be empty.
+  std::string note;    ///< The operator's note; may be empty.
   Outcome verdict{Outcome::absent};
-  std::string verdict_word;  ///< "USABLE"
+  std::string verdict_word;      ///< "USABLE"
   std::string verdict_sentence;  ///< May be empty.
   std::string verdict_rows;      ///< Which quantities are usable, doubtful...; may be empty.
   std::vector<Finding> findings;
   std::vector<NextStep> next_steps;
-  std::string not_asked_for;  ///< Quantities that nothing rests on and that do not show; may be empty.
+  std::string
+      not_asked_for;  ///< Quantities that nothing rests on and that do not show; may be empty.
   std::vector<KeyPicture> pictures;
   std::vector<Fact> boundary;     ///< What went in, is included, is not, was seen.
   std::vector<Fact> certificate;  ///< What ISO/IEC 17025, 7.8 asks for.
-  std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
+  std::string figures_missing;    ///< "2 figures missing"; empty: all are there.
   std::vector<QuantityRow> quantities;
   std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.
   std::string last_id;

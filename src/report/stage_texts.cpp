@@ -173,7 +173,10 @@ constexpr std::size_t eager_figures = 3;
 FigureCard card(const figures::ReportFigure& figure, const render::workers::DrawnFigure* drawn) {
   FigureCard made;
   made.id = figure.id;
-  // Only the paper's figures have numbers.
+  made.title = figure.title;
+  made.paper_number = figure.paper_number.value_or(0);
+  made.is_primary = figure.is_primary;
+  // Only the paper's figures have numbers, where a page does not number its own.
   made.heading = figure.paper_number
                      ? tr("Figure {number}: {title}",
                           {{"number", *figure.paper_number}, {"title", figure.title}})

@@ -174,9 +174,11 @@ std::string rows_in_words(const calibration::Judgement& judgement) {
     return tr_count(all, "The one quantity is usable.", "All {quantities} quantities are usable.",
                     {{"quantities", all}});
   }
-  std::string words = tr_count(usable, "{usable} of {quantities} quantities is usable.",
-                               "{usable} of {quantities} quantities are usable.",
-                               {{"usable", usable}, {"quantities", all}});
+  std::string words = usable == 0
+                          ? tr("None of {quantities} quantities is usable.", {{"quantities", all}})
+                          : tr_count(usable, "{usable} of {quantities} quantities is usable.",
+                                     "{usable} of {quantities} quantities are usable.",
+                                     {{"usable", usable}, {"quantities", all}});
   const std::string doubtful = names_of(judgement, has(calibration::Verdict::doubtful));
   const std::string none = names_of(judgement, has(calibration::Verdict::not_identifiable));
   if (!doubtful.empty()) words += " " + tr("Doubtful: {quantities}.", {{"quantities", doubtful}});

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/encodings.h"
+#include "base/encodings.h"
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
 #include "render/figure/figure.h"
@@ -39,8 +41,9 @@ TEST(HtmlReport, SectionsComeInTheContractsOrder) {
     const std::string html = report_of(c);
     std::size_t last = 0;
     for (const std::string id :
-         {"verdict", "key-numbers", "stage-1", "stage-2", "stage-3", "stage-4", "stage-5",
-          "stage-6", "stage-7", "stage-8", "intervals", "provenance"}) {
+         {"verdict", "quantities", "boundary", "certificate", "findings", "budget", "stage-1",
+          "stage-2", "stage-3", "stage-4", "stage-5", "stage-6", "stage-7", "stage-8",
+          "data-checks", "key-numbers", "intervals", "provenance"}) {
       const std::size_t at = html.find("<section id=\"" + id + "\"");
       ASSERT_NE(at, std::string::npos) << id;
       EXPECT_GT(at, last) << id;
@@ -74,19 +77,51 @@ TEST(HtmlReport, VerdictIsAWordAnIconAndAColour) {
   }
 }
 
-TEST(HtmlReport, EachQuantityHasItsVerdictReasonAndNextExperiment) {
+TEST(HtmlReport, EachQuantityHasItsVerdictAndRefersToItsReasons) {
   const std::string html = report_of(complete_calibration());
   const std::size_t at = html.find("id=\"table-quantities\"");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_LT(at, html.find("id=\"key-numbers\""));  // on the first screen
+  EXPECT_LT(at, html.find("id=\"findings\""));  // on page one
   const std::string table = html.substr(at, html.find("</table>", at) - at);
   EXPECT_NE(table.find("state good"), std::string::npos);
-  // What nothing rests on is no fault where it does not show.
-  EXPECT_NE(table.find("state absent"), std::string::npos);
-  for (const char* text : {"usable", "not identifiable", "The data do not show it.", "A fast sine.",
-                           "≤ −20°</bdi>", "met"}) {
-    EXPECT_NE(table.find(text), std::string::npos) << text;
+  for (const char* text : {"usable", "≤ −20°</bdi>", "met", "3.883 ± 0.020\u00a0N·m",
+                           "388.3 ± 2.0\u00a0N·m", "1.96", "torque constant 95\u00a0%"}) {
+    EXPECT_NE(table.find(text), std::string::npos) << text << " in\n" << table;
   }
+  // Said once, referred to by number.
+  EXPECT_EQ(occurrences(html, "The data do not show it."), 1U);
+  EXPECT_EQ(occurrences(html, "A fast sine."), 1U);
+}
+
+TEST(HtmlReport, EveryReferenceLeadsToAFinding) {
+  for (const calibration::Calibration& c :
+         {complete_calibration(),
+          identify::identify(simulate::simulated_dataset(paper_joint()))}) {
+    const std::string html = report_of(c);
+    std::size_t references = 0;
+    const std::string start = "href=\"#finding-";
+    for (std::size_t at = html.find(start); at != std::string::npos;
+         at = html.find(start, at + 1)) {
+      const std::size_t number = at + start.size();
+      const std::string id = html.substr(number, html.find('"', number) - number);
+      EXPECT_EQ(occurrences(html, "id=\"finding-" + id + "\""), 1U) << id;
+      ++references;
+    }
+    EXPECT_GT(references, 0U);
+  }
+}
+
+TEST(HtmlReport, ItsNumberIsThatOfTheArchiveOrOfItsContent) {
+  const calibration::Calibration c = complete_calibration();
+  const std::string filed =
+      report::html_report(c, {}, {}, sample_provenance(), std::nullopt, {}, "0123456789abcdef0123");
+  EXPECT_NE(filed.find("Identification report <bdi>tribolog-0123456789ab</bdi>"),
+            std::string::npos);
+  EXPECT_NE(filed.find("@top-right{content:\"tribolog-0123456789ab\""), std::string::npos);
+  const std::string digest = sha256_hex(calibration::calibration_json(c, sample_provenance()));
+  EXPECT_NE(report::html_report(c, {}, {}, sample_provenance())
+                .find("<bdi>tribolog-" + digest.substr(0, 12) + "</bdi>"),
+            std::string::npos);
 }
 
 TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
@@ -113,17 +148,22 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   EXPECT_NE(table.find("<code>0123456789</code>"), std::string::npos);
 }
 
-TEST(HtmlReport, TheWeightiestThreeFindingsAreInSight) {
+TEST(HtmlReport, TheWeightiestThreeFindingsAreOnPageOne) {
   calibration::Calibration c = complete_calibration();
+  const Statement lowers = Statement::verbatim("five");
   c.judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"),
-                          Statement::verbatim("three"), Statement::verbatim("four"),
-                          Statement::verbatim("five")};
+                          Statement::verbatim("three"), Statement::verbatim("four"), lowers};
+  c.judgement.quantities.front().verdict = calibration::Verdict::doubtful;
+  c.judgement.quantities.front().reasons = {lowers};
   const std::string html = report_of(c);
   const std::size_t at = html.find("id=\"verdict\"");
   const std::string banner = html.substr(at, html.find("</section>", at) - at);
-  EXPECT_LT(banner.find("Three."), banner.find("<summary>2 more findings</summary>"));
-  EXPECT_GT(banner.find("Four."), banner.find("<summary>2 more findings</summary>"));
-  EXPECT_NE(banner.find("Five."), std::string::npos);
+  // That on which a number's verdict rests comes first.
+  EXPECT_LT(banner.find("Five."), banner.find("One."));
+  EXPECT_NE(banner.find("Two."), std::string::npos);
+  EXPECT_EQ(banner.find("Three."), std::string::npos);
+  EXPECT_NE(banner.find("<a href=\"#findings\">"), std::string::npos);
+  EXPECT_GT(html.find("Four."), html.find("id=\"findings\""));
 }
 
 TEST(HtmlReport, ChecksOnTheDataStandWithNumberAndLimit) {

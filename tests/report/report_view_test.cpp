@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "identify/identify.h"
 #include "paper/drawings/printed_paper.h"
+#include "report/key_pictures.h"
 #include "report/sample_calibration.h"
 #include "report/view_parts.h"
+#include "support/paper_joint.h"
 
 namespace tribolog::test::report_view_test {
 namespace {
@@ -44,27 +47,77 @@ TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
   EXPECT_EQ(row_of(table, "Break-away torque, at the joint")->cells[1], "88.44 ± 0.13");
 }
 
-TEST(ReportView, TheWordsOfABrokenLimitStandOnceOnTheFirstScreen) {
-  calibration::LimitOutcome limit;
-  limit.rule = calibration::LimitRule::max;
-  limit.state = calibration::LimitState::outside;
-  limit.outcome = Statement::verbatim("the surrogate mass is above its limit");
+TEST(ReportView, EachReasonIsSaidOnceAndReferredTo) {
+  const Statement rests_on = Statement::verbatim("no oscillation was recorded");
+  const Statement found = Statement::verbatim("factor 2");
   calibration::QuantityVerdict mass;
   mass.quantity = joint::Quantity::surrogate_mass;
-  mass.limits = {limit};
-  mass.reasons = {limit.outcome, Statement::verbatim("the loops disagree")};
+  mass.verdict = calibration::Verdict::doubtful;
+  mass.reasons = {{"verdict.nothing_independent", {{"why", rests_on}}},
+                  {"verdict.check_fails",
+                   {{"found", found}, {"consequence", Statement::verbatim("speeds are wrong")}}}};
+  calibration::QuantityVerdict damping;
+  damping.quantity = joint::Quantity::bristle_damping;
+  damping.verdict = calibration::Verdict::doubtful;
+  damping.reasons = {rests_on, Statement::verbatim("known only roughly")};
   calibration::Judgement judgement;
-  judgement.quantities = {mass};
-  judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"), limit.outcome,
-                        Statement::verbatim("the loops disagree")};
-  EXPECT_EQ(report::quantity_rows(judgement, std::nullopt).front().reasons,
-            std::vector<std::string>{"The loops disagree."});
-  judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"),
-                        Statement::verbatim("three"), limit.outcome};
-  EXPECT_EQ(
-      report::quantity_rows(judgement, std::nullopt).front().reasons,
-      (std::vector<std::string>{"The surrogate mass is above its limit.", "The loops disagree."}))
-      << "behind a click it is not in sight";
+  judgement.quantities = {mass, damping};
+  judgement.findings = {
+      Statement::verbatim("a note"),
+      {"verdict.check", {{"check", Statement::verbatim("Speeds")}, {"found", found}}},
+      rests_on};
+  const report::NumberedFindings findings(judgement);
+  ASSERT_EQ(findings.all().size(), 4U);
+  EXPECT_EQ(findings.all()[0].consequence, "Speeds are wrong.");
+  EXPECT_EQ(findings.all()[1].text, "No oscillation was recorded.");
+  EXPECT_EQ(findings.all()[2].text, "Known only roughly.");
+  EXPECT_EQ(findings.all()[3].text, "A note.") << "lowers nothing";
+  EXPECT_EQ(findings.numbers_of(mass), (std::vector<int>{1, 2}));
+  EXPECT_EQ(findings.numbers_of(damping), (std::vector<int>{2, 3}));
+  EXPECT_EQ(findings.all()[1].quantities,
+            (std::vector<std::string>{"surrogate mass", "bristle damping"}));
+}
+
+TEST(ReportView, TheSentenceIsMadeFromTheRows) {
+  calibration::Judgement judgement;
+  calibration::QuantityVerdict q;
+  q.quantity = joint::Quantity::gravity_torque;
+  judgement.quantities = {q, q, q};
+  EXPECT_EQ(report::rows_in_words(judgement), "All 3 quantities are usable.");
+  judgement.quantities[1].quantity = joint::Quantity::coulomb_torque;
+  judgement.quantities[1].verdict = calibration::Verdict::doubtful;
+  judgement.quantities[2].quantity = joint::Quantity::inertia;
+  judgement.quantities[2].verdict = calibration::Verdict::not_identifiable;
+  EXPECT_EQ(report::rows_in_words(judgement),
+            "1 of 3 quantities is usable. Doubtful: Coulomb torque. Not identifiable: inertia at "
+            "the motor.");
+  judgement.quantities[2].decides = false;
+  EXPECT_EQ(report::rows_in_words(judgement),
+            "1 of 2 quantities is usable. Doubtful: Coulomb torque.");
+  EXPECT_EQ(report::not_asked_for(judgement),
+            "Not identified, and not needed for the verdict: inertia at the motor.");
+}
+
+TEST(ReportView, PageOneShowsLoopAndFrictionCurve) {
+  const joint::Dataset dataset = simulate::simulated_dataset(paper_joint());
+  const std::vector<report::KeyPicture> pictures =
+      report::key_pictures(identify::identify(dataset));
+  ASSERT_EQ(pictures.size(), 2U);
+  EXPECT_EQ(pictures[0].id, "picture-loop");
+  EXPECT_FALSE(pictures[0].fitted.empty());
+  EXPECT_FALSE(pictures[0].band.empty());
+  EXPECT_EQ(pictures[1].id, "picture-curve");
+  EXPECT_FALSE(pictures[1].backward.empty());
+  for (const report::KeyPicture& picture : pictures) {
+    EXPECT_GE(picture.x_ticks.size(), 3U);
+    EXPECT_GE(picture.y_ticks.size(), 3U);
+    for (const report::KeyPicture::Tick& tick : picture.x_ticks) {
+      EXPECT_TRUE(tick.at > 50 && tick.at < report::picture_width) << tick.label;
+    }
+    for (const std::string& path : {picture.measured, picture.fitted, picture.forward}) {
+      EXPECT_EQ(path.find("nan"), std::string::npos);
+    }
+  }
 }
 
 TEST(ReportView, ADirectDriveHasOneSide) {
@@ -130,15 +183,17 @@ TEST(ReportView, KnownLoadsAreAmongTheConversions) {
 
 TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {
   const report::ReportView view = view_of(sweep_only());
-  EXPECT_EQ(view.missing.size(), 7U);
-  for (const report::MissingResult& result : view.missing) {
-    EXPECT_FALSE(result.reason.empty());
-    EXPECT_FALSE(result.experiment.empty());
+  std::size_t missing = 0;
+  for (const report::Section& section : view.sections) {
+    if (section.outcome == report::Outcome::good) continue;
+    ++missing;
+    EXPECT_FALSE(section.reason.empty());
+    EXPECT_FALSE(section.experiment.empty());
   }
-  EXPECT_EQ(view.missing.front().reason, "No precise_sweep was recorded.");
+  EXPECT_EQ(missing, 7U);
+  EXPECT_EQ(view.sections[1].reason, "No precise_sweep was recorded.");
   EXPECT_EQ(row_of(view.key_numbers, "Break-away torque")->cells[1], "not identified");
   EXPECT_TRUE(view.sections[4].tables.empty());
-  EXPECT_TRUE(view_of(complete_calibration()).missing.empty());
 }
 
 TEST(ReportView, FiguresGoToTheirStages) {

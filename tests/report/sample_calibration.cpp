@@ -1,6 +1,7 @@
 #include "report/sample_calibration.h"
 
 #include <cmath>
+#include <limits>
 
 #include "report/html_report.h"
 
@@ -229,7 +230,24 @@ std::vector<calibration::QuantityVerdict> sample_quantities(const statistics::Es
   inertia.decides = false;
   inertia.reasons = {Statement::verbatim("the data do not show it")};
   inertia.experiment = Statement::verbatim("a fast sine");
-  return {angle, inertia};
+  calibration::QuantityVerdict gravity;
+  gravity.quantity = joint::Quantity::gravity_torque;
+  gravity.unit = "N·m";
+  gravity.estimate = statistics::symmetric_estimate(3.88318, 0.0043);
+  calibration::BudgetPart recordings;
+  recordings.standard_uncertainty = 0.0043 / 1.96;
+  recordings.freedom = std::numeric_limits<double>::infinity();
+  calibration::BudgetPart constant = recordings;
+  constant.influence = calibration::Influence::torque_constant;
+  constant.is_type_b = true;
+  constant.stated = 0.5;
+  constant.standard_uncertainty = 0.005 * 3.88318 / 1.96;
+  gravity.budget = calibration::combined(*gravity.estimate, {recordings, constant},
+                                         {calibration::Influence::gear_ratio});
+  gravity.verdict = calibration::Verdict::doubtful;
+  gravity.reasons = {Statement::verbatim("its torque constant is not known well")};
+  gravity.experiment = Statement::verbatim("measure the torque constant");
+  return {angle, gravity, inertia};
 }
 
 /// Degrees at the motor, and a torque in mN·m of the other sign.

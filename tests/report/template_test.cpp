@@ -72,7 +72,7 @@ TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
 TEST(Templates, AForgottenVariableIsAnError) {
   TemplateValues values;
   values.add_section("ITEM").set("STAGE_NAME", "stage");
-  EXPECT_THROW(expand_template("missing.tpl", values), std::logic_error);
+  EXPECT_THROW(expand_template("key_picture.tpl", values), std::logic_error);
 }
 
 TEST(Templates, AMissingFileIsAnError) {
