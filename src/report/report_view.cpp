@@ -119,20 +119,8 @@ void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
                           judgement.sentence.is("verdict.nothing_usable");
   if (!is_of_rows) view.verdict_sentence = as_sentence(judgement.sentence);
   view.verdict_rows = rows_in_words(judgement);
-  switch (judgement.verdict) {
-    case calibration::Verdict::usable:
-      view.verdict = Outcome::good;
-      view.verdict_word = tr("USABLE");
-      return;
-    case calibration::Verdict::doubtful:
-      view.verdict = Outcome::partial;
-      view.verdict_word = tr("DOUBTFUL");
-      return;
-    case calibration::Verdict::not_identifiable:
-      view.verdict = Outcome::bad;
-      view.verdict_word = tr("NOT IDENTIFIABLE");
-      return;
-  }
+  view.verdict = outcome_of(judgement.verdict);
+  view.verdict_word = verdict_heading(judgement.verdict);
 }
 
 std::string robot_and_joint(const joint::Manifest& m) {

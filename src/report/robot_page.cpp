@@ -22,16 +22,8 @@ using wording::tr;
 using wording::tr_count;
 
 Outcome outcome_of(const RobotJoint& joint) {
-  if (joint.calibration == nullptr) return Outcome::bad;
-  switch (joint.calibration->judgement.verdict) {
-    case calibration::Verdict::usable:
-      return Outcome::good;
-    case calibration::Verdict::doubtful:
-      return Outcome::partial;
-    case calibration::Verdict::not_identifiable:
-      break;
-  }
-  return Outcome::bad;
+  return joint.calibration == nullptr ? Outcome::bad
+                                      : report::outcome_of(joint.calibration->judgement.verdict);
 }
 
 std::string word_of(const RobotJoint& joint) {
@@ -114,16 +106,8 @@ std::vector<Fact> facts_of(const std::vector<RobotJoint>& joints) {
 }
 
 std::string heading_of(const RobotJoint& joint) {
-  if (joint.calibration == nullptr) return tr("REFUSED");
-  switch (joint.calibration->judgement.verdict) {
-    case calibration::Verdict::usable:
-      return tr("USABLE");
-    case calibration::Verdict::doubtful:
-      return tr("DOUBTFUL");
-    case calibration::Verdict::not_identifiable:
-      break;
-  }
-  return tr("NOT IDENTIFIABLE");
+  return joint.calibration == nullptr ? tr("REFUSED")
+                                      : verdict_heading(joint.calibration->judgement.verdict);
 }
 
 void fill_verdict(const std::vector<RobotJoint>& joints, TemplateValues& values) {

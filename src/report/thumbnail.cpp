@@ -84,15 +84,27 @@ Points mirrored(Points points) {
   return points;
 }
 
-/// The fitted curve over the speeds that were run; below them it is a guess.
-Points from_slowest(const method::selection::FrictionCurve& fit, const std::vector<double>& runs) {
+/// The law that held-out speeds chose; where none was chosen, what stage 8 fitted.
+Points fitted_law(const calibration::Calibration& c) {
+  const method::viscous::CurveModelChoice& model = c.curve_model;
+  if (model.chosen_any) {
+    const method::viscous::CurveModelTrial* chosen = model.find(model.chosen.law);
+    if (chosen != nullptr && chosen->curve_Nm.size() == model.curve_speed_rad_s.size()) {
+      return {model.curve_speed_rad_s, chosen->curve_Nm};
+    }
+  }
+  return {c.curves.friction.speed_rad_s, c.curves.friction.torque_Nm};
+}
+
+/// The curve over the speeds that were run; below them it is a guess.
+Points from_slowest(const Points& fit, const std::vector<double>& runs) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const double speed : runs) slowest = std::min(slowest, std::abs(speed));
   Points points;
-  for (std::size_t i = 0; i < fit.speed_rad_s.size(); ++i) {
-    if (fit.speed_rad_s[i] < slowest) continue;
-    points.x.push_back(fit.speed_rad_s[i]);
-    points.y.push_back(fit.torque_Nm[i]);
+  for (std::size_t i = 0; i < fit.x.size(); ++i) {
+    if (fit.x[i] < slowest) continue;
+    points.x.push_back(fit.x[i]);
+    points.y.push_back(fit.y[i]);
   }
   return points;
 }
@@ -173,7 +185,7 @@ std::optional<Thumbnail> curve_thumbnail(const calibration::Calibration& c) {
   Thumbnail out;
   out.measured = frame.dots(measured);
   out.is_of_points = true;
-  const Points forwards = from_slowest(c.curves.friction, measured.x);
+  const Points forwards = from_slowest(fitted_law(c), measured.x);
   out.fitted =
       (x.high > 0 ? frame.line(forwards) : "") + (x.low < 0 ? frame.line(mirrored(forwards)) : "");
   out.zero = frame.zero();

@@ -18,12 +18,6 @@ namespace {
 using wording::tr;
 using wording::tr_count;
 
-Outcome outcome_of(calibration::Verdict verdict) {
-  return verdict == calibration::Verdict::usable     ? Outcome::good
-         : verdict == calibration::Verdict::doubtful ? Outcome::partial
-                                                     : Outcome::bad;
-}
-
 /// "≤ 12 N·m", of a half width "± ≤ 5 %".
 std::string rule_of(const calibration::LimitOutcome& limit) {
   using calibration::LimitRule;
@@ -92,6 +86,30 @@ void add_change(const history::Comparison& since_last, const calibration::Quanti
 }
 
 }  // namespace
+
+Outcome outcome_of(calibration::Verdict verdict) {
+  switch (verdict) {
+    case calibration::Verdict::usable:
+      return Outcome::good;
+    case calibration::Verdict::doubtful:
+      return Outcome::partial;
+    case calibration::Verdict::not_identifiable:
+      break;
+  }
+  return Outcome::bad;
+}
+
+std::string verdict_heading(calibration::Verdict verdict) {
+  switch (verdict) {
+    case calibration::Verdict::usable:
+      return tr("USABLE");
+    case calibration::Verdict::doubtful:
+      return tr("DOUBTFUL");
+    case calibration::Verdict::not_identifiable:
+      break;
+  }
+  return tr("NOT IDENTIFIABLE");
+}
 
 std::string verdict_in_words(calibration::Verdict verdict) {
   switch (verdict) {

@@ -35,6 +35,9 @@ std::string helpful_experiment(StageId stage);
 /// "stage 3"
 std::string stage_reference(StageId stage);
 std::string verdict_in_words(calibration::Verdict verdict);
+/// In capitals, as the word of a page's outcome: "DOUBTFUL".
+std::string verdict_heading(calibration::Verdict verdict);
+Outcome outcome_of(calibration::Verdict verdict);
 Outcome outcome_of(statistics::StageState state);
 std::string status_in_words(statistics::StageState state);
 

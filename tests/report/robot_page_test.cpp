@@ -2,11 +2,16 @@
 
 #include "report/robot_page.h"
 
+#include <algorithm>
+#include <set>
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "report/document_checks.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
+#include "report/thumbnail.h"
 
 namespace tribolog::test::robot_page_test {
 namespace {
@@ -42,6 +47,36 @@ TEST(RobotPage, TheWorstJointDecides) {
   robot.good.judgement.verdict = calibration::Verdict::usable;
   EXPECT_NE(robot.page().find("<span class=\"word\">USABLE</span>"), std::string::npos);
   EXPECT_NE(robot.page().find("1 of 1 joints is usable."), std::string::npos);
+}
+
+TEST(RobotPage, TheSmallCurveIsThatOfTheChosenLaw) {
+  calibration::Calibration c = complete_calibration();
+  method::viscous::CurveModelChoice& model = c.curve_model;
+  ASSERT_FALSE(c.viscous.runs.empty());
+  const auto before = report::curve_thumbnail(c);
+  ASSERT_TRUE(before);
+  double fastest = 0;
+  for (const auto& run : c.viscous.runs) fastest = std::max(fastest, run.speed_rad_s);
+  // A law that is level is drawn level: all its points have one height.
+  model.chosen_any = true;
+  model.chosen.law = method::viscous::CurveLaw::coulomb;
+  model.curve_speed_rad_s = {0.5 * fastest, 0.75 * fastest, fastest};
+  const double level = c.viscous.find(c.selection.recommended)->friction_Nm.back();
+  method::viscous::CurveModelTrial trial;
+  trial.model.law = method::viscous::CurveLaw::coulomb;
+  trial.curve_Nm = {level, level, level};
+  model.ladder = {trial};
+  const auto after = report::curve_thumbnail(c);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->measured, before->measured);
+  EXPECT_NE(after->fitted, before->fitted);
+  std::set<std::string> heights;
+  const std::string& path = after->fitted;
+  const std::size_t end = path.find('M', 1);
+  std::istringstream parts(path.substr(0, end));
+  std::string across, down;
+  while (parts >> across >> std::ws && std::getline(parts, down, 'L')) heights.insert(down);
+  EXPECT_EQ(heights.size(), 1U) << path;
 }
 
 TEST(RobotPage, IsSoundHtml) { EXPECT_TRUE(run_python(checks, Robot().page())); }
