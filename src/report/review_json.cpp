@@ -15,6 +15,7 @@
 #include "report/review_parts.h"
 #include "report/view_parts.h"
 #include "wording/labels.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/translation.h"
@@ -23,9 +24,6 @@
 
 namespace tribolog::report {
 
-namespace {
-
-/// What the script says by itself.
 Json script_texts() {
   Json says = Json::object();
   for (const std::string& message : script_messages()) {
@@ -35,7 +33,9 @@ Json script_texts() {
   return says;
 }
 
-}  // namespace
+std::string review_text(const Json& all) {
+  return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 std::string review_json(const calibration::Calibration& c) {
   const method::hysteresis::HysteresisResult& h = c.hysteresis;
@@ -60,8 +60,11 @@ std::string review_json(const calibration::Calibration& c) {
   all["loops"] = std::move(drawn);
   all["runs"] = has_curves ? runs(c) : Json(nullptr);
   all["candidates"] = candidates(c, scales.torque);
+  if (Json tried = has_curves ? laws(c) : Json(nullptr); !tried.is_null()) {
+    all["laws"] = std::move(tried);
+  }
   if (Json says = script_texts(); !says.empty()) all["says"] = std::move(says);
-  return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return review_text(all);
 }
 
 namespace {
@@ -203,6 +206,52 @@ Json candidates(const calibration::Calibration& c, const wording::AxisScale& tor
     list.push_back(std::move(one));
   }
   return list;
+}
+
+namespace {
+
+/// Apart from the candidates' curves and from each other, by their dashes too.
+Json law_style(method::viscous::CurveLaw law) {
+  namespace colour = render::figure::palette;
+  using method::viscous::CurveLaw;
+  using render::figure::LineStyle;
+  switch (law) {
+    case CurveLaw::coulomb:
+      return style(colour::grey, LineStyle::dot);
+    case CurveLaw::coulomb_viscous:
+      return style(colour::green, LineStyle::dash);
+    case CurveLaw::power_viscous:
+      return style(colour::blue, LineStyle::dash_dot);
+    case CurveLaw::stribeck:
+      return style(colour::vermilion, LineStyle::dash_dot_dot);
+    case CurveLaw::waiboer:
+      break;
+  }
+  return style(colour::black, LineStyle::dash);
+}
+
+}  // namespace
+
+Json laws(const calibration::Calibration& c) {
+  const method::viscous::CurveModelChoice& tried = c.curve_model;
+  const AxisScale friction = friction_scale(c);
+  const std::vector<double>& speed = tried.curve_speed_rad_s;
+  Json list = Json::array();
+  for (const method::viscous::CurveModelTrial& trial : tried.ladder) {
+    const bool is_drawn =
+        trial.excluded_because.empty() && !speed.empty() && trial.curve_Nm.size() == speed.size();
+    if (!is_drawn) continue;
+    list.push_back(
+        {{"words", shown_text(wording::words(described(trial.model)))},
+         {"f", column(trial.curve_Nm, friction)},
+         {"error", wording::size_words(trial.held_out_rms_Nm, wording::torque_floor_Nm, "N·m")},
+         {"chosen", tried.chosen_any && trial.model.law == tried.chosen.law},
+         {"style", law_style(trial.model.law)}});
+  }
+  if (list.empty() || !tried.curve) return nullptr;
+  return {{"w", column(speed, as_it_is)},
+          {"curve", shown_text(figures::estimator_words(*tried.curve))},
+          {"list", std::move(list)}};
 }
 
 }  // namespace tribolog::report

@@ -14,6 +14,10 @@
 //   runs         one entry per run of constant speed: w speed, T torque, f reference friction, band
 //                half width of the reference in %; null where there is none
 //   candidates   one per surrogate mass: f friction and e quality error of each run, T, and texts
+//   laws         absent where none was tried: w speeds > 0; list: one per law with its friction f
+//   at
+//                them, mean of the directions, the error at speeds held out as text, and whether it
+//                was chosen; curve: whose they were fitted to
 // Numbers are in the unit of their quantity, rounded to six significant digits; what is not finite
 // is null.
 
@@ -21,6 +25,8 @@
 #include <string>
 
 #include "calibration/calibration.h"
+#include "calibration/read_calibration.h"
+#include "history/comparison.h"
 
 namespace tribolog::report {
 
@@ -30,5 +36,13 @@ inline constexpr std::size_t most_loop_samples = 2000;
 /// Empty if there is neither a loop nor a candidate's curve.
 /// Its texts, and what the viewer says itself (`says`), are in the language of the words.
 std::string review_json(const calibration::Calibration& calibration);
+
+/// The steady loops that the archive keeps of two calibrations, to be laid over each other, in the
+/// same form. Time is not kept: t is the phase in degrees from the loop's largest angle. `shown`
+/// says which are seen at first, `label` replaces the loop's number and name.
+/// Empty unless both have a loop.
+std::string compared_loops_json(const history::Comparison& comparison,
+                                const calibration::RecordedCurves& first,
+                                const calibration::RecordedCurves& second);
 
 }  // namespace tribolog::report

@@ -31,6 +31,13 @@ Json midline(const method::hysteresis::HysteresisResult& result, const LoopScale
 void add_run_quantities(const calibration::Calibration& calibration, Json& quantities);
 Json runs(const calibration::Calibration& calibration);
 Json candidates(const calibration::Calibration& calibration, const wording::AxisScale& torque);
+/// The friction laws tried on the recommended curve; null: none.
+Json laws(const calibration::Calibration& calibration);
+
+/// What the script says by itself, in the language of the words; empty in English.
+Json script_texts();
+/// Compact, with what is hidden in it made visible.
+std::string review_text(const Json& all);
 
 /// A text of strangers, safe to show; null if empty.
 Json shown_text(const std::string& text);

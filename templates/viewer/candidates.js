@@ -11,10 +11,22 @@ const paintDots = (plot, pen, ys, colour, radius) => {
   pen.fillStyle = colour;
   ys.forEach((y, i) => {
     if (!isNumber(y) || !hasRun(i)) return;
+    const at = [plot.px(runs.w[i]), plot.py(y)];
+    noteSight(plot, ...at, ...at);
     pen.beginPath();
-    pen.arc(plot.px(runs.w[i]), plot.py(y), radius, 0, 7);
+    pen.arc(...at, radius, 0, 7);
     pen.fill();
     pen.stroke();
+  });
+};
+// The same in both directions.
+const paintLaws = (plot, pen) => {
+  const negative = (values) => values.map((value) => (isNumber(value) ? -value : null));
+  laws.list.forEach((law, k) => {
+    if (!state.laws[k]) return;
+    setPen(pen, law.style, 2);
+    if (Math.max(...runs.w) > 0) trace(plot, pen, laws.w, law.f);
+    if (Math.min(...runs.w) < 0) trace(plot, pen, negative(laws.w), negative(law.f));
   });
 };
 const paintRuns = (plot, pen) => {
@@ -44,9 +56,12 @@ const paintRuns = (plot, pen) => {
     paintRunCurve(plot, pen, reference);
   }
   const ys = (chosen() || {})[plot.y];
-  if (ys) {
+  if (ys && isLine) {
     setPen(pen, chosen().style, 2.4);
-    if (isLine) paintRunCurve(plot, pen, ys);
+    paintRunCurve(plot, pen, ys);
+  }
+  if (plot.y === "f" && laws) paintLaws(plot, pen);
+  if (ys) {
     paintDots(plot, pen, ys, chosen().style.colour, isLine ? 3 : 4.5);
   }
   if (reference && !isLine) paintDots(plot, pen, reference, ink, 1.5);

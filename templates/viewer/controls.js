@@ -35,7 +35,7 @@ const zoomControls = () => {
     button("−", () => zoom(current, 1 / 0.7), { "aria-label": t("Zoom out") }),
     ...moves.map(([sign, name, x, y]) =>
       button(sign, () => pan(current, x, y), { "aria-label": name })),
-    box, button(t("Reset"), resetRanges));
+    button(t("Home: show all"), resetRanges), box);
 };
 
 const readings = () => {
@@ -63,7 +63,7 @@ const readingControls = () => {
 const loopControls = () => {
   const line = make("div", { class: "keys" });
   loops.forEach((loop, k) => {
-    const words = loops.length > 1 ? `${k + 1}: ${loop.name || t("loop")}` +
+    const words = loop.label ? loop.label : loops.length > 1 ? `${k + 1}: ${loop.name || t("loop")}` +
       (loop.amplitude ? `, ± ${loop.amplitude}` : "") : t("measured");
     line.append(loops.length === 1 ? key(loop.style, words) : check(words, state.shown[k], (isOn) => {
       state.shown[k] = isOn;
@@ -76,13 +76,19 @@ const loopControls = () => {
       redraw((plot) => plot.isLoop);
     }, swatch(data.fit_style)));
   }
+  if (loops.some((loop) => loop.m)) {
+    line.append(check(t("misfit"), false, (isOn) => {
+      root.classList.toggle("with-misfit", isOn);
+      redraw((plot) => plot.isLoop);
+    }));
+  }
   if (loops.some((loop) => loop.midline)) line.append(key(midlineStyle, t("mid-line")));
   if (loops.some((loop) => isWithin("q", loop.q_peak))) line.append(key(peakStyle, t("gravity peak")));
   if (candidates.length) line.append(levelKey);
   if (loops.length < 2) return line;
   const select = make("select", { id: "review-loop" });
   loops.forEach((loop, k) =>
-    select.append(make("option", { value: k }, `${k + 1}: ${loop.name || t("loop")}`)));
+    select.append(make("option", { value: k }, loop.label || `${k + 1}: ${loop.name || t("loop")}`)));
   select.addEventListener("change", () => {
     state.loop = Number(select.value);
     state.shown[state.loop] = true;
@@ -94,6 +100,36 @@ const loopControls = () => {
   line.append(make("label", { class: "key", for: "review-loop" },  t("Read and scrub")), select);
   return line;
 };
+
+const candidateControls = () => {
+  const box = make("div", { class: "wide" });
+  const line = make("div", { class: "keys" });
+  if (runs.f) line.append(key(runs.style, t("reference: {0}", runs.reference || "")));
+  if (candidates.length > 1) {
+    line.append(check(t("other candidates"), true, (isOn) => {
+      state.others = isOn;
+      redraw((plot) => !plot.isLoop);
+    }, swatch({ colour: pale, line: "solid" })));
+  }
+  line.append(toggle(t("Close-up of the chosen one"), false, (isOn) => {
+    state.closeUp = isOn;
+    showCloseUp();
+  }));
+  box.append(line);
+  if (!laws) return box;
+  const set = make("fieldset", { class: "readings" }, make("legend", {}, lawsTitle()));
+  laws.list.forEach((law, k) => {
+    set.append(check(law.words + (law.error ? ` (${law.error})` : ""), state.laws[k], (isOn) => {
+      state.laws[k] = isOn;
+      redraw((plot) => !plot.isLoop);
+    }, swatch(law.style)));
+  });
+  box.append(set);
+  return box;
+};
+const lawsTitle = () =>
+  t("Laws fitted to the recommended curve ({0}), with their errors at speeds held out; chosen: {1}",
+    laws.curve, laws.list.filter((law) => law.chosen).map((law) => law.words).join(", ") || "–");
 
 const playControl = () => {
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");

@@ -10,8 +10,14 @@ const listen = (plot) => {
   let start = null;
   // Of a box.
   let corner = null;
+  // Asking for the box makes the browser lay out the page: not at each move.
+  let box = null;
+  const forget = () => { box = null; };
+  window.addEventListener("scroll", forget, { passive: true, capture: true });
+  window.addEventListener("resize", forget);
+  view.addEventListener("pointerenter", forget);
   const place = (event) => {
-    const box = view.getBoundingClientRect();
+    if (event.type !== "pointermove" || !box) box = view.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
   const showBox = (to) => {
@@ -62,6 +68,10 @@ const listen = (plot) => {
     }
     pointers.set(event.pointerId, at);
   });
+  view.addEventListener("dblclick", (event) => {
+    event.preventDefault();
+    resetPlot(plot);
+  });
   view.addEventListener("pointerleave", () => { plot.cursor.textContent = ""; });
   view.addEventListener("pointerup", (event) => {
     const at = place(event);
@@ -108,3 +118,10 @@ const listen = (plot) => {
     act();
   });
 };
+// Home leads back from everywhere but where it has a meaning of its own.
+root.addEventListener("keydown", (event) => {
+  if (event.key !== "Home" || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
+  if (event.target.matches("input[type=range], select")) return;
+  event.preventDefault();
+  resetRanges();
+});

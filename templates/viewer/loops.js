@@ -40,8 +40,7 @@ const paintLoops = (plot, pen) => {
     trace(plot, pen, loop.midline.q, loop.midline.T);
   }
   if (plot.x === "q" && isShown && isNumber(loop.q_peak)) {
-    setPen(pen, peakStyle, 1.6);
-    trace(plot, pen, [loop.q_peak, loop.q_peak], ranges[plot.y].now);
+    uprightAt(plot, pen, loop.q_peak, peakStyle);
   }
   const level = chosen();
   if (plot.y === "T" && level && isNumber(level.T)) {

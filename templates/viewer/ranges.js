@@ -49,3 +49,9 @@ const resetRanges = () => {
   if (state.closeUp) showCloseUp();
   say(t("All plots show everything."));
 };
+// Plots that share an axis with it follow.
+const resetPlot = (plot) => {
+  for (const name of [plot.x, plot.y]) setRange(name, ...ranges[name].full);
+  if (state.closeUp && !plot.isLoop) showCloseUp();
+  say(t("This plot shows everything."));
+};

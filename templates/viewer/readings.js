@@ -10,7 +10,9 @@ const runLine = make("p", { class: "run-line", id: "review-run" });
 const slider = make("input", { type: "range", id: "review-slider", min: "0", step: "1" });
 const sliderText = make("output", { for: "review-slider", id: "review-slider-text" });
 
-const timeText = (loop, i) => withUnit(fixed(loop.t0_s + loop.t[i], 4), "t");
+// Of loops whose time is not kept.
+const isPhase = loops.length > 0 && quantities.t.unit === "°";
+const timeText = (loop, i) => withUnit(fixed(loop.t0_s + loop.t[i], isPhase ? 1 : 4), "t");
 const phaseText = (loop, i) => {
   if (!loop.frequency_Hz) return "–";
   const turns = loop.t[i] * loop.frequency_Hz;
@@ -20,10 +22,12 @@ const showInstant = () => {
   const loop = loops[state.loop];
   const i = state.sample;
   const degrees = loop.centre_deg + loop.q[i] * quantities.q.degrees;
-  const rows = [["t", timeText(loop, i)], [t("Phase"), phaseText(loop, i)],
+  const rows = [...(isPhase ? [[t("Phase"), timeText(loop, i)]]
+    : [["t", timeText(loop, i)], [t("Phase"), phaseText(loop, i)]]),
                 ["q", isNumber(loop.q[i]) ? fixed(degrees, 4) + "°" : "–"],
                 ["q − q₀", valueText(loop.q[i], "q")], ["T", valueText(loop.T[i], "T")]];
   if (loop.fit) rows.push([t("T, LuGre fit"), valueText(loop.fit[i], "T")]);
+  if (loop.m) rows.push([t("misfit"), valueText(loop.m[i], "T")]);
   for (const name of ["z", "dz"]) {
     if (loop[name]) rows.push([quantities[name].symbol, valueText(loop[name][i], name)]);
   }
@@ -31,8 +35,9 @@ const showInstant = () => {
   instantOf.textContent = loop.name || "";
   slider.max = loop.t.length - 1;
   slider.value = i;
-  slider.setAttribute("aria-valuetext", `t ${timeText(loop, i)}, T ${valueText(loop.T[i], "T")}`);
-  sliderText.textContent = `t = ${timeText(loop, i)}, ${phaseText(loop, i)}`;
+  const place = isPhase ? t("Phase {0}", timeText(loop, i)) : `t ${timeText(loop, i)}`;
+  slider.setAttribute("aria-valuetext", `${place}, T ${valueText(loop.T[i], "T")}`);
+  sliderText.textContent = isPhase ? place : `t = ${timeText(loop, i)}, ${phaseText(loop, i)}`;
   root.dataset.sample = i;
   root.dataset.loop = state.loop;
   requestFrame();

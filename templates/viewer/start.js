@@ -1,63 +1,69 @@
-// Put together.
+// Put together: the first plot, what is chosen and read beside it, the others below.
+const stage = make("div", { class: "stage" });
+const numbers = make("div", { class: "numbers" });
+const addOthers = (pairs, isLoop, paint, kind = "") => {
+  for (const [x, y] of pairs) {
+    if (!ranges[y]) continue;
+    const element = addPlot(x, y, isLoop, paint);
+    if (kind) element.classList.add(kind);
+    stage.append(element);
+  }
+};
+const buildPanel = (first, keys) => {
+  if (loops.length) numbers.append(make("div", {}, make("h4", {}, t("At the instant")), instantOf, instant));
+  if (readings().length) numbers.append(make("div", {}, readingTitle, readingWhat, readingList));
+  stage.append(make("div", { class: "main" }, first, keys),
+    make("div", { class: "panel" }, zoomControls(), ...(readings().length ? [readingControls()] : []), numbers,
+      make("details", { class: "help" }, make("summary", {}, t("Keys, mouse and fingers")), helpText)));
+};
 const buildLoops = () => {
-  for (const name of ["t", "q", "T", "z", "dz"]) {
+  if (loops.some((loop) => loop.fit)) {
+    quantities.m = { words: t("misfit, measured less LuGre fit"), symbol: "", unit: quantities.T.unit };
+    for (const loop of loops) {
+      if (loop.fit) loop.m = loop.T.map((T, i) => (isNumber(T) && isNumber(loop.fit[i]) ? T - loop.fit[i] : null));
+    }
+  }
+  for (const name of ["t", "q", "T", "z", "dz", "m"]) {
     const columns = loops.map((loop) => loop[name]);
     if (name === "T") {
       columns.push(...loops.flatMap((loop) => [loop.fit, (loop.midline || {}).T]));
     }
     addRange(name, columns.concat(data.points.first.map((point) => [point[name]])));
   }
-  const left = make("div", { class: "column" });
-  const right = make("div", { class: "column" });
-  left.append(addPlot("q", "T", true, paintLoops));
-  if (ranges.z) left.append(addPlot("q", "z", true, paintLoops));
-  if (ranges.dz) left.append(addPlot("q", "dz", true, paintLoops));
-  right.append(addPlot("t", "T", true, paintLoops), addPlot("t", "q", true, paintLoops));
-  right.append(make("div", { class: "beside" }, make("div", { class: "numbers" },
-    make("div", {}, make("h4", {},  t("At the instant")), instantOf, instant),
-    make("div", {}, readingTitle, readingWhat, readingList))));
+  const first = addPlot("q", "T", true, paintLoops);
+  buildPanel(first, loopControls());
+  addOthers([["t", "T"], ["t", "q"], ["q", "z"], ["q", "dz"]], true, paintLoops);
+  addOthers([["q", "m"], ["t", "m"]], true, paintLoops, "of-misfit");
   slider.addEventListener("input", () => setSample(Number(slider.value)));
-  root.append(loopControls(), make("div", { class: "columns" }, left, right),
-    make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
-      playControl(), sliderText));
 };
 const buildCandidates = () => {
   addRange("w", [runs.w]);
   addRange("f", candidates.map((one) => one.f).concat([runs.f]), 0);
   const hasErrors = candidates.some((one) => one.e);
   if (hasErrors) addRange("e", candidates.map((one) => one.e), 0);
-  const line = make("div", { class: "keys" });
-  if (runs.f) line.append(key(runs.style, t("reference: {0}", runs.reference || "")));
-  if (candidates.length > 1) {
-    line.append(check(t("other candidates"), true, (isOn) => {
-      state.others = isOn;
-      redraw((plot) => !plot.isLoop);
-    }, swatch({ colour: pale, line: "solid" })));
-  }
-  line.append(toggle(t("Close-up of the chosen one"), false, (isOn) => {
-    state.closeUp = isOn;
-    showCloseUp();
-  }));
-  const grid = make("div", { class: "columns" },
-    make("div", { class: "column" }, addPlot("w", "f", false, paintRuns)));
-  if (hasErrors) grid.append(make("div", { class: "column" }, addPlot("w", "e", false, paintRuns)));
-  if (!loops.length) {
-    root.append(make("div", { class: "numbers alone" }, readingTitle, readingWhat, readingList));
-  }
-  root.append(line, grid, runLine);
+  const keys = candidateControls();
+  if (loops.length) stage.append(keys);
+  else buildPanel(addPlot("w", "f", false, paintRuns), keys);
+  addOthers(loops.length ? [["w", "f"], ["w", "e"]] : [["w", "e"]], false, paintRuns);
+  stage.append(runLine);
 };
 
 const hasCurves = runs && candidates.some((one) => one.f);
-root.append(make("p", { id: "review-help", class: "help" },
+const helpText = make("p", { id: "review-help" },
   t("Drag to move, Shift-drag for a box, click to read.") + " " +
+  t("A double click shows all of a plot, Home all of every plot.") + " " +
   t("The wheel and two fingers zoom the plot clicked last.") + " " +
-  t("Keys in a plot: arrows move, + and − zoom, 0 shows all, Page Up and Page Down step.") + " " +
-  t("A to F and M choose a reading.") + " " +
+  t("Keys in a plot: arrows move, + and − zoom, Page Up and Page Down step.") + " " +
+  (candidates.length ? t("A to F and M choose a reading.") + " " : "") +
   t("Plots that share a quantity move together.") + " " +
-  t("Selecting a part of the time dims the rest of the loops.")));
-root.append(make("div", { class: "top" }, zoomControls(), readingControls()));
+  t("Selecting a part of the time dims the rest of the loops."));
+root.append(stage);
 if (loops.length) buildLoops();
 if (hasCurves) buildCandidates();
+if (loops.length) {
+  root.append(make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
+    playControl(), sliderText));
+}
 root.append(status);
 root.hidden = false;
 setCurrent(plots[0]);

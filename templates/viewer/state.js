@@ -1,13 +1,13 @@
 // The loop viewer, in the parts that page_style.cpp puts together, in that order, into one block.
 // It shows what stands in #tribolog-loops (src/report/review_json.h) and computes no result:
-// every number shown is one of the embedded ones, or their unit's multiple. Without this script the
-// report lacks nothing but the viewer.
+// every number shown is one of the embedded ones, their unit's multiple, or the difference of the
+// measured and the fitted torque. Without this script the report lacks nothing but the viewer.
 //
 // This part: what is shown, and what of it is chosen.
 const root = document.getElementById("review");
 const source = document.getElementById("tribolog-loops");
 const data = JSON.parse(source.textContent);
-const { loops, runs, candidates, quantities } = data;
+const { loops, runs, candidates, quantities, laws } = data;
 // A text in the page's language, with the parts in its places {0}, {1}.
 const says = data.says || {};
 const t = (text, ...parts) => (says[text] || text).replace(/\{(\d)\}/g, (_, k) => parts[k]);
@@ -17,12 +17,14 @@ const state = {
   loop: 0,
   // Its sample: the instant marked in all plots.
   sample: 0,
-  shown: loops.map((_, k) => k === 0),
+  shown: loops.map((loop, k) => (loop.shown === undefined ? k === 0 : loop.shown)),
   fit: true,
   // A to F, a pair, midline, fit, sweep ...
   reading: "",
   // The run marked in the curves.
   run: -1,
+  // The laws drawn over the chosen curve.
+  laws: laws ? laws.list.map((law) => law.chosen) : [],
   // The other candidates' curves.
   others: true,
   closeUp: false,

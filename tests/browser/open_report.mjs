@@ -61,7 +61,7 @@ export const settled = (page) => page.evaluate(
 export async function plotsOf(page) {
   await settled(page);
   return page.evaluate(() => Object.fromEntries(
-    [...document.querySelectorAll("#review .plot")].map((element) => {
+    [...document.querySelectorAll("#review .plot")].filter((element) => element.dataset.area).map((element) => {
       const numbers = (text) => text.split(" ").map(Number);
       const [left, top, width, height] = numbers(element.dataset.area);
       const x = numbers(element.dataset.xRange);

@@ -70,7 +70,7 @@ test("plots that share a quantity move together; reset shows all", () =>
       const was = zoomed[axis];
       assertRange(now, was.map((end) => end + by * span(was)), was, name);
     }
-    await button(page, "Reset").click();
+    await button(page, "Home: show all").click();
     for (const id in all) {
       const plot = await plotOf(page, id);
       assertRange(plot.x, all[id].x, all[id].x, id);
@@ -114,7 +114,7 @@ test("a box, by its button or by Shift, becomes the range; a drag moves it", () 
     assertClose(plot.x, before.x.map((v) => v + 0.25 * span(before.x)), before.x, "dragged x");
     assertClose(plot.y, before.y.map((v) => v + 0.25 * span(before.y)), before.y, "dragged y");
 
-    await button(page, "Reset").click();
+    await button(page, "Home: show all").click();
     await button(page, "Box zoom").click();
     assert.equal(await button(page, "Box zoom").getAttribute("aria-pressed"), "true");
     await page.locator('[data-plot="z-q"]').scrollIntoViewIfNeeded();
@@ -187,3 +187,58 @@ test("fingers: a tap reads, then one finger moves and two zoom; before, the page
       assert.ok(Math.abs(moved.y[0] - near.y[0] - 0.3 * span(near.y)) < 0.03 * span(near.y));
       assert.deepEqual((await plotOf(page, "z-q")).x, moved.x);
     }));
+
+const hintsOf = (page) => page.evaluate(() => [...document.querySelectorAll("#review .plot")]
+  .filter((plot) => plot.querySelector(".lost").checkVisibility()).map((plot) => plot.dataset.plot));
+
+test("there is always a way back: a hint where no data are in sight, Home by key and button, a double click", () =>
+  withReport("noisy.html", {}, async (page) => {
+    await focusPlot(page, "T-q");
+    const all = {};
+    for (const id of ["T-q", "z-q", "T-t", "q-t"]) all[id] = await plotOf(page, id);
+    const assertHome = async (what) => {
+      for (const id in all) {
+        const plot = await plotOf(page, id);
+        assertRange(plot.x, all[id].x, all[id].x, `${what}: ${id}`);
+        assertRange(plot.y, all[id].y, all[id].y, `${what}: ${id}`);
+      }
+      assert.deepEqual(await hintsOf(page), []);
+    };
+    assert.deepEqual(await hintsOf(page), []);
+    // The middle of the loop is empty; in T(t) the torque crosses what is left of its range.
+    await press(page, ["T-q"], "+", 40);
+    const lost = await hintsOf(page);
+    assert.ok(lost.includes("T-q") && !lost.includes("T-t") && !lost.includes("f-w"), lost.join());
+    await page.waitForFunction(() => document.querySelector("#review [role=status]").textContent.includes("Home"));
+    await page.keyboard.press("Home");
+    await assertHome("key");
+
+    await press(page, ["T-q"], "+", 40);
+    const hint = page.locator('[data-plot="T-q"] .lost');
+    assert.match(await hint.innerText(), /No data in sight\.\s*Show all\s*or press Home/);
+    const box = await hint.getByRole("button").boundingBox();
+    assert.ok(box.width >= 24 && box.height >= 24, JSON.stringify(box));
+    await hint.getByRole("button").click();
+    await assertHome("button in the plot");
+    assert.equal(await page.evaluate(() => document.activeElement.closest(".plot").dataset.plot), "T-q");
+
+    // From a control that has no use for the key, too; where it has one, it stays.
+    await press(page, ["z-q"], "+", 3);
+    await page.locator("#review-slider").focus();
+    await page.keyboard.press("Home");
+    assert.equal(await page.locator("#review-slider").inputValue(), "0");
+    assert.notDeepEqual((await plotOf(page, "z-q")).y, all["z-q"].y);
+    await button(page, "Box zoom").focus();
+    await page.keyboard.press("Home");
+    await assertHome("key on a button");
+
+    // Of one plot: what it does not share with others stays.
+    await press(page, ["T-q", "T-t"], "+", 3);
+    const near = await plotOf(page, "T-t");
+    const plot = await plotOf(page, "T-q");
+    await page.mouse.dblclick(plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height);
+    const back = await plotOf(page, "T-q");
+    assertRange(back.x, all["T-q"].x, all["T-q"].x, "double click, x");
+    assertRange(back.y, all["T-q"].y, all["T-q"].y, "double click, y");
+    assert.deepEqual((await plotOf(page, "T-t")).x, near.x);
+  }));
