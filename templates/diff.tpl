@@ -32,10 +32,18 @@
 {{>VERDICT}}
 <section id="changes" aria-labelledby="changes-title">
 <h2 id="changes-title">Changes <a class="self" href="#changes" aria-label="Link to this section">#</a></h2>
+{{#DIFFERENCES}}<div class="differences" role="group" aria-labelledby="differences-title">
+<p id="differences-title">Change from the first to the second, in per cent of the first, with its 95 % interval; an arrow: it goes on beyond the axis</p>
+<p class="scale" aria-hidden="true"><span>{{FROM}}</span><span>0</span><span>{{TO}}</span></p>
+{{#DIFFERENCE}}<div class="difference {{KIND}}"><span class="name"><bdi>{{QUANTITY}}</bdi></span><span class="strip">{{#DRAWN}}<svg viewBox="0 0 400 24" preserveAspectRatio="none" aria-hidden="true"><path class="zero" d="{{ZERO}}"/><path class="interval" d="{{INTERVAL}}"/><path class="dot" d="{{DOT}}"/></svg>{{/DRAWN}}</span><span class="size"><bdi>{{CHANGE}}</bdi>{{#PERCENT_IF}} <small><bdi>{{PERCENT}}</bdi></small>{{/PERCENT_IF}}</span><span class="word">{{WORD}}</span></div>
+{{/DIFFERENCE}}</div>{{/DIFFERENCES}}
 {{>CHANGES}}
 </section>
 <section id="curves" aria-labelledby="curves-title">
 <h2 id="curves-title">Curves <a class="self" href="#curves" aria-label="Link to this section">#</a></h2>
+{{#REVIEW}}<div id="review" class="review" role="region" aria-labelledby="review-title" hidden>
+<h3 id="review-title">Both calibrations' loops laid over each other</h3>
+</div>{{/REVIEW}}
 {{>FIGURE}}
 {{#CURVES_MISSING_IF}}<p><bdi>{{CURVES_MISSING}}</bdi></p>{{/CURVES_MISSING_IF}}
 </section>
@@ -53,5 +61,7 @@
 </div>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-diff</code></p></footer>
 <script type="application/json" id="tribolog-diff">{{RESULT_JSON:x-json}}</script>
+{{#REVIEW_DATA}}<script type="application/json" id="tribolog-loops">{{LOOPS_JSON:x-json}}</script>
+<script>{{SCRIPT:x-script}}</script>{{/REVIEW_DATA}}
 </body>
 </html>

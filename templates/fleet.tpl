@@ -24,6 +24,7 @@
 {{>VERDICT}}
 {{#OUTLIERS}}<section id="outliers" aria-labelledby="outliers-title">
 <h2 id="outliers-title">Outliers, furthest first</h2>
+<p><i>z</i> tells by how many standard deviations the latest result is away from the median of the other robots, or of the joint's own past; beyond ±{{LIMIT}} it stands out.</p>
 <div class="cards">
 {{#CARD}}<article class="outlier">
 <h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="unit"><bdi>{{ROBOT}}</bdi></span></h3>
@@ -45,7 +46,7 @@
 </section>
 <section id="robots" aria-labelledby="robots-title">
 <h2 id="robots-title">Robots, furthest off first</h2>
-<p>The report of a calibration: <code>tribolog archive report ID -o report.html</code>, with the ID given below the joint's name.</p>
+<p>A joint's name leads to its report where one lies beside this page or in its folder <code>reports</code>. To write one: <code>tribolog archive report ID -o ID.html</code>, with the ID given below the joint's name; to write all: <code>--reports reports</code>.</p>
 {{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi></h3>
 <table class="fleet"><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
 {{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}{{#DECISION_IF}} <br>{{DECISION}}{{/DECISION_IF}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>

@@ -68,7 +68,7 @@ ExitStatus write_page(const DiffOptions& options, const history::Comparison& com
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
                               const wording::WordsIn words(options.language);
-                              return report::comparison_page(comparison, provenance,
+                              return report::comparison_page(comparison, first, second, provenance,
                                                              missing_curves(first, second), figures,
                                                              drawn, options.language);
                             });

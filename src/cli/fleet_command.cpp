@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -65,6 +66,27 @@ report::FleetLinks add_reports(const history::Fleet& fleet, const FleetOptions& 
   return links;
 }
 
+/// The reports that an earlier call left beside the page or in its folder "reports", under the
+/// whole id or the digits that the page shows.
+report::FleetLinks found_reports(const history::Fleet& fleet, const std::string& page) {
+  namespace fs = std::filesystem;
+  const fs::path beside = fs::absolute(page).parent_path();
+  report::FleetLinks links;
+  for (const history::FleetRobot& robot : fleet.robots) {
+    for (const history::FleetJoint& joint : robot.joints) {
+      const std::string& id = joint.latest.id;
+      for (const std::string& name : {id, id.substr(0, calibration::shown_digits)}) {
+        for (const char* const folder : {"", "reports/"}) {
+          const std::string file = folder + name + ".html";
+          std::error_code ignored;
+          if (fs::is_regular_file(beside / file, ignored)) links.found.emplace(id, file);
+        }
+      }
+    }
+  }
+  return links;
+}
+
 }  // namespace
 
 Run add_fleet(CLI::App& archive) {
@@ -93,7 +115,7 @@ Run add_fleet(CLI::App& archive) {
     const history::Fleet fleet = history::fleet_of(kept.measured(filter), kept.decisions(filter));
     if (options->json) print_json(history::fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
-    report::FleetLinks links;
+    report::FleetLinks links = found_reports(fleet, options->output);
     AtomicFiles files;
     if (!options->reports.empty()) links = add_reports(fleet, *options, kept, files, call.console);
     files.add(options->output,

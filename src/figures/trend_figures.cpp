@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -125,13 +126,88 @@ void add_drift(const history::QuantityTrend& trend, const wording::AxisScale& sc
   }
 }
 
-/// For the texts of the marked dates.
-void leave_room_above(render::figure::Panel& panel) {
-  constexpr double share = 0.16;
+/// Those that would squash the others on the axis: whatever was left out, and a single calibration
+/// far from the others where no change was found.
+std::vector<bool> far_off(const history::QuantityTrend& trend) {
+  constexpr double squashed = 3;  // The axis would grow so many times.
+  const auto extent_without = [&](const std::vector<bool>& left, std::size_t further) {
+    wording::Extent extent;
+    for (std::size_t i = 0; i < trend.points.size(); ++i) {
+      if (!left[i] && i != further)
+        extent.add({trend.points[i].estimate.low, trend.points[i].estimate.high});
+    }
+    return extent;
+  };
+  std::vector<bool> off(trend.points.size());
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    off[i] = trend.points[i].left_out != history::LeftOut::none;
+    if (!off[i]) ++used;
+  }
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t fewest = 4;
+  if (trend.changes.empty() && used >= fewest) {
+    const double all = extent_without(off, none).span();
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      if (!off[i] && all > squashed * extent_without(off, i).span()) {
+        off[i] = true;
+        break;
+      }
+    }
+  }
+  const wording::Extent rest = extent_without(off, none);
+  if (rest.empty) return std::vector<bool>(off.size());
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    wording::Extent with = rest;
+    with.add(trend.points[i].estimate.value);
+    off[i] = off[i] && with.span() > squashed * rest.span();
+  }
+  return off;
+}
+
+/// The axis holds what is not far off, and leaves room above for the texts of the marked dates.
+/// What is far off stands at the edge with an arrow and its value; the series keep it as it is.
+void set_value_axis(const history::QuantityTrend& trend, const wording::AxisScale& scale,
+                    render::figure::Panel& panel) {
+  const std::vector<bool> off = far_off(trend);
+  const bool has_far = std::find(off.begin(), off.end(), true) != off.end();
+  if (!has_far && trend.changes.empty()) return;
+  constexpr double above = 0.16;
+  constexpr double margin = 0.08;
+  constexpr int digits = 4;
   wording::Extent extent;
-  for (const render::figure::ErrorBar& bar : panel.error_bars) extent.add({bar.low, bar.high});
-  for (const render::figure::Series& s : panel.series) extent.add(s.y);
-  panel.y.maximum = extent.high + share * extent.span();
+  bool is_band_wide = false;  // The scatter holds what is far off.
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const statistics::Estimate& e = trend.points[i].estimate;
+    if (!off[i]) extent.add({scale(e.low), scale(e.high)});
+    is_band_wide = is_band_wide || (off[i] && trend.points[i].left_out == history::LeftOut::none);
+  }
+  for (const render::figure::Band& band : panel.bands) {
+    if (is_band_wide) break;
+    extent.add(band.low);
+    extent.add(band.high);
+  }
+  for (const render::figure::Series& s : panel.series) {
+    if (s.style != render::figure::LineStyle::none) extent.add(s.y);
+  }
+  panel.y.maximum = extent.high + (trend.changes.empty() ? margin : above) * extent.span();
+  if (!has_far) return;
+  panel.y.minimum = extent.low - margin * extent.span();
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    if (!off[i]) continue;
+    const double value = scale(trend.points[i].estimate.value);
+    const bool is_above = value > extent.high;
+    render::figure::PointLabel label;
+    label.x = day_of(trend.points[i].measured_at);
+    constexpr double inside = 0.03;  // of the span, so that the mark is whole
+    label.y = is_above ? present(panel.y.maximum) - inside * extent.span()
+                       : present(panel.y.minimum) + inside * extent.span();
+    label.text = (is_above ? "↑ " : "↓ ") +
+                 wording::with_unit(trend.points[i].estimate.value, scale, digits);
+    label.colour = trend.points[i].left_out != history::LeftOut::none ? colour::grey : colour::blue;
+    label.marker = render::figure::Marker::cross;
+    add_visible(panel, std::move(label));
+  }
 }
 
 /// Whether temperature's effect is more than what chance makes of none; only then are values shown
@@ -184,7 +260,7 @@ render::figure::Panel trend_panel(const history::QuantityTrend& trend,
   }
   add_drift(trend, scale, panel);
   mark_changes(trend, true, panel);
-  if (!trend.changes.empty()) leave_room_above(panel);
+  set_value_axis(trend, scale, panel);
   return panel;
 }
 
@@ -305,6 +381,11 @@ std::string how_to_read(const history::QuantityTrend& trend) {
     words += tr("All except the plus signs are corrected to one temperature.");
     words += " ";
   }
+  const std::vector<bool> off = far_off(trend);
+  if (std::find(off.begin(), off.end(), true) != off.end()) {
+    words += tr("An arrow with a value stands for a calibration beyond the axis.");
+    words += " ";
+  }
   if (trend.judged > 0) {
     words +=
         tr("Below, the alarm is raised when the sum reaches its limit; the change began where the "
@@ -315,9 +396,10 @@ std::string how_to_read(const history::QuantityTrend& trend) {
 
 ReportFigure figure_of(const history::QuantityTrend& trend, std::string id) {
   wording::Extent extent;
-  for (const history::HistoryPoint& p : trend.points) {
-    extent.add(p.estimate.low);
-    extent.add(p.estimate.high);
+  const std::vector<bool> off = far_off(trend);
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const statistics::Estimate& e = trend.points[i].estimate;
+    if (!off[i]) extent.add({e.low, e.high});
   }
   const wording::AxisScale scale = quantity_axis(trend.unit, extent.largest());
   ReportFigure out;

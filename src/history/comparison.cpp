@@ -247,6 +247,19 @@ std::size_t Comparison::count(ChangeWord word) const {
                     [&](const ComparedQuantity& q) { return q.word == word; }));
 }
 
+const ComparedQuantity* Comparison::largest_change() const {
+  const auto certain_percent = [](const ComparedQuantity& q) {
+    const std::optional<statistics::Estimate>& percent = q.change->percent;
+    return percent ? std::max({percent->low, -percent->high, 0.0}) : -1.0;
+  };
+  const ComparedQuantity* largest = nullptr;
+  for (const ComparedQuantity& q : quantities) {
+    if (q.word != ChangeWord::changed || !q.change) continue;
+    if (largest == nullptr || certain_percent(q) > certain_percent(*largest)) largest = &q;
+  }
+  return largest;
+}
+
 Comparison compare(const calibration::Measured& first, const calibration::Measured& second,
                    const AllowedDifference& allowed, bool different_joints) {
   const calibration::Facts& a = first.entry.facts;

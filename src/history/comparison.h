@@ -81,6 +81,9 @@ struct Comparison {
   std::vector<Statement> remarks;            ///< On the pair as a whole.
 
   [[nodiscard]] std::size_t count(ChangeWord word) const;
+  /// Of those that changed the one whose interval leaves most of the change, in percent of the
+  /// first value; angles only where nothing else changed. @return null: nothing changed.
+  [[nodiscard]] const ComparedQuantity* largest_change() const;
 };
 
 /// @param different_joints allows two of different joints, which the remarks then say.

@@ -1,7 +1,10 @@
 #include "report/comparison_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +13,7 @@
 #include "history/quantity_traits.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
+#include "report/review_json.h"
 #include "report/view_parts.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
@@ -101,24 +105,50 @@ class SharedStatements {
 
 }  // namespace
 
+namespace {
+
+/// "0.12 N·m (14 %)", without its sign.
+std::string size_text(const history::ComparedQuantity& q) {
+  const auto size = [](const statistics::Estimate& signed_size, const wording::Scale& scale) {
+    const statistics::Estimate e = statistics::scaled(signed_size, signed_size.value < 0 ? -1 : 1);
+    return wording::with_unit(wording::round_by_interval(e, scale).estimate, scale.unit);
+  };
+  const history::Change& change = present(q.change);
+  const std::string absolute = size(change.absolute, scale_of(q));
+  return change.percent ? absolute + " (" + size(*change.percent, {1, "%"}) + ")" : absolute;
+}
+
+/// "Coulomb torque rose by 0.12 N·m (14 %), beyond chance"
+std::string change_text(const history::ComparedQuantity& q) {
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)}, {"size", size_text(q)}};
+  return present(q.change).absolute.value > 0
+             ? tr("{quantity} rose by {size}, beyond chance", values)
+             : tr("{quantity} fell by {size}, beyond chance", values);
+}
+
+}  // namespace
+
 std::string comparison_sentence(const history::Comparison& c) {
   const std::size_t changed = c.count(history::ChangeWord::changed);
   const std::size_t comparable = changed + c.count(history::ChangeWord::no_change_seen);
   const std::size_t others = c.count(history::ChangeWord::not_comparable);
   if (comparable == 0) return tr("Nothing is comparable.");
   const auto n = static_cast<std::int64_t>(comparable);
-  std::string sentence = changed > 0
-                             ? tr_count(n, "{changed} of {comparable} comparable quantity changed",
-                                        "{changed} of {comparable} comparable quantities changed",
-                                        {{"changed", changed}, {"comparable", comparable}})
-                             : tr_count(n, "No change seen in {comparable} comparable quantity",
+  std::string sentence = changed == 0
+                             ? tr_count(n, "No change seen in {comparable} comparable quantity",
                                         "No change seen in {comparable} comparable quantities",
-                                        {{"comparable", comparable}});
+                                        {{"comparable", comparable}})
+                             : tr_count(n, "{changed} of {comparable} comparable quantity changed",
+                                        "{changed} of {comparable} comparable quantities changed",
+                                        {{"changed", changed}, {"comparable", comparable}});
+  if (const history::ComparedQuantity* largest = c.largest_change()) {
+    sentence = change_text(*largest) + "; " + sentence;
+  }
   if (others > 0) {
     sentence += "; " + tr_count(static_cast<std::int64_t>(others), "{others} is not comparable",
                                 "{others} are not comparable", {{"others", others}});
   }
-  return sentence + ".";
+  return wording::capitalised(sentence) + ".";
 }
 
 Table compared_quantities_table(const history::Comparison& c) {
@@ -223,21 +253,108 @@ void fill_verdict(const history::Comparison& c, TemplateValues& values) {
   for (const std::string& note : notes) findings.add_section("FINDING").set("TEXT", note);
 }
 
+/// The panel of the differences: in percent, each as a dot with its interval.
+class DifferenceAxis {
+ public:
+  /// Holds all intervals, but for those that would squash the others: they are cut.
+  explicit DifferenceAxis(const history::Comparison& c) {
+    std::vector<double> reach;
+    for (const history::ComparedQuantity& q : c.quantities) {
+      if (const statistics::Estimate* percent = percent_of(q)) {
+        reach.push_back(std::max(std::abs(percent->low), std::abs(percent->high)));
+      }
+    }
+    if (reach.empty()) return;
+    std::sort(reach.begin(), reach.end());
+    constexpr double most = 4;  // times the median
+    const double limit = std::min(reach.back(), most * reach[reach.size() / 2]);
+    const double power = std::pow(10.0, std::floor(std::log10(limit)));
+    for (const double step : {1.0, 2.0, 5.0, 10.0}) {
+      end_ = step * power;
+      if (end_ >= limit) break;
+    }
+  }
+  [[nodiscard]] static const statistics::Estimate* percent_of(const history::ComparedQuantity& q) {
+    const bool is_known = q.change && q.change->percent && std::isfinite(q.change->percent->low) &&
+                          std::isfinite(q.change->percent->high);
+    return is_known ? &*q.change->percent : nullptr;
+  }
+  [[nodiscard]] double end() const { return end_; }
+  [[nodiscard]] bool holds(double percent) const { return std::abs(percent) <= end_; }
+  /// From 0 to the width of the picture.
+  [[nodiscard]] double at(double percent) const {
+    constexpr double margin = 12;
+    const double share = (std::clamp(percent, -end_, end_) + end_) / (2 * end_);
+    return margin + share * (difference_width - 2 * margin);
+  }
+  static constexpr double difference_width = 400;
+
+ private:
+  double end_{1};
+};
+
+/// Interval with its end marks, and an arrow where it goes on beyond the axis.
+std::string interval_path(const statistics::Estimate& percent, const DifferenceAxis& axis) {
+  const auto end = [&](double value) {
+    const double x = axis.at(value);
+    if (axis.holds(value)) return fmt::format("M{:.1f} 7V17", x);
+    const double back = value > 0 ? x - 6 : x + 6;
+    return fmt::format("M{:.1f} 6L{:.1f} 12L{:.1f} 18", back, x, back);
+  };
+  return fmt::format("M{:.1f} 12H{:.1f}", axis.at(percent.low), axis.at(percent.high)) +
+         end(percent.low) + end(percent.high);
+}
+
+void fill_differences(const history::Comparison& c, TemplateValues& values) {
+  const DifferenceAxis axis(c);
+  TemplateValues& panel = values.add_section("DIFFERENCES");
+  const std::string end = wording::significant(axis.end(), 1);
+  panel.set("FROM", "−" + wording::with_unit(end, "%"));
+  panel.set("TO", "+" + wording::with_unit(end, "%"));
+  panel.set("ZERO", fmt::format("M{:.1f} 0V24", axis.at(0)));
+  for (const history::ComparedQuantity& q : c.quantities) {
+    TemplateValues& row = panel.add_section("DIFFERENCE");
+    const wording::Scale scale = scale_of(q);
+    row.set("QUANTITY", name_of(q));
+    row.set("KIND", q.word == history::ChangeWord::changed          ? "changed"
+                    : q.word == history::ChangeWord::no_change_seen ? "same"
+                                                                    : "not-comparable");
+    row.set("WORD", wording::words(history::statement_of(q.word)));
+    std::optional<statistics::Estimate> change;
+    if (q.change) change = q.change->absolute;
+    row.set("CHANGE", wording::with_unit(signed_text(change, scale), change ? scale.unit : ""));
+    const statistics::Estimate* const percent = DifferenceAxis::percent_of(q);
+    if (percent == nullptr) continue;
+    TemplateValues& drawn = row.add_section("DRAWN");
+    drawn.set("ZERO", fmt::format("M{:.1f} 0V24", axis.at(0)));
+    drawn.set("INTERVAL", interval_path(*percent, axis));
+    drawn.set("DOT", axis.holds(percent->value)
+                         ? fmt::format("M{:.1f} 12h0", axis.at(percent->value))
+                         : std::string("M0 0"));
+    row.set_optional("PERCENT", wording::with_unit(signed_text(*percent, {1, "%"}), "%"));
+  }
+}
+
 }  // namespace
 
-std::string comparison_page(const history::Comparison& comparison,
-                            const calibration::Provenance& provenance,
-                            const std::string& curves_missing,
-                            const std::vector<figures::ReportFigure>& figures,
-                            const std::vector<render::workers::DrawnFigure>& drawn,
-                            wording::Language language) {
+std::string comparison_page(
+    const history::Comparison& comparison, const calibration::RecordedCurves& first,
+    const calibration::RecordedCurves& second, const calibration::Provenance& provenance,
+    const std::string& curves_missing, const std::vector<figures::ReportFigure>& figures,
+    const std::vector<render::workers::DrawnFigure>& drawn, wording::Language language) {
   const wording::WordsIn words(language);
   TemplateValues values;
-  fill_head(provenance, values);
+  fill_head(provenance, values, PageKind::comparison);
+  if (std::string loops = compared_loops_json(comparison, first, second); !loops.empty()) {
+    allow_script(values, PageKind::comparison);
+    values.add_section("REVIEW");
+    values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", std::move(loops));
+  }
   const calibration::JointName& of = comparison.first.facts.of;
   values.set("TITLE", tr("{robot}, joint {joint}",
                          {{"robot", or_dash(of.robot)}, {"joint", or_dash(of.joint)}}));
   fill_verdict(comparison, values);
+  fill_differences(comparison, values);
   fill_table(compared_quantities_table(comparison), "CHANGES", values);
   fill_table(compared_conditions_table(comparison), "CONDITIONS", values);
   for (const FigureCard& card : figure_cards(figures, drawn)) fill_figure(card, values);

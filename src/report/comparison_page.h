@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibration/provenance.h"
+#include "calibration/read_calibration.h"
 #include "figures/report_figure.h"
 #include "history/comparison.h"
 #include "render/workers/renderer.h"
@@ -13,7 +14,8 @@
 
 namespace tribolog::report {
 
-/// "1 of 8 comparable quantities changed; 2 are not comparable."
+/// "Coulomb torque rose by 0.12 N·m (14 %), beyond chance; 3 of 9 comparable quantities changed; 2
+/// are not comparable." The one named is Comparison::largest_change().
 std::string comparison_sentence(const history::Comparison& comparison);
 
 /// A row for each quantity: first, second, change, in percent, word.
@@ -28,9 +30,13 @@ std::vector<std::string> comparison_notes(const history::Comparison& comparison)
 
 // Two calibrations side by side as one HTML file that needs nothing else.
 
-/// UTF-8 HTML without script or link to the outside, in the style of the report.
-/// @param curves_missing why there are no figures, or not all; empty: all are there.
+/// UTF-8 HTML without link to the outside, in the style of the report; with the loop viewer, and
+/// its script, where both calibrations have loops.
+/// @param first curves of the first calibration, as archived; `second` likewise. @param
+/// curves_missing why there are no figures, or not all; empty: all are there.
 std::string comparison_page(const history::Comparison& comparison,
+                            const calibration::RecordedCurves& first,
+                            const calibration::RecordedCurves& second,
                             const calibration::Provenance& provenance,
                             const std::string& curves_missing,
                             const std::vector<figures::ReportFigure>& figures,

@@ -137,8 +137,9 @@ void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers, Template
 }  // namespace
 
 std::string FleetLinks::href(const std::string& id) const {
-  if (ids.count(id) == 0) return "";
-  return link_to(directory + "/" + id + ".html");
+  if (ids.count(id) > 0) return link_to(directory + "/" + id + ".html");
+  const auto file = found.find(id);
+  return file == found.end() ? "" : link_to(file->second);
 }
 
 std::string column_name(const history::FleetColumn& column) {

@@ -1,6 +1,7 @@
 #pragma once
 // The fleet sheet: all joints on one page, outliers first. One HTML file without script.
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -10,10 +11,11 @@
 
 namespace tribolog::report {
 
-/// Where the reports are that were written beside the page.
+/// Where the reports are that were written with the page, or lay beside it.
 struct FleetLinks {
-  std::set<std::string> ids;  ///< Of the latest calibrations that have one.
+  std::set<std::string> ids;  ///< Of the latest calibrations that have one in `directory`.
   std::string directory;      ///< From the page; "reports". Names are any bytes.
+  std::map<std::string, std::string> found{};  ///< Of others by id; the file, from the page.
 
   /// The link to a report. @return empty: there is none.
   [[nodiscard]] std::string href(const std::string& id) const;

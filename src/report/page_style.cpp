@@ -43,7 +43,10 @@ const std::string& own_style(PageKind kind) {
   static const std::string with_viewer = plain + std::string(embedded_file("viewer.css"));
   static const std::string fleet = plain + std::string(embedded_file("fleet.css"));
   static const std::string robot = plain + std::string(embedded_file("robot.css"));
+  static const std::string comparison = with_viewer + std::string(embedded_file("diff.css"));
   switch (kind) {
+    case PageKind::comparison:
+      return comparison;
     case PageKind::robot:
       return robot;
     case PageKind::with_viewer:
@@ -79,7 +82,8 @@ std::string running_head(const std::string& number) {
 
 bool is_own_style(std::string_view style) {
   for (const PageKind kind :
-       {PageKind::with_viewer, PageKind::fleet, PageKind::robot, PageKind::plain}) {
+       {PageKind::with_viewer, PageKind::fleet, PageKind::robot, PageKind::comparison,
+        PageKind::plain}) {
     if (!style.starts_with(own_style(kind))) continue;
     std::string_view head = style.substr(own_style(kind).size());
     if (head.empty()) return true;
@@ -136,6 +140,10 @@ void fill(const std::string& style, const std::string& script, TemplateValues& v
 
 void fill_style(TemplateValues& values, PageKind kind, const std::string& number) {
   fill(own_style(kind) + running_head(number), "", values);
+}
+
+void allow_script(TemplateValues& values, PageKind kind) {
+  fill(own_style(kind), own_script(), values);
 }
 
 void fill_style_and_script(TemplateValues& values, const std::string& number) {

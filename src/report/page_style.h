@@ -11,7 +11,7 @@
 namespace tribolog::report {
 
 /// What a page has beyond tables and figures.
-enum class PageKind { plain, with_viewer, fleet, robot };
+enum class PageKind { plain, with_viewer, fleet, robot, comparison };
 
 /// The style sheet, with the page's own behind it.
 const std::string& own_style(PageKind kind);
@@ -36,6 +36,9 @@ void fill_head(const calibration::Provenance& provenance, TemplateValues& values
 /// printed page; of it letters, digits and ". / _ -" are kept. Empty: pages have none.
 void fill_style(TemplateValues& values, PageKind kind = PageKind::plain,
                 const std::string& number = {});
+
+/// On top of fill_head(): SCRIPT, that of the loop viewer, which the policy allows by its hash.
+void allow_script(TemplateValues& values, PageKind kind);
 
 /// The same with the style of the loop viewer, and SCRIPT, its script, which the policy allows by
 /// its hash too.

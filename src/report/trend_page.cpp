@@ -76,10 +76,10 @@ std::string past_change_words(const history::QuantityTrend& q, const history::Fo
                                                   {"back_date", day(c.back)}};
   return c.direction > 0
              ? tr("{quantity} had risen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date}), and is back from {back_date}",
+                  "on {alarm_date}), and came back to where it was on {back_date}",
                   values)
              : tr("{quantity} had fallen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date}), and is back from {back_date}",
+                  "on {alarm_date}), and came back to where it was on {back_date}",
                   values);
 }
 
@@ -139,7 +139,7 @@ std::string state_text(const history::QuantityTrend& q) {
     return tr("slow drift, visible from {visible_date}", {{"visible_date", day(last.alarm)}});
   }
   if (q.state == history::TrendState::recovered) {
-    return tr("changed from {first_date}, back from {back_date}",
+    return tr("changed from {first_date}, back where it was from {back_date}",
               {{"first_date", day(last.from)}, {"back_date", day(last.back)}});
   }
   return tr("changed from {first_date}", {{"first_date", day(last.from)}});
@@ -255,15 +255,23 @@ std::string joint_words(const history::JointTrend& t) {
 }
 
 std::vector<std::string> change_sentences(const history::JointTrend& t) {
-  std::vector<std::string> standing;
-  std::vector<std::string> over;
+  struct Told {
+    const history::QuantityTrend* quantity;
+    const history::FoundChange* change;
+  };
+  std::vector<Told> all;
   for (const history::QuantityTrend& q : t.quantities) {
-    for (const history::FoundChange& c : q.changes) {
-      (c.back.empty() ? standing : over).push_back(change_sentence(q, c));
-    }
+    for (const history::FoundChange& c : q.changes) all.push_back({&q, &c});
   }
-  standing.insert(standing.end(), over.begin(), over.end());
-  return standing;
+  const auto percent = [](const Told& told) { return std::abs(told.change->percent.value_or(0)); };
+  std::stable_sort(all.begin(), all.end(), [&](const Told& a, const Told& b) {
+    const bool is_standing = a.change->back.empty();
+    if (is_standing != b.change->back.empty()) return is_standing;
+    return percent(a) > percent(b);
+  });
+  std::vector<std::string> sentences;
+  for (const Told& told : all) sentences.push_back(change_sentence(*told.quantity, *told.change));
+  return sentences;
 }
 
 Table trend_table(const history::JointTrend& t, const std::string& id) {
@@ -384,45 +392,89 @@ std::string title_of(const history::JointTrend& t) {
   return tr("{robot}, joint {joint}", {{"robot", robot_of(t)}, {"joint", or_dash(t.of.joint)}});
 }
 
+/// The outcome in one sentence, and what there is to tell beside it.
+struct Outcomes {
+  std::string sentence;
+  std::vector<std::string> others;
+};
+
+/// "No change is visible in its other 8 quantities."
+std::string rest_words(const history::JointTrend& t) {
+  std::size_t unchanged = 0;
+  for (const history::QuantityTrend& q : t.quantities) {
+    if (q.state == history::TrendState::steady) ++unchanged;
+  }
+  if (unchanged == 0) return {};
+  return " " + tr_count(static_cast<std::int64_t>(unchanged),
+                        "No change is visible in {unchanged} other quantity.",
+                        "No change is visible in {unchanged} other quantities.",
+                        {{"unchanged", unchanged}});
+}
+
+Outcomes outcomes_of(const std::vector<history::JointTrend>& trends, history::TrendState worst) {
+  Outcomes out;
+  const bool are_many = trends.size() > 1;
+  const auto told = [&](const history::JointTrend& t, const std::string& change) {
+    return are_many ? title_of(t) + ": " + change : change;
+  };
+  if (worst == history::TrendState::steady) {
+    std::size_t calibrations = 0;
+    for (const history::JointTrend& t : trends) calibrations += t.calibrations;
+    out.sentence =
+        tr_count(static_cast<std::int64_t>(calibrations),
+                 "No quantity has left the range expected from {calibrations} calibration.",
+                 "No quantity has left the range expected from {calibrations} calibrations.",
+                 {{"calibrations", calibrations}});
+    return out;
+  }
+  if (worst == history::TrendState::too_few) {
+    out.sentence = tr("There are too few calibrations to say anything about a change.");
+    return out;
+  }
+  for (const history::JointTrend& t : trends) {
+    const std::vector<std::string> changes = change_sentences(t);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const bool is_first = out.sentence.empty() && t.state() == worst && i == 0;
+      if (is_first) {
+        out.sentence = told(t, changes[i]) + rest_words(t);
+      } else {
+        out.others.push_back(told(t, changes[i]));
+      }
+    }
+  }
+  return out;
+}
+
 struct Headline {
   std::string word;
-  std::string sentence;
   Outcome outcome;
 };
 
 Headline headline_of(history::TrendState state) {
   switch (state) {
     case history::TrendState::warning:
-      return {tr("CHANGED"), tr("There is a change larger than the scatter of the calibrations."),
-              Outcome::bad};
+      return {tr("CHANGED"), Outcome::bad};
     case history::TrendState::recovered:
-      return {tr("CHANGED AND RETURNED"), tr("There was a change; the values have returned."),
-              Outcome::partial};
+      return {tr("CHANGED AND RETURNED"), Outcome::partial};
     case history::TrendState::steady:
-      return {tr("NO CHANGE VISIBLE"),
-              tr("No quantity has left the range expected from its calibrations."), Outcome::good};
+      return {tr("NO CHANGE VISIBLE"), Outcome::good};
     case history::TrendState::too_few:
       break;
   }
-  return {tr("TOO FEW YET"), tr("There are too few calibrations to say anything about a change."),
-          Outcome::absent};
+  return {tr("TOO FEW YET"), Outcome::absent};
 }
 
 void fill_verdict(const std::vector<history::JointTrend>& trends, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const Headline headline = headline_of(worst_of(trends));
+  const history::TrendState worst = worst_of(trends);
+  const Headline headline = headline_of(worst);
+  const Outcomes outcomes = outcomes_of(trends, worst);
   verdict.set("WORD", headline.word);
-  verdict.set("SENTENCE", headline.sentence);
+  verdict.set("SENTENCE", outcomes.sentence);
   fill_outcome(headline.outcome, verdict);
-  std::vector<std::string> findings;
-  for (const history::JointTrend& t : trends) {
-    for (const std::string& change : change_sentences(t)) {
-      findings.push_back(trends.size() > 1 ? title_of(t) + ": " + change : change);
-    }
-  }
-  if (findings.empty()) return;
+  if (outcomes.others.empty()) return;
   TemplateValues& list = verdict.add_section("FINDINGS");
-  for (const std::string& text : findings) list.add_section("FINDING").set("TEXT", text);
+  for (const std::string& text : outcomes.others) list.add_section("FINDING").set("TEXT", text);
 }
 
 bool belongs_to(const FigureCard& card, std::size_t joint) {

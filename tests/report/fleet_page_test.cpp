@@ -81,6 +81,9 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
   const std::string command =
       "tribolog archive report " + id.substr(0, calibration::shown_digits) + " -o ";
   EXPECT_EQ(page.find(command), std::string::npos);
+  report::FleetLinks beside;
+  beside.found[id] = "reports/a b.html";
+  EXPECT_EQ(count_of(page_of(all, beside), "href=\"reports/a%20b.html\""), 2U);
   const std::string without = page_of(all);
   EXPECT_EQ(count_of(without, "<a href="), 0U);
   EXPECT_NE(without.find(command), std::string::npos);

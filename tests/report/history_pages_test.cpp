@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/json_values.h"
 #include "figures/comparison_figures.h"
 #include "figures/trend_figures.h"
 #include "history/simulated_history.h"
 #include "report/comparison_page.h"
 #include "report/document_checks.h"
+#include "report/review_json.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 #include "report/trend_page.h"
@@ -54,7 +56,8 @@ std::string diff_page_with(const std::string& text) {
   const auto all = history_with(text);
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
   const auto figures = figures::comparison_figures(c, simple_curves(0), simple_curves(0.1));
-  return report::comparison_page(c, provenance_with(text), text, figures, sample_pictures(figures));
+  return report::comparison_page(c, simple_curves(0), simple_curves(0.1), provenance_with(text),
+                                 text, figures, sample_pictures(figures));
 }
 
 TEST(HistoryPages, AreWholeDocuments) {
@@ -71,7 +74,8 @@ TEST(HistoryPages, TextOfStrangersStaysText) {
     const auto attacked_shape = run_python(skeleton, attacked);
     ASSERT_TRUE(plain_shape && attacked_shape);
     EXPECT_EQ(*plain_shape, *attacked_shape);
-    EXPECT_EQ(occurrences(attacked, "<script"), 1U);
+    // Of two calibrations with loops there is the viewer too: its data and its script.
+    EXPECT_EQ(occurrences(attacked, "<script"), page == trend_page_with ? 1U : 3U);
     const std::string body = attacked.substr(0, attacked.find("<script type"));
     EXPECT_EQ(body.find("\u202E"), std::string::npos);
     EXPECT_EQ(body.find('\x1b'), std::string::npos);
@@ -88,6 +92,75 @@ TEST(HistoryPages, TellTheChange) {
   EXPECT_NE(diff.find(">CHANGED<"), std::string::npos);
   EXPECT_NE(diff.find("1 of 9 comparable quantities changed."), std::string::npos)
       << diff.substr(diff.find("<section id=\"verdict\""), 2500);
+}
+
+TEST(HistoryPages, TheOutcomeIsOneSentence) {
+  const auto all = history_with("x ");
+  const auto c = history::compare(all[0], all[20], {10, 2}, false);
+  const std::string sentence = report::comparison_sentence(c);
+  EXPECT_EQ(sentence.find("x coulomb_torque rose by 0."), 0U) << sentence;
+  EXPECT_NE(sentence.find("%), beyond chance; 1 of 9"), std::string::npos) << sentence;
+  const auto back = history::compare(all[20], all[0], {10, 2}, false);
+  EXPECT_NE(report::comparison_sentence(back).find(" fell by 0."), std::string::npos);
+  const auto same = history::compare(all[0], all[2], {10, 2}, false);
+  EXPECT_EQ(same.largest_change(), nullptr);
+  EXPECT_EQ(report::comparison_sentence(same), "No change seen in 9 comparable quantities.");
+
+  // The trend's first sentence is the change, and it does not stand below again.
+  const std::string trend = trend_page_with("x ");
+  const std::size_t at = trend.find("<p class=\"sentence\">");
+  const std::string first = trend.substr(at, trend.find("</p>", at) - at);
+  EXPECT_NE(first.find("coulomb_torque has risen by"), std::string::npos) << first;
+  EXPECT_NE(first.find("No change is visible in 8 other quantities."), std::string::npos) << first;
+  EXPECT_EQ(occurrences(trend, "coulomb_torque has risen by"), 1U);
+}
+
+TEST(HistoryPages, TheLargestChangeIsWhatItsIntervalLeaves) {
+  history::Comparison c;
+  const auto add = [&](const char* name, double percent, double half, history::ChangeWord word) {
+    history::ComparedQuantity q;
+    q.name = q.words = name;
+    q.word = word;
+    q.change = history::Change{statistics::symmetric_estimate(percent / 100, half / 100),
+                               statistics::symmetric_estimate(percent, half), 0};
+    c.quantities.push_back(q);
+  };
+  add("sure", -8, 1, history::ChangeWord::changed);
+  add("vague", 20, 19, history::ChangeWord::changed);
+  add("not changed", 90, 95, history::ChangeWord::no_change_seen);
+  add("angle", 50, 1, history::ChangeWord::changed);
+  c.quantities.back().change->percent.reset();
+  ASSERT_NE(c.largest_change(), nullptr);
+  EXPECT_EQ(c.largest_change()->name, "sure");
+  c.quantities.erase(c.quantities.begin(), c.quantities.begin() + 2);
+  EXPECT_EQ(c.largest_change()->name, "angle") << "better than none";
+}
+
+TEST(HistoryPages, DifferencesAreDrawnToTheScaleOfTheTable) {
+  const std::string page = diff_page_with("x ");
+  EXPECT_EQ(occurrences(page, "<div class=\"difference "), 9U);
+  EXPECT_EQ(occurrences(page, "<div class=\"difference changed\">"), 1U);
+  const std::size_t at = page.find("<div class=\"difference changed\">");
+  const std::string row = page.substr(at, page.find("</div>", at) - at);
+  // The zero is in the middle of 400, and the whole interval to the right of it.
+  EXPECT_NE(row.find("class=\"zero\" d=\"M200.0 "), std::string::npos) << row;
+  const std::size_t path = row.find("class=\"interval\" d=\"M") + 21;
+  EXPECT_GT(std::stod(row.substr(path)), 200) << row;
+}
+
+TEST(HistoryPages, BothLoopsBeginAtTheirLargestAngle) {
+  const auto all = history_with("x ");
+  const auto c = history::compare(all[0], all[20], {10, 2}, false);
+  const auto json = calibration::Json::parse(
+      report::compared_loops_json(c, simple_curves(0), simple_curves(0.1)));
+  ASSERT_EQ(json["loops"].size(), 2U);
+  const auto& b = json["loops"][1];
+  EXPECT_EQ(b["q"], calibration::Json::parse("[10, 0, -10, 0, 10]"));
+  EXPECT_EQ(b["T"], calibration::Json::parse("[3.9, 3.7, 3.8, 4.1, 3.9]"));
+  EXPECT_EQ(b["t"], calibration::Json::parse("[0, 90, 180, 270, 360]"));
+  EXPECT_TRUE(json["loops"][0]["shown"] == true && b["shown"] == true);
+  EXPECT_NE(json["loops"][0]["style"], b["style"]);
+  EXPECT_EQ(report::compared_loops_json(c, simple_curves(0), {}), "");
 }
 
 TEST(HistoryPages, TablesHaveTheCellsOfTheirColumns) {
@@ -134,6 +207,41 @@ TEST(HistoryFigures, ShowEveryCalibrationOnce) {
   // 2024-01-01 is day 19723; the step is measured on 2024-08-01 by the made-up calendar.
   EXPECT_NEAR(values.reference_lines.front().at, 19723 + 213 + 10 / 24.0, 1e-9);
   EXPECT_EQ(figures.front().figure.panels.size(), 2U);
+}
+
+TEST(HistoryFigures, WhatIsFarOffDoesNotSquashTheRest) {
+  auto all = history_with("x ");
+  constexpr std::size_t gravity = 6;  // without a change
+  const auto axis_of = [&](const char* name) {
+    for (const figures::ReportFigure& f : figures::trend_figures(history::joint_trends(all, {}))) {
+      if (f.title.find(name) != std::string::npos) return f.figure.panels.front();
+    }
+    return render::figure::Panel{};
+  };
+  const std::string name = all[0].quantities[gravity].name;
+  EXPECT_FALSE(axis_of(name.c_str()).y.minimum) << "the axis is free";
+  std::optional<statistics::Estimate>& far = all[20].quantities[gravity].estimate;
+  ASSERT_TRUE(far);
+  const double value = far->value;
+  far = statistics::symmetric_estimate(0.2 * value, 0.001 * value);
+  for (const auto verdict : {calibration::Verdict::usable, calibration::Verdict::doubtful}) {
+    all[20].quantities[gravity].verdict = verdict;
+    const render::figure::Panel panel = axis_of(name.c_str());
+    ASSERT_TRUE(panel.y.minimum && panel.y.maximum);
+    EXPECT_LT(*panel.y.maximum - *panel.y.minimum, 0.2 * (*panel.y.maximum));
+    ASSERT_EQ(panel.point_labels.size(), 1U);
+    EXPECT_EQ(panel.point_labels[0].text.find("↓ "), 0U) << panel.point_labels[0].text;
+    EXPECT_GT(panel.point_labels[0].y, *panel.y.minimum);
+    // The data of the figure keep it where it was.
+    std::size_t as_measured = 0;
+    for (const render::figure::Series& s : panel.series) {
+      for (const double y : s.y) as_measured += y < *panel.y.minimum ? 1 : 0;
+    }
+    EXPECT_EQ(as_measured, 1U);
+  }
+  // A change that was found is shown whole.
+  const render::figure::Panel changed = axis_of("coulomb_torque");
+  EXPECT_TRUE(changed.point_labels.empty());
 }
 
 TEST(HistoryFigures, AChangeThatStandsComesFirst) {
