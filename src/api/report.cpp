@@ -62,6 +62,8 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
             figures::figure_set(dataset, identified.calibration), dataset.robot.get(),
             identified.calibration);
       });
+      // The report prints a heading over each picture.
+      for (figures::ReportFigure& one : figures) one.figure.title.clear();
       drawn = api::draw(*drawing, figures, [&](std::size_t done, std::size_t all) {
         if (options.progress) options.progress("drawing figures", done, all);
       });

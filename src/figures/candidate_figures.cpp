@@ -12,6 +12,7 @@
 #include "base/requirements.h"
 #include "figures/close_up.h"
 #include "figures/estimator_style.h"
+#include "figures/outliers.h"
 #include "figures/run_curves.h"
 #include "wording/labels.h"
 #include "wording/number_text.h"
@@ -293,15 +294,20 @@ std::string alt_of_errors(const calibration::Calibration& calibration) {
       {{"candidates", count}});
 }
 
+std::vector<NamedValues> errors_of(const method::selection::QualityErrorsResult& quality) {
+  std::vector<NamedValues> errors;
+  for (const method::selection::QualityError& error : quality.errors) {
+    errors.push_back({error.estimator, error.percent});
+  }
+  return errors;
+}
+
 }  // namespace
 
 std::optional<ReportFigure> quality_error_figure(const calibration::Calibration& calibration) {
   const method::selection::QualityErrorsResult& quality = calibration.quality;
   if (quality.reference == CurveReference::none || quality.errors.empty()) return std::nullopt;
-  std::vector<NamedValues> errors;
-  for (const method::selection::QualityError& error : quality.errors) {
-    errors.push_back({error.estimator, error.percent});
-  }
+  const std::vector<NamedValues> errors = errors_of(quality);
 
   ReportFigure out;
   out.paper_number = 20;
@@ -336,6 +342,141 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
         tr("An error within its bar is not significant: the reference is not known any better.");
   }
   out.alt = alt_of_errors(calibration) + rms;
+  return out;
+}
+
+namespace {
+
+constexpr double chosen_width = 1.4;     // times the usual
+constexpr double other_width = 0.8;      // times the usual
+constexpr double other_paleness = 0.35;  // share of white
+
+/// The curve that is drawn for the estimator, itself or one that coincides with it.
+Estimator drawn_for(const std::vector<NamedValues>& curves, Estimator estimator) {
+  const auto stands_for = [&](const NamedValues& curve) {
+    return std::find(curve.same.begin(), curve.same.end(), estimator_words(estimator)) !=
+               curve.same.end() ||
+           std::find(curve.same.begin(), curve.same.end(), to_string(estimator)) !=
+               curve.same.end();
+  };
+  const auto found = std::find_if(curves.begin(), curves.end(), stands_for);
+  return found == curves.end() ? estimator : found->estimator;
+}
+
+/// Strengthens the candidate's curve, and makes the others thin and pale.
+void emphasise(render::figure::Panel& panel, const std::string& candidate,
+               const std::string& reference) {
+  bool is_chosen = false;
+  bool is_reference = false;
+  for (render::figure::Series& series : panel.series) {
+    // The second half of a curve has no label.
+    if (!series.label.empty()) {
+      is_chosen = series.label.starts_with(candidate);
+      is_reference = series.label == reference;
+    }
+    if (is_reference) continue;
+    series.width_px *= is_chosen ? chosen_width : other_width;
+    if (!is_chosen) series.colour = lightened(series.colour, other_paleness);
+  }
+}
+
+/// Friction of the candidates that the errors are drawn for, under the same names. Those that lie
+/// far off all others are left out.
+/// @param curves in drawing order, each with its error
+render::figure::Panel candidates_panel(const calibration::Calibration& calibration,
+                                       const std::vector<NamedValues>& curves,
+                                       const wording::AxisScale& scale) {
+  render::figure::Panel panel;
+  panel.x.title = wording::speed_quantity(calibration.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title(tr("friction T_{{f}}"), scale);
+  std::vector<double> distances;
+  distances.reserve(curves.size());
+  for (const NamedValues& curve : curves) {
+    distances.push_back(wording::extent_of(curve.values).largest());
+  }
+  const double reach = reach_of_the_many(distances);
+  std::vector<std::string> outside;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const method::viscous::ViscousCurve* friction = calibration.viscous.find(curves[i].estimator);
+    if (friction == nullptr) continue;
+    if (reach > 0.0 && distances[i] > reach) {
+      outside.push_back(candidate_words(calibration, curves[i].estimator));
+      continue;
+    }
+    add_run_curve(panel, calibration.viscous, estimator_style(curves[i].estimator),
+                  legend_words(calibration, curves[i]), friction->friction_Nm, scale);
+  }
+  if (!outside.empty()) {
+    panel.title = tr("outside: {candidates}", {{"candidates", wording::listed(outside)}});
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> friction_candidates_figure(
+    const calibration::Calibration& calibration) {
+  const method::selection::QualityErrorsResult& quality = calibration.quality;
+  if (calibration.viscous.runs.empty()) return std::nullopt;
+  const bool has_errors = quality.reference != CurveReference::none && !quality.errors.empty();
+  ReportFigure out;
+  out.id = "fig-friction-candidates";
+  out.is_primary = true;
+  out.title = calibration.viscous.curves.size() > 1 ? tr("Friction by each candidate mass")
+                                                    : tr("Friction against speed");
+  out.stage = has_errors ? "quality_errors" : "viscous_curves";
+  const wording::AxisScale scale = friction_scale(calibration);
+  const std::string runs = runs_words(calibration.viscous);
+  const std::vector<NamedValues> errors = errors_of(quality);
+  const double limit = has_errors ? close_up_limit(errors, calibration.selection) : 0.0;
+  const std::string reference = has_errors ? reference_label(calibration) : std::string();
+  render::figure::Panel upper;
+  std::optional<std::string> chosen;
+  if (has_errors) {
+    wording::Extent all;
+    for (const NamedValues& error : errors) all.add(error.values);
+    const std::vector<NamedValues> curves =
+        in_drawing_order(errors, limit > 0.0 ? 2 * limit : all.span());
+    upper = candidates_panel(calibration, curves, scale);
+    add_reference(upper, calibration, scale);
+    if (calibration.selection.recommended) {
+      chosen = candidate_words(calibration, drawn_for(curves, *calibration.selection.recommended));
+    }
+  } else {
+    upper = all_candidates(calibration, scale, false);
+    if (calibration.selection.recommended) {
+      chosen = candidate_words(calibration, *calibration.selection.recommended);
+    }
+  }
+  if (upper.series.empty()) return std::nullopt;
+  if (chosen) emphasise(upper, *chosen, reference);
+  out.figure.panels.push_back(std::move(upper));
+  out.how_to_read =
+      tr("Friction is odd: the right mass gives a curve of equal height on both sides of zero; a "
+         "wrong one shifts its curve up or down as a whole. The strong curve is the recommended "
+         "candidate's.");
+  if (!has_errors) {
+    out.caption = caption_of_curves(calibration, runs);
+    out.alt = alt_of_curves(calibration, runs);
+    return out;
+  }
+  render::figure::Panel below =
+      close_up_panel(calibration, errors, limit, tr("error 100 (T_{{f}} − T_{{f,ref}}) / T"), "%");
+  if (!below.series.empty()) {
+    add_interval_of_reference(below, calibration);
+    if (chosen) emphasise(below, *chosen, reference);
+    share_legend(out.figure.panels.front(), below);
+    out.figure.panels.push_back(std::move(below));
+    out.figure.panels_share_x = true;
+    out.figure.height_px = 1400;
+  }
+  const std::string rms = rms_of_selected(calibration);
+  out.caption = caption_of_curves(calibration, runs) + " " + caption_of_errors(quality, rms);
+  out.how_to_read +=
+      " " + tr("Below, its error in per cent of the driving torque: the closer to zero over all "
+               "speeds, the better the mass. Scatter as large as the distance between two "
+               "candidates means that the runs cannot decide between them.");
+  out.alt = alt_of_curves(calibration, runs) + " " + alt_of_errors(calibration) + rms;
   return out;
 }
 

@@ -8,6 +8,11 @@
 
 namespace tribolog::figures {
 
+/// Not one of the paper's: figures 18 to 20 in one. The candidates with the reference, the
+/// recommended one emphasised, and below their error in % of the driving torque; those far off are
+/// left out and named. Without a reference the candidates alone; absent without runs.
+std::optional<ReportFigure> friction_candidates_figure(const calibration::Calibration& calibration);
+
 /// Figure 18: all candidates over signed motor speed. Absent without runs.
 std::optional<ReportFigure> friction_curves_figure(const calibration::Calibration& calibration);
 

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "figures/estimator_style.h"
+#include "figures/outliers.h"
 #include "figures/report_figure.h"
 #include "truth/readings.h"
 #include "wording/axis_scale.h"
@@ -25,43 +28,112 @@ namespace {
 using wording::tr;
 using wording::tr_count;
 
-constexpr double apart = 0.12;  // of the two intervals of one way, of the distance of two
+constexpr double apart = 0.13;       // of the two intervals of one estimator, of a row
+constexpr double beyond = 1.3;       // of the reach of the many: where the axis ends
+constexpr double arrow_share = 0.1;  // of the axis
 
-/// Bars and centres of one kind of interval.
-void add_intervals(render::figure::Panel& panel,
-                   const std::vector<method::intervals::CrossCheck>& checks, bool resampled,
-                   const wording::AxisScale& scale) {
-  const render::figure::Colour colour =
-      resampled ? render::figure::palette::vermilion : render::figure::palette::blue;
-  std::vector<double> x;
-  std::vector<double> y;
-  for (std::size_t k = 0; k < checks.size(); ++k) {
-    if (resampled && !checks[k].resampled_kg) continue;
-    const statistics::Estimate& mass =
-        resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
-    if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
-    const double at = static_cast<double>(k + 1) + (resampled ? apart : -apart);
-    x.push_back(at);
-    y.push_back(scale(mass.value));
-    panel.error_bars.push_back({at, scale(mass.low), scale(mass.high), colour});
+using method::intervals::CrossCheck;
+
+/// Short enough for an axis.
+std::string short_name(const CrossCheck& check) {
+  if (const auto* estimator = std::get_if<method::hysteresis::Estimator>(&check.method)) {
+    return estimator_words(*estimator);
   }
-  render::figure::Series series =
-      line(resampled ? tr("bootstrap") : tr("closed form"), std::move(x), std::move(y), colour, 2.5,
-           render::figure::LineStyle::none);
-  series.marker = resampled ? render::figure::Marker::square : render::figure::Marker::circle;
-  series.marker_size_px = 12.0;
-  add_visible(panel, std::move(series));
+  switch (std::get<method::selection::IndependentMethod>(check.method)) {
+    case method::selection::IndependentMethod::sweep_directions:
+      return tr("directions of the sweep");
+    case method::selection::IndependentMethod::run_directions:
+      return tr("directions of the runs");
+    case method::selection::IndependentMethod::classical:
+      return tr("classical least squares");
+  }
+  return {};
 }
 
 /// Of all masses with their intervals.
-wording::Extent extent_of(const std::vector<method::intervals::CrossCheck>& checks) {
+wording::Extent extent_of(const std::vector<CrossCheck>& checks) {
   wording::Extent extent;
-  for (const method::intervals::CrossCheck& check : checks) {
+  for (const CrossCheck& check : checks) {
     extent.add({check.mass_kg.low, check.mass_kg.high});
     if (check.resampled_kg) extent.add({check.resampled_kg->low, check.resampled_kg->high});
   }
   return extent;
 }
+
+/// What the axis shows: all intervals, or those about the middle one if a few reach far beyond.
+wording::Extent shown_extent(const std::vector<CrossCheck>& checks, double middle_kg) {
+  const wording::Extent all = extent_of(checks);
+  std::vector<double> distances;
+  for (const CrossCheck& check : checks) {
+    wording::Extent one = extent_of({check});
+    if (one.empty) continue;
+    distances.push_back(std::max(std::abs(one.low - middle_kg), std::abs(one.high - middle_kg)));
+  }
+  const double reach = beyond * reach_of_the_many(std::move(distances));
+  if (!(reach > 0.0)) return all;
+  return {std::max(all.low, middle_kg - reach), std::min(all.high, middle_kg + reach), false};
+}
+
+/// Intervals as bars from left to right, a row each, the first on top; what reaches beyond the
+/// extent ends in an arrow.
+class MassRows {
+ public:
+  MassRows(render::figure::Panel& panel, const wording::Extent& extent,
+           const wording::AxisScale& scale)
+      : panel_(panel), extent_(extent), scale_(scale) {}
+
+  void add(const std::vector<CrossCheck>& checks, bool resampled) {
+    const render::figure::Colour colour =
+        resampled ? render::figure::palette::vermilion : render::figure::palette::blue;
+    render::figure::Series centres = line(resampled ? tr("bootstrap") : tr("closed form"), {}, {},
+                                          colour, 2.5, render::figure::LineStyle::none);
+    centres.marker = resampled ? render::figure::Marker::square : render::figure::Marker::circle;
+    centres.marker_size_px = 14.0;
+    for (std::size_t k = 0; k < checks.size(); ++k) {
+      if (resampled && !checks[k].resampled_kg) continue;
+      const statistics::Estimate& mass =
+          resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
+      if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
+      const double row = static_cast<double>(checks.size() - k) + (resampled ? -apart : apart);
+      add_interval(mass, row, colour);
+      if (mass.value >= extent_.low && mass.value <= extent_.high) {
+        centres.x.push_back(scale_(mass.value));
+        centres.y.push_back(row);
+      }
+      const bool is_cut = mass.low < extent_.low || mass.high > extent_.high;
+      if (is_cut && !resampled) name_value(mass, row);
+    }
+    add_visible(panel_, std::move(centres));
+  }
+
+ private:
+  void add_interval(const statistics::Estimate& mass, double row, render::figure::Colour colour) {
+    const double arrow = arrow_share * extent_.span();
+    double low = std::clamp(mass.low, extent_.low, extent_.high - arrow);
+    double high = std::clamp(mass.high, extent_.low + arrow, extent_.high);
+    if (mass.low < extent_.low) add_arrow(low + arrow, low, row, colour);
+    if (mass.high > extent_.high) add_arrow(high - arrow, high, row, colour);
+    if (mass.low > extent_.high || mass.high < extent_.low) return;
+    add_visible(panel_, line("", {scale_(low), scale_(high)}, {row, row}, colour, 4.0));
+  }
+
+  void add_arrow(double from, double to, double row, render::figure::Colour colour) {
+    render::figure::Series arrow = line("", {scale_(from), scale_(to)}, {row, row}, colour, 4.0);
+    arrow.direction_arrows_at = {1.0};
+    add_visible(panel_, std::move(arrow));
+  }
+
+  void name_value(const statistics::Estimate& mass, double row) {
+    add_visible(panel_, render::figure::PointLabel{
+                            scale_(std::clamp(mass.value, extent_.low, extent_.high)), row,
+                            wording::with_interval(mass, wording::AxisScale{1.0, "kg"}),
+                            render::figure::palette::black, render::figure::Marker::none});
+  }
+
+  render::figure::Panel& panel_;
+  const wording::Extent extent_;
+  const wording::AxisScale& scale_;
+};
 
 }  // namespace
 
@@ -76,29 +148,39 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   out.is_primary = true;
   out.title = tr("Surrogate mass by every estimator");
   out.stage = "cross-checks";
-  const wording::AxisScale scale = wording::levelled("kg", extent_of(checks));
+  const double middle_kg =
+      recommended == checks.end() ? checks.front().mass_kg.value : recommended->mass_kg.value;
+  const wording::Extent extent = shown_extent(checks, middle_kg);
+  const wording::AxisScale scale = wording::levelled("kg", extent);
   render::figure::Panel panel;
-  panel.x.title = tr("estimator, numbered as below");
-  panel.x.counts = true;
-  panel.x.minimum = 0.5;
-  panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
-  panel.y.title = wording::axis_title(tr("surrogate mass m"), scale, "kg");
-  add_intervals(panel, checks, false, scale);
-  add_intervals(panel, checks, true, scale);
+  panel.x.title = wording::axis_title(tr("surrogate mass m"), scale, "kg");
+  panel.y.title = tr("estimator");
+  panel.y.minimum = 0.4;
+  panel.y.maximum = static_cast<double>(checks.size()) + 0.6;
+  if (extent.span() > 0.0) {
+    panel.x.minimum = scale(extent.low - 0.04 * extent.span());
+    panel.x.maximum = scale(extent.high + 0.04 * extent.span());
+  }
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    panel.y.names.push_back({static_cast<double>(checks.size() - k), short_name(checks[k])});
+  }
+  MassRows rows(panel, extent, scale);
+  rows.add(checks, false);
+  rows.add(checks, true);
   if (panel.series.empty()) return std::nullopt;
   if (recommended != checks.end()) {
     panel.reference_lines.push_back(
-        {render::figure::ReferenceLine::Direction::horizontal, scale(recommended->mass_kg.value),
-         "", render::figure::palette::grey, render::figure::LineStyle::dash});
+        {render::figure::ReferenceLine::Direction::vertical, scale(recommended->mass_kg.value), "",
+         render::figure::palette::grey, render::figure::LineStyle::dash});
   }
   out.figure.panels.push_back(std::move(panel));
+  out.figure.height_px = std::max(600, 260 + 84 * static_cast<int>(checks.size()));
 
   std::vector<std::string> names;
   std::size_t disagree = 0;
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    names.push_back(fmt::format(
-        "{} {}", k + 1,
-        wording::words_for("estimator", method::intervals::to_string(checks[k].method))));
+    names.push_back(
+        wording::words_for("estimator", method::intervals::to_string(checks[k].method)));
     disagree += checks[k].disagrees ? 1 : 0;
   }
   const std::string agreement =
@@ -111,12 +193,12 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
                      "the difference.",
                      {{"ways", disagree}});
   const std::string ways = wording::listed(names);
-  out.caption = tr("95 % intervals of {ways}.", {{"ways", ways}}) + " " + agreement;
-  out.how_to_read =
-      tr("Each estimator fails in a different way. In a sound measurement all bars cross the "
-         "dashed line of the recommended one; one that misses it points to the assumption that it "
-         "depends on. The two "
-         "bars of an estimator should be equally long.");
+  out.caption = tr("95 % intervals, from the top: {ways}.", {{"ways", ways}}) + " " + agreement;
+  out.how_to_read = tr(
+      "Each estimator fails in a different way. In a sound measurement all bars cross the "
+      "dashed line of the recommended one; one that misses it points to the assumption that it "
+      "depends on. The two bars of an estimator should be equally long. A bar with an arrow goes "
+      "on beyond the axis; its value stands beside it.");
   out.alt = tr("Surrogate mass with 95 % intervals by {count} estimators: {ways}.",
                {{"count", checks.size()}, {"ways", ways}}) +
             " " + agreement;

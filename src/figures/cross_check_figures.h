@@ -8,7 +8,7 @@
 
 namespace tribolog::figures {
 
-/// One place for each way, numbered as in the report's table. Absent with fewer than two ways.
+/// A row for each way, by its name. Absent with fewer than two ways.
 std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibration& calibration);
 
 // The known-truth check: what came back less what was put in, in units of the stated half width.

@@ -24,6 +24,7 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
   candidates.push_back(torque_loop_figure(calibration));
   candidates.push_back(bristle_loop_figure(calibration));
   candidates.push_back(bristle_rate_loop_figure(calibration));
+  candidates.push_back(friction_candidates_figure(calibration));
   candidates.push_back(friction_curves_figure(calibration));
   candidates.push_back(friction_against_reference_figure(calibration));
   candidates.push_back(quality_error_figure(calibration));

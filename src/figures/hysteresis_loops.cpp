@@ -88,22 +88,24 @@ std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& c
   const std::string midline =
       loop.midline_Nm ? wording::with_interval(*loop.midline_Nm, torque.scale) : tr("unknown");
   const std::string points = points_words(calibration, LoopSignal::torque, torque.scale);
-  out.caption = tr("Loop of {height} height; the mid-line of the steady loop averages {midline}.",
-                   {{"height", height}, {"midline", midline}});
+  out.caption =
+      tr("Loop of {height} height; the mean of the mid-line of the steady loop is {midline}.",
+         {{"height", height}, {"midline", midline}});
   if (!points.empty()) out.caption += " " + tr("Readings: {readings}.", {{"readings", points}});
   out.caption += origin_words(calibration, *view);
   out.how_to_read =
       tr("From rest at A the torque climbs into the loop; every later cycle should lie on the one "
-         "before. Gravity is the mid-line: a loop that drifts, or that is a plain ellipse without "
+         "before. Gravity is the mean of the mid-line: a loop that drifts, or that is a plain "
+         "ellipse without "
          "flat ends, has not left pre-sliding or was not yet steady, and its points then read low "
          "or high.");
   out.alt =
       points.empty()
-          ? tr("Hysteresis loop of driving torque over joint angle, {height} high, mid-line at "
-               "{midline}.",
+          ? tr("Hysteresis loop of driving torque over joint angle, {height} high, mean of the "
+               "mid-line {midline}.",
                {{"height", height}, {"midline", midline}})
-          : tr("Hysteresis loop of driving torque over joint angle, {height} high, mid-line at "
-               "{midline}; points {readings}.",
+          : tr("Hysteresis loop of driving torque over joint angle, {height} high, mean of the "
+               "mid-line {midline}; points {readings}.",
                {{"height", height}, {"midline", midline}, {"readings", points}});
   return out;
 }

@@ -41,7 +41,8 @@ void add_loop_points(render::figure::Panel& panel,
                      const std::vector<method::hysteresis::LoopPoint>& points, LoopSignal signal,
                      bool over_time, const LoopView& view, const wording::AxisScale& y);
 
-/// A vertical line at the gravity peak, if the loop passes it or comes close.
+/// A vertical line at the gravity peak, if the loop passes it or comes close, and its interval as a
+/// band behind the curves that the panel has by then, where it is wide enough to be seen.
 /// @return whether it does.
 bool add_gravity_peak(render::figure::Panel& panel, const calibration::Calibration& calibration,
                       const LoopView& view);

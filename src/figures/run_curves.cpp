@@ -113,6 +113,7 @@ std::string candidate_words(const calibration::Calibration& calibration,
                             method::hysteresis::Estimator estimator) {
   const method::hysteresis::SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return estimator_words(estimator);
+  if (mass->mass_kg.value == 0.0) return tr("no gravity");
   return fmt::format("{} ({})", estimator_words(estimator),
                      wording::rounded(mass->mass_kg, wording::AxisScale{1.0, "kg"}));
 }

@@ -30,7 +30,7 @@ std::string reference_words(method::selection::CurveReference reference);
 /// The legend's text for the reference.
 std::string reference_label(const calibration::Calibration& calibration);
 
-/// "A (80.00 kg)"
+/// "A (80.00 kg)"; "no gravity" where that is stated.
 std::string candidate_words(const calibration::Calibration& calibration,
                             method::hysteresis::Estimator estimator);
 

@@ -1,6 +1,8 @@
 #include "figures/sweep_torque.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -122,8 +124,8 @@ wording::Extent torques_of(const std::vector<SweepTrace>& samples, const Directi
   return extent;
 }
 
-void add_direction(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
-                   const Direction& direction, const wording::AxisScale& torque) {
+void add_samples(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
+                 const Direction& direction, const wording::AxisScale& torque) {
   render::figure::Series samples =
       line(direction.label,
            shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), wording::degrees()),
@@ -132,10 +134,88 @@ void add_direction(render::figure::Panel& panel, const std::vector<SweepTrace>& 
   samples.marker = render::figure::Marker::circle;
   samples.marker_size_px = dot_px;
   add_visible(panel, std::move(samples));
+}
+
+constexpr std::size_t angle_bins = 40;
+constexpr std::size_t fewest_in_bins = 10;  // of samples in a bin, on average
+constexpr double label_room = 0.16;         // of the height of what is drawn, above it
+
+/// The samples as means over bins of the angle, with bars of one standard deviation: quantised or
+/// noisy ones would be a cloud. Few are drawn as they are.
+void add_binned(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
+                const Direction& direction, const wording::AxisScale& torque) {
+  const std::vector<double> q = signal_of(sweeps, direction.stroke, &SweepTrace::q_rad);
+  const std::vector<double> t = signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm);
+  const wording::Extent angles = wording::extent_of(q);
+  if (q.size() < fewest_in_bins * angle_bins || !(angles.span() > 0.0)) {
+    add_samples(panel, sweeps, direction, torque);
+    return;
+  }
+  struct Bin {
+    double count{};
+    double angle{};
+    double sum{};
+    double squares{};
+  };
+  std::vector<Bin> bins(angle_bins);
+  const double level = wording::extent_of(t).low;
+  for (std::size_t i = 0; i < std::min(q.size(), t.size()); ++i) {
+    if (!std::isfinite(q[i]) || !std::isfinite(t[i])) continue;
+    const double at = (q[i] - angles.low) / angles.span() * static_cast<double>(angle_bins);
+    Bin& bin = bins[std::min(static_cast<std::size_t>(at), angle_bins - 1)];
+    const double above = t[i] - level;
+    bin.count += 1.0;
+    bin.angle += q[i];
+    bin.sum += above;
+    bin.squares += above * above;
+  }
+  render::figure::Series means =
+      line(tr("{direction}: mean ± standard deviation", {{"direction", direction.label}}), {}, {},
+           direction.colour, 1.0, render::figure::LineStyle::none);
+  means.marker = render::figure::Marker::circle;
+  means.marker_size_px = 10.0;
+  for (const Bin& bin : bins) {
+    if (!(bin.count > 1.0)) continue;
+    const double mean = bin.sum / bin.count;
+    const double spread = std::sqrt(std::max(0.0, bin.squares / bin.count - mean * mean));
+    const double x = wording::degrees()(bin.angle / bin.count);
+    means.x.push_back(x);
+    means.y.push_back(torque(level + mean));
+    panel.error_bars.push_back({x, torque(level + mean - spread), torque(level + mean + spread),
+                                lightened(direction.colour, 0.35)});
+  }
+  add_visible(panel, std::move(means));
+}
+
+void add_fit(render::figure::Panel& panel, const Direction& direction,
+             const wording::AxisScale& torque) {
   if (direction.fit_Nm.size() != direction.fit_q_rad.size()) return;
   add_visible(panel,
               line(direction.fit_label, shown(direction.fit_q_rad, wording::degrees()),
                    shown(direction.fit_Nm, torque), direction.colour, 3.5, direction.fit_style));
+}
+
+/// Room above all that the panel shows, for the names of the peak.
+void leave_room_for_labels(render::figure::Panel& panel) {
+  wording::Extent heights;
+  for (const render::figure::Series& one : panel.series) heights.add(one.y);
+  for (const render::figure::ErrorBar& one : panel.error_bars) heights.add({one.low, one.high});
+  for (const render::figure::PointLabel& one : panel.point_labels) heights.add(one.y);
+  if (heights.span() > 0.0) panel.y.maximum = heights.high + label_room * heights.span();
+}
+
+/// What a panel shows of a torque: the height of its band.
+wording::Extent heights_of(const render::figure::Panel& panel, const wording::AxisScale& torque) {
+  wording::Extent heights;
+  const auto add = [&](double y) { heights.add(y / torque.factor + torque.offset); };
+  for (const render::figure::Series& one : panel.series) {
+    for (const double y : one.y) add(y);
+  }
+  for (const render::figure::ErrorBar& one : panel.error_bars) {
+    add(one.low);
+    add(one.high);
+  }
+  return heights;
 }
 
 /// How far the fitted curve is from the arg-max; tells which direction it was found in.
@@ -221,10 +301,12 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
   panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
   for (const Direction& direction : directions) {
-    add_direction(panel, samples, direction, torque);
+    add_samples(panel, samples, direction, torque);
+    add_fit(panel, direction, torque);
   }
   add_peak(panel, sweep, torques, torque);
   add_argmax(panel, sweep, torque);
+  leave_room_for_labels(panel);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
   out.caption = rough_caption(sweep, wording::has_motor_side(dataset.manifest));
@@ -259,10 +341,12 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
     render::figure::Panel panel;
     panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
     panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
-    add_direction(panel, samples, direction, torque);
+    add_binned(panel, samples, direction, torque);
+    add_fit(panel, direction, torque);
     if (panel.series.empty()) continue;
-    add_peak(panel, sweep, torques, torque);
+    add_peak(panel, sweep, heights_of(panel, torque), torque);
     if ((direction.stroke == Stroke::falling) == falling_has_it) add_argmax(panel, sweep, torque);
+    leave_room_for_labels(panel);
     out.figure.panels.push_back(std::move(panel));
   }
   if (out.figure.panels.empty()) return std::nullopt;
@@ -273,7 +357,8 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   out.how_to_read =
       tr("Near its peak the torque is flat: one degree away it is only 0.015 % lower. Trust the "
          "fitted peak and the width of its interval, not the single highest sample; if the black "
-         "bar is about as wide as the sweep, the log cannot locate the peak.");
+         "bar is about as wide as the sweep, the log cannot locate the peak. Dots are means of "
+         "neighbouring samples, bars the standard deviation of these.");
   return out;
 }
 

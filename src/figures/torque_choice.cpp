@@ -90,12 +90,11 @@ std::string caption_of(const ChoiceWords& choice) {
               {{"torque", choice.torque}, {"point", choice.point}});
   }
   if (choice.torque.empty()) {
-    return tr("On the loop the mid-line of the steady loop averages {midline}.",
-              {{"midline", choice.midline}});
+    return tr("On the loop the mean of the mid-line is {midline}.", {{"midline", choice.midline}});
   }
   return tr(
-      "On the loop the paper's rule reads {torque} at {point}; the mid-line of the steady loop "
-      "averages {midline}.",
+      "On the loop the paper's rule reads {torque} at {point}; the mean of the mid-line is "
+      "{midline}.",
       {{"torque", choice.torque}, {"point", choice.point}, {"midline", choice.midline}});
 }
 
@@ -106,14 +105,12 @@ std::string alt_of(const ChoiceWords& choice) {
         {{"torque", choice.torque}, {"point", choice.point}});
   }
   if (choice.torque.empty()) {
-    return tr(
-        "Hysteresis loop with the choice of torque: the mid-line of the steady loop averages "
-        "{midline}.",
-        {{"midline", choice.midline}});
+    return tr("Hysteresis loop with the choice of torque: the mean of the mid-line is {midline}.",
+              {{"midline", choice.midline}});
   }
   return tr(
       "Hysteresis loop with the choice of torque: the paper's rule reads {torque} at {point}; the "
-      "mid-line of the steady loop averages {midline}.",
+      "mean of the mid-line is {midline}.",
       {{"torque", choice.torque}, {"point", choice.point}, {"midline", choice.midline}});
 }
 
@@ -142,6 +139,7 @@ std::string shift_words(const calibration::Calibration& calibration, const Choic
 
 constexpr double zoom = 1.7;           // of the farthest reading's distance from the mid-line
 constexpr double same_share = 0.08;    // of the close-up's reach: one reading, not two
+constexpr double side_room = 0.14;     // of the loop's width
 constexpr double dimension_at = 0.22;  // of the loop's height, above its lowest torque
 
 /// Whether two readings of a point would lie on each other in the close-up.
@@ -202,16 +200,29 @@ void add_reading(render::figure::Panel& panel, const method::hysteresis::LoopPoi
                                                 render::figure::palette::black, style.marker});
 }
 
+/// Left and right of the loop, for the names of its points: the axis of both panels.
+void leave_room_at_sides(render::figure::Panel& panel) {
+  wording::Extent angles;
+  for (const render::figure::Series& one : panel.series) angles.add(one.x);
+  for (const render::figure::ReferenceLine& one : panel.reference_lines) {
+    if (one.direction == render::figure::ReferenceLine::Direction::vertical) angles.add(one.at);
+  }
+  if (!(angles.span() > 0.0)) return;
+  panel.x.minimum = angles.low - side_room * angles.span();
+  panel.x.maximum = angles.high + side_room * angles.span();
+}
+
 render::figure::Panel whole_loop(const calibration::Calibration& calibration, LoopView view,
                                  const Choice& choice, const wording::AxisScale& torque) {
   render::figure::Panel panel;
+  add_loop(panel, calibration, view, torque, true);
   const bool at_peak = add_gravity_peak(panel, calibration, view);
   panel.x.title =
       wording::axis_title(at_peak ? tr("joint angle from the gravity peak q − q_{{peak}}")
                                   : tr("joint angle from the loop's centre q − q_{{0}}"),
                           wording::AxisScale{view.angle.factor, view.angle.unit});
   panel.y.title = wording::axis_title(tr("driving torque T"), torque);
-  add_loop(panel, calibration, view, torque, true);
+  leave_room_at_sides(panel);
   if (choice.chosen == nullptr) return panel;
   const std::string name = to_string(choice.chosen->name);
   const SeriesStyle style = estimator_style(choice.chosen->name);
@@ -302,7 +313,7 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
   out.figure.panels.push_back(whole_loop(calibration, *view, choice, torque));
   if (choice.midline != nullptr && std::isfinite(choice.midline->value)) {
     render::figure::Panel near = around_midline(calibration, *view, choice, torque);
-    near.x.title = out.figure.panels.front().x.title;
+    near.x = out.figure.panels.front().x;
     out.figure.panels.push_back(std::move(near));
     out.figure.panels_share_x = true;
     out.figure.height_px = 1500;
@@ -313,9 +324,9 @@ std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration&
   out.caption = caption_of(words) + shift;
   out.how_to_read =
       tr("In the steady loop opposite points lie equally far above and below gravity, so that "
-         "their mean and the mid-line are free of friction; a single point is not, and comes close "
-         "only because of how the first stroke began. Do not trust a choice that lies outside the "
-         "mid-line's interval.");
+         "friction drops out of their mean, and of the mean of the mid-line; it does not drop out "
+         "of the mid-line point by point, nor of a single reading. Do not trust a choice that lies "
+         "outside the interval of that mean.");
   out.alt = alt_of(words) + shift;
   return out;
 }

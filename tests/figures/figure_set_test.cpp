@@ -22,13 +22,13 @@ std::vector<int> numbers(const std::vector<figures::ReportFigure>& figures) {
 TEST(FigureSet, CompleteCalibrationGivesThePapersFigures) {
   const joint::Dataset dataset = test::hand_made_dataset();
   const auto figures = figures::figure_set(dataset, test::hand_made_calibration(dataset));
-  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22}));
+  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 14, 15, 16, 17, 0, 18, 19, 20, 21, 22}));
 }
 
 TEST(FigureSet, SweepAloneHasNoLoopFigures) {
   const joint::Dataset dataset = test::hand_made_dataset();
   const auto figures = figures::figure_set(dataset, test::sweep_only_calibration(dataset));
-  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 18, 19, 20, 21}));
+  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 0, 18, 19, 20, 21}));
 }
 
 TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
@@ -40,7 +40,7 @@ TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
   calibration.curves.loops.front().dz_rad_s.clear();
   calibration.selection.paper_rule.reset();
   EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
-            (std::vector<int>{11, 13, 14, 15, 18, 19, 20, 21, 22}));
+            (std::vector<int>{11, 13, 14, 15, 0, 18, 19, 20, 21, 22}));
 }
 
 TEST(FigureSet, NoReferenceNoComparison) {
@@ -48,7 +48,17 @@ TEST(FigureSet, NoReferenceNoComparison) {
   calibration::Calibration calibration = test::hand_made_calibration(dataset);
   calibration.quality = {};
   EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
-            (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 21, 22}));
+            (std::vector<int>{11, 13, 14, 15, 16, 17, 0, 18, 21, 22}));
+}
+
+TEST(FigureSet, AFewArePrimary) {
+  const joint::Dataset dataset = test::hand_made_dataset();
+  std::vector<std::string> primary;
+  for (const auto& one : figures::figure_set(dataset, test::hand_made_calibration(dataset))) {
+    if (one.is_primary) primary.push_back(one.id);
+  }
+  EXPECT_EQ(primary, (std::vector<std::string>{"fig-13-rough-torque", "fig-14-precise-torque",
+                                               "fig-15-hysteresis", "fig-friction-candidates"}));
 }
 
 TEST(FigureSet, NothingGivesNothing) {

@@ -50,6 +50,45 @@ TEST_F(RunFigures, EveryCandidateHasACurveOnBothSidesOfZero) {
       << figure->caption;
 }
 
+TEST_F(RunFigures, TheCombinedFigureHasTheChosenCurveStrongTheErrorsBelowAndOneLegend) {
+  const auto figure = friction_candidates_figure(calibration_);
+  ASSERT_TRUE(figure);
+  EXPECT_TRUE(figure->is_primary);
+  EXPECT_FALSE(figure->paper_number);
+  ASSERT_EQ(figure->figure.panels.size(), 2U);
+  const render::figure::Panel& curves = figure->figure.panels[0];
+  const render::figure::Panel& errors = figure->figure.panels[1];
+  EXPECT_TRUE(has_label_beginning(curves, "reference"));
+  EXPECT_FALSE(has_label_beginning(errors, "reference"));
+  EXPECT_FALSE(errors.show_legend);
+  EXPECT_NE(errors.y.title.find("[%]"), std::string::npos);
+  for (const render::figure::Panel& panel : figure->figure.panels) {
+    double strongest_other = 0;
+    double chosen = 0;
+    std::string label;
+    for (const render::figure::Series& series : panel.series) {
+      if (!series.label.empty()) label = series.label;
+      if (label.starts_with("reference")) continue;
+      double& width = label.starts_with("mid-line") ? chosen : strongest_other;
+      width = std::max(width, series.width_px);
+    }
+    EXPECT_GT(chosen, 2 * strongest_other);
+  }
+  const auto paper = quality_error_figure(calibration_);
+  ASSERT_TRUE(paper);
+  EXPECT_FALSE(paper->is_primary);
+}
+
+TEST_F(RunFigures, TheCombinedFigureHasTheCurvesAloneWithoutAReference) {
+  calibration_.quality = {};
+  const auto figure = friction_candidates_figure(calibration_);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->figure.panels.size(), 1U);
+  EXPECT_EQ(figure->stage, "viscous_curves");
+  calibration_.viscous.runs.clear();
+  EXPECT_FALSE(friction_candidates_figure(calibration_));
+}
+
 TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
   for (const auto& figure :
        {friction_against_reference_figure(calibration_), quality_error_figure(calibration_)}) {

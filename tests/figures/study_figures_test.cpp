@@ -58,7 +58,7 @@ TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
   EXPECT_NEAR(points.series[0].y[1], -1, 1e-12);
   // Not found at the second level: no point there.
   EXPECT_EQ(points.series[1].x, std::vector<double>{13});
-  EXPECT_NE(figures[0].caption.find("point B -1.000 to -0.500 %"), std::string::npos)
+  EXPECT_NE(figures[0].caption.find("point B −1.000 to −0.500 %"), std::string::npos)
       << figures[0].caption;
 }
 

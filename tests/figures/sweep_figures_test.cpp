@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +101,35 @@ TEST_F(SweepFigures, PreciseTorqueGivesEachDirectionItsPanelAndTheArgmaxToTheRis
   // Torque bends by 0.8 mN·m on 4.5 N·m: the level is taken off.
   EXPECT_NE(figure->figure.panels[0].y.title.find("[mN·m]"), std::string::npos)
       << figure->figure.panels[0].y.title;
+}
+
+TEST_F(SweepFigures, ManySamplesOfThePreciseSweepAreMeansWithTheirSpread) {
+  joint::Recording& recording = dataset_.recordings[1];
+  const joint::Recording once = recording;
+  std::vector<bool>& used = calibration_.curves.precise.used[0];
+  const std::vector<bool> used_once = used;
+  recording.t_s.clear();
+  recording.q_rad.clear();
+  recording.torque_Nm.clear();
+  used.clear();
+  // Quantised: each angle comes with 5 mN·m more and with 5 mN·m less.
+  for (std::size_t i = 0; i < once.t_s.size(); ++i) {
+    for (const double off : {-5e-3, 5e-3}) {
+      recording.t_s.push_back(once.t_s[i] + (off > 0 ? 0.5 : 0) * (once.t_s[1] - once.t_s[0]));
+      recording.q_rad.push_back(once.q_rad[i]);
+      recording.torque_Nm.push_back(once.torque_Nm[i] + off);
+      used.push_back(used_once[i]);
+    }
+  }
+  const auto figure = precise_torque_figure(dataset_, calibration_);
+  ASSERT_TRUE(figure);
+  const render::figure::Panel& panel = figure->figure.panels.front();
+  EXPECT_LE(panel.series.front().x.size(), 40U);
+  ASSERT_EQ(panel.error_bars.size(), panel.series.front().x.size());
+  ASSERT_GT(panel.error_bars.size(), 30U);
+  for (const render::figure::ErrorBar& bar : panel.error_bars) {
+    EXPECT_NEAR(bar.high - bar.low, 0.010, 0.0005);
+  }
 }
 
 TEST_F(SweepFigures, OneDirectionNeedsOnePanel) {
