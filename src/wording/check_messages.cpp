@@ -127,10 +127,10 @@ const Messages& check_messages() {
        text("no ripple stands out; without it nothing in these logs checks the gear ratio")},
 
       // Where the effort comes from.
-      {"effort.stated_at_motor", text("{effort}, motor side, as the manifest states")},
-      {"effort.stated_at_joint", text("{effort}, joint side, as the manifest states")},
-      {"effort.proposed_at_motor", text("{effort} on the motor side is proposed, not confirmed")},
-      {"effort.proposed_at_joint", text("{effort} on the joint side is proposed, not confirmed")},
+      {"effort.stated_at_motor", text("'{effort}' on the motor side, as the manifest states")},
+      {"effort.stated_at_joint", text("'{effort}' on the joint side, as the manifest states")},
+      {"effort.proposed_at_motor", text("'{effort}' on the motor side is proposed, not confirmed")},
+      {"effort.proposed_at_joint", text("'{effort}' on the joint side is proposed, not confirmed")},
       {"effort.is_target",
        text("the effort is a target torque from a controller or its model, not a measurement")},
       {"effort.is_target_proposed",
@@ -148,18 +148,18 @@ const Messages& check_messages() {
       // The effort against what its logger writes.
       {"effort_column.as_stated", text("the column's name agrees with what the manifest states")},
       {"effort_column.is_target", text("{logger} writes a controller target into column "
-                                       "'{column}'; the manifest states a measured {stated}")},
+                                       "'{column}'; the manifest states a measured '{stated}'")},
       {"effort_column.is_measurement", text("{logger} writes a measurement into column '{column}'; "
-                                            "the manifest states a target_torque")},
-      {"effort_column.is_other_kind",
-       text("{logger} writes a {written} into column '{column}'; the manifest states a {stated}")},
+                                            "the manifest states a 'target_torque'")},
+      {"effort_column.is_other_kind", text("{logger} writes a '{written}' into column '{column}'; "
+                                           "the manifest states a '{stated}'")},
       {"effort_column.is_on_motor_side", text("{logger} writes a motor-side torque into column "
                                               "'{column}'; the manifest states the joint side")},
       {"effort_column.is_on_joint_side", text("{logger} writes a joint-side torque into column "
                                               "'{column}'; the manifest states the motor side")},
       {"effort_column.is_behind_gear",
        text("{logger} writes a torque measured on the output side of the gear into column "
-            "'{column}'; the manifest states a motor_torque")},
+            "'{column}'; the manifest states a 'motor_torque'")},
       {"effort_column.other_than_identified",
        text("if the logger is right, the torque differs in kind, unit or side from what the "
             "identification took it for, or is not a measurement at all")},
@@ -381,15 +381,13 @@ const Messages& check_messages() {
        text("a torque that does not change shows neither gravity nor friction")},
       {"torque_alive.see_column",
        text("check that the torque column is live before the next measurement")},
-      {"measure.held_torque",
-       text("samples that repeat an old torque, of the recording with most")},
+      {"measure.held_torque", text("samples that repeat an old torque, in the worst recording")},
       {"not_applicable.torque_in_steps",
        text("the torque comes in steps so coarse, or so rarely, that equal values prove nothing")},
-      {"torque_held.nowhere", text("the torque changes as its noise does, all along")},
+      {"torque_held.nowhere", text("the torque keeps changing with its noise throughout")},
       {"torque_held.percent",
-       text(
-           "{percent:.2g} % of the samples repeat the torque of before, 25 or more in a row, while "
-           "the joint moves")},
+       text("{percent:.2g} % of the samples repeat the previous torque, 25 or more in a row, while "
+            "the joint moves")},
       {"torque_held.is_of_before",
        text("what the torque was there is not known, and the fits take the old value for it")},
       {"torque_held.see_log",

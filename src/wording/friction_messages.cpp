@@ -65,7 +65,7 @@ const Messages& friction_messages() {
        text("a motor current needs a torque constant [N·m/A] to become a torque; none is given")},
       {"drive.torque_constant_of_no_current",
        text("torque constant {torque_constant_Nm_A} N·m/A is given for an effort of kind {kind}; "
-            "it belongs to motor_current")},
+            "it belongs to 'motor_current'")},
       {"gravity_peak.not_finite", text("angle of the gravity peak is not finite")},
       {"gravity_peak.value_not_finite",
        text("angle of the gravity peak {angle_rad} is not finite")},

@@ -61,20 +61,20 @@ const Messages& gravity_messages() {
             "there")},
 
       // The equation that was fitted to a sweep.
-      {"sweep_fit.constant_speed", text("T = offset of each direction + G cos(q - q_peak)")},
+      {"sweep_fit.constant_speed", text("T = offset of each direction + G cos(q − q_peak)")},
       {"sweep_fit.constant_speed_without_gravity", text("T = offset of each direction")},
       {"sweep_fit.varying_speed_without_gravity",
        text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈")},
       {"gravity.stated_none", text("the manifest states that there is no gravity to find")},
       {"sweep_fit.constant_speed_known_gravity",
-       text("T = offset of each direction + G cos(q - q_peak), G from the rough sweep")},
+       text("T = offset of each direction + G cos(q − q_peak), G from the rough sweep")},
       {"sweep_fit.varying_speed",
-       text("T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)")},
+       text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak)")},
       {"sweep_fit.varying_speed_with_load",
-       text("T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak) + Coulomb "
-            "of the load sgn(q') |cos(q - q_peak)|")},
+       text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak) + Coulomb "
+            "of the load sgn(q̇) |cos(q − q_peak)|")},
       {"sweep_fit.varying_speed_known_gravity",
-       text("T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak), G from "
+       text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak), G from "
             "the rough sweep")},
 
       // How late the torque is logged against the angle.

@@ -117,7 +117,7 @@ const Messages& hysteresis_messages() {
        text("the loop does not bend: friction stays elastic over the whole stroke")},
       {"lugre.friction_begins_to_fall",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops, where friction has "
-            "only begun to fall: of Ts, Tc and the Stribeck velocity only (Ts - Tc)/ws² shows")},
+            "only begun to fall: of T_s, T_c and ω_s only (T_s − T_c)/ω_s² shows")},
       {"lugre.friction_not_yet_falling",
        text("the motor stays below {peak_speed_rad_s:.3g} rad/s in the loops, where friction does "
             "not yet fall with speed")},

@@ -78,7 +78,7 @@ const Messages& session_messages() {
       {"cause.drift",
        text("friction changed by {percent:+.2g} % over the session of {minutes:.2g} min (95 %: "
             "{low_percent:+.2g} to {high_percent:+.2g} %; {levels} levels): "
-            "numbers from its begin and from its end are not of the same joint")},
+            "what was measured at its beginning and at its end does not describe one joint")},
       {"cause.drift_within_sweep",
        text("friction changed within the sweep, {percent:+.2g} % over the session: that moved the "
             "angle by {shift_deg:+.2g}°, which was taken off; {slack_deg:.2g}° of it are not "

@@ -30,31 +30,31 @@ const Messages& verdict_messages() {
       {"quantity_at_joint.viscous_coefficient", text("Viscous coefficient at the joint")},
 
       // The verdict's rules, each by what it measures.
-      {"rule.torque_lag", text("Lag between torque and angle, as far as it is sure")},
+      {"rule.torque_lag", text("Lag between torque and angle, the part that is certain")},
       {"rule.elastic_gear_of_starts",
        text("Oscillation of the link against the motor, by starts and stops")},
-      {"rule.lag_in_damping", text("What the lag changes of the bristle damping")},
+      {"rule.lag_in_damping", text("Effect of the lag on the bristle damping")},
       {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
-      {"rule.lag_in_inertia", text("Lag between torque and angle, of the time that a start takes")},
+      {"rule.lag_in_inertia",
+       text("Lag between torque and angle, relative to the duration of a start")},
       {"rule.runs_against_ramps", text("Friction at rest by the runs' law, against the ramps")},
       {"rule.runs_against_loops",
        text("Friction at rest by the runs' law, less than that of the loops")},
       {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
       {"rule.torque_of_angle_in_angle",
-       text("Torque of the angle that is no gravity, where the angle is read")},
-      {"rule.ramps_that_slide", text("Friction less at the speed of ramps that slid than at rest")},
-      {"rule.inertia_at_break_away", text("Ramps read without the inertia that accelerates")},
+       text("Torque that depends on the angle and is not gravity, for the angle of the peak")},
+      {"rule.ramps_that_slide", text("Friction at the speed of sliding ramps, below that at rest")},
+      {"rule.inertia_at_break_away", text("Ramps read without the torque of inertia")},
       {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
-      {"rule.false_stamps", text("Time stamps about the clock of the sampling, of its interval")},
-      {"rule.torque_outliers", text("Outliers of the torque, of the recording with most")},
+      {"rule.false_stamps", text("Scatter of the time stamps, relative to the sampling interval")},
+      {"rule.torque_outliers", text("Torque outliers in the worst recording")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
       {"rule.amplitude_over_deflection",
        text("Amplitude of the smallest loop, over the deflection at which the bristle slides")},
       {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
-      {"rule.slope_out_of_proportion",
-       text("A torque out of proportion, in what it does to friction")},
+      {"rule.slope_out_of_proportion", text("Torque not in proportion, effect on friction")},
       {"rule.torque_out_of_proportion",
-       text("Torque that is not in proportion to the joint's, at the gravity peak")},
+       text("Torque not in proportion to the joint torque, at the gravity peak")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
       {"rule.loops_within_dip",
        text("Five times the dip's speed over the fastest of the loops, where friction comes from "
@@ -69,18 +69,21 @@ const Messages& verdict_messages() {
       {"rule.loop_unlike_model", text("Misfit at which nothing of the LuGre model is left")},
 
       {"rule.friction_over_gravity", text("Friction as a share of the gravity torque")},
-      {"rule.gravity_in_time", text("Slow waves of the torque in time, of the gravity torque")},
-      {"rule.gravity_in_time_on_friction", text("Torque that changes in time, of friction")},
-      {"rule.strokes_of_sweep", text("Strokes of the sweep off one line over the speed")},
+      {"rule.gravity_in_time",
+       text("Slow change of the torque with time, relative to the gravity torque")},
+      {"rule.gravity_in_time_on_friction",
+       text("Torque that changes with time, relative to friction")},
+      {"rule.strokes_of_sweep", text("Strokes of the sweep off one straight line over speed")},
       {"cause.strokes_apart",
        text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
             "the speed: another law, or a torque that is not right at some speed")},
-      {"rule.inertia_of_sweep", text("Inertia of the sweep that is none, of gravity")},
-      {"rule.stribeck_exponent", text("Dip of another exponent than 2, of friction")},
+      {"rule.inertia_of_sweep", text("Apparent inertia in the sweep, relative to gravity")},
+      {"rule.stribeck_exponent", text("Stribeck exponent other than 2, effect on friction")},
       {"rule.stribeck_exponent_in_loops",
-       text("Dip of the curve unlike that of the loops' model, of friction")},
+       text("Stribeck dip of the curve unlike that of the loops' model, effect on friction")},
       {"rule.stribeck_exponent_at_break_away",
-       text("Dip of the curve unlike that of the loops' model, for want of ramps, of friction")},
+       text("Stribeck dip of the curve unlike that of the loops' model, without ramps, effect on "
+            "friction")},
       {"cause.stribeck_exponent",
        text(
            "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the paper's law has "
@@ -97,10 +100,9 @@ const Messages& verdict_messages() {
        text("a viscous friction that grows with the power {exponent:.2g} of the speed describes "
             "the speeds about as well as a Stribeck dip: whether there is one is not known")},
       {"cause.dip_without_end",
-       text(
-           "friction falls with the speed as slowly as any law that was tried, as "
-           "exp(−(ω/ωs)^{exponent:.2g}): how much of it is Coulomb's and how much viscous hangs on "
-           "the law's form, not on the data")},
+       text("friction falls with the speed as slowly as any law that was tried, as "
+            "exp(−(ω/ωs)^{exponent:.2g}): how much of it is Coulomb friction and how much is "
+            "viscous depends on the assumed law, not on the data")},
       {"cause.five_describe_better",
        text(
            "Waiboer's law describes held-out speeds better, to {five_Nm:.3g} N·m against "
@@ -110,8 +112,9 @@ const Messages& verdict_messages() {
        text(
            "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "
            "dip: {needed} would")},
-      {"rule.torque_of_angle", text("Torque of the angle that is no gravity")},
-      {"rule.torque_of_angle_large", text("Torque of the angle that is no gravity, large")},
+      {"rule.torque_of_angle", text("Torque that depends on the angle and is not gravity")},
+      {"rule.torque_of_angle_large",
+       text("Torque that depends on the angle and is not gravity, large")},
       {"cause.spring",
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) grows "
             "with the joint's angle, as of a spring or of hoses: it was taken off")},
@@ -123,20 +126,19 @@ const Messages& verdict_messages() {
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
             "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
             "not centred: it was taken off")},
-      {"rule.gear_twist", text("Twist of the gear under gravity, as far as it is sure")},
+      {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
       {"rule.direction_asymmetry",
-       text("Asymmetry of friction between the directions, as far as it is sure")},
-      {"rule.sweep_offset", text("Offset of the sweep's torque, as far as it is sure")},
+       text("Asymmetry of friction between the directions, the part that is certain")},
+      {"rule.sweep_offset", text("Offset of the sweep's torque, the part that is certain")},
       {"rule.sweep_offset_drift",
-       text("Drift of that offset over the sweep, as far as it is sure")},
+       text("Drift of that offset over the sweep, the part that is certain")},
       {"rule.motion_harmonics", text("Largest harmonic of an oscillation's motion")},
-      {"rule.ripple", text("Torque ripple, of the gravity torque")},
-      {"rule.vibration", text("Vibration of the torque, of the gravity torque")},
-      {"rule.coloured_noise", text("Noise that hangs together in time, of the white noise")},
-      {"rule.coloured_noise_in_friction",
-       text("Noise that hangs together in time, by the friction")},
+      {"rule.ripple", text("Torque ripple, relative to the gravity torque")},
+      {"rule.vibration", text("Torque vibration, relative to the gravity torque")},
+      {"rule.coloured_noise", text("Coloured noise, relative to the white noise")},
+      {"rule.coloured_noise_in_friction", text("Coloured noise, relative to the friction")},
       {"rule.coloured_noise_large_in_friction",
-       text("Noise that hangs together in time, against the friction")},
+       text("Coloured noise, large relative to the friction")},
 
       // What was found to be wrong with the joint or the log.
       {"cause.no_gravity",
@@ -173,7 +175,7 @@ const Messages& verdict_messages() {
        text("the torque's offset drifts by {drift_Nm:.2g} ± {half_width_Nm:.1g} N·m over the "
             "sweep")},
       {"cause.motion",
-       text("the oscillation is no sine: its motion has {second_percent:.1f} % of a second and "
+       text("the oscillation is not a sine: its motion has {second_percent:.1f} % of a second and "
             "{third_percent:.1f} % of a third harmonic; mid-lines are taken over the angle, and "
             "single points and pairs of the loop do not count")},
       {"cause.ripple",
@@ -185,9 +187,8 @@ const Messages& verdict_messages() {
       {"cause.vibration",
        text("the torque vibrates by {amplitude_Nm:.2g} N·m at {frequency_Hz:.2f} Hz, whatever the "
             "angle")},
-      {"cause.coloured_noise",
-       text("noise of {coloured_Nm:.2g} N·m hangs together in time, beside white noise of "
-            "{white_Nm:.2g} N·m; the intervals hold it")},
+      {"cause.coloured_noise", text("the torque has coloured noise of {coloured_Nm:.2g} N·m beside "
+                                    "white noise of {white_Nm:.2g} N·m; the intervals include it")},
       {"cause.damping_falls",
        text("the bristle damping falls with speed, to a half at {half_at_rad_s:.2g} rad/s (motor "
             "side): with such a damping the stiffness would be {percent:+.2g} % different")},
@@ -200,9 +201,8 @@ const Messages& verdict_messages() {
        text("the break-away torque is {ratio:.2g} times the Coulomb torque, more than a contact "
             "sticks: the logged torque may lack what the controller adds against friction")},
       {"cause.loops_too_wide",
-       text("the smallest loop is {times:.0f} times as wide as the bristle bends: how the joint "
-            "moves "
-            "in the moment of pre-sliding is guessed from the rest of its motion")},
+       text("the smallest loop is {times:.0f} times as wide as the bristle bends: the motion "
+            "during pre-sliding is inferred from the rest of the loop")},
       {"cause.torque_saturates",
        text("the torque is not in proportion: at the gravity peak {percent:.2g} ± {half_width:.2g} "
             "% "
@@ -476,7 +476,8 @@ const Messages& verdict_messages() {
       {"record.second_measurement",
        text("nothing to record: the joint, or the limit, is not as it should be; a second "
             "measurement would confirm it")},
-      {"record.more_of_the_same", text("more of the same: the interval has to become narrower")},
+      {"record.more_of_the_same",
+       text("more data of the same kind, to make the interval narrower")},
 
       // The known-truth check.
       {"truth.not_found",

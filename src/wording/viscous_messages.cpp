@@ -8,15 +8,15 @@ const Messages& viscous_messages() {
   static const Messages all{
       // The viscous curves.
       {"viscous.no_runs",
-       text("no constant_speed run was recorded; runs at ten or more speeds in both directions "
+       text("no run at constant speed was recorded; runs at ten or more speeds in both directions "
             "over the same angles would give the viscous curve")},
       {"viscous.no_plateau",
-       text("no plateau of constant speed was found in the constant_speed runs")},
+       text("no plateau of constant speed was found in the runs at constant speed")},
       {"viscous.gravity_not_known",
        text("the runs' torque still contains gravity: no surrogate mass is known")},
       {"viscous.friction_from_sweep",
-       text("no constant_speed run was recorded; friction comes from the sweep's two directions at "
-            "equal angle, so that speed and angle change together along the curve")},
+       text("no run at constant speed was recorded; friction comes from the sweep's two directions "
+            "at equal angle, so that speed and angle change together along the curve")},
       {"viscous.runs_without_plateau",
        text("{without_plateau} of {runs} runs contain no plateau of constant speed")},
 

@@ -24,7 +24,7 @@
 namespace tribolog::wording {
 namespace {
 
-/// A number as a message has it, without an exponent.
+/// A number as a message has it, without an exponent and with a minus sign.
 struct Shown {
   double value;
 };
@@ -53,7 +53,9 @@ struct fmt::formatter<tribolog::wording::Shown> : tribolog::wording::FieldText {
   auto format(const tribolog::wording::Shown& number, format_context& context) const {
     const std::string field = behind_colon.empty() ? "{}" : "{:" + std::string(behind_colon) + "}";
     const std::string printed = fmt::format(fmt::runtime(field), number.value);
-    return fmt::format_to(context.out(), "{}", tribolog::wording::without_exponent(printed));
+    return fmt::format_to(
+        context.out(), "{}",
+        tribolog::wording::with_minus_sign(tribolog::wording::without_exponent(printed)));
   }
 };
 

@@ -25,10 +25,10 @@ TEST(RefusalWords, QuoteTheValueAndTheRule) {
   EXPECT_EQ(said_by([] { require_positive(0, "inertia", "kg·m²"); }),
             "inertia 0 kg·m² is not allowed; it must be > 0");
   EXPECT_EQ(said_by([] { require_positive(-1.5, "gear ratio", ""); }),
-            "gear ratio -1.5 is not allowed; it must be > 0");
+            "gear ratio −1.5 is not allowed; it must be > 0");
   EXPECT_EQ(said_by([] { require_not_negative(0, "damping", "N·m·s/rad"); }), "nothing");
   EXPECT_EQ(said_by([] { require_not_negative(-0.1, "damping", "N·m·s/rad"); }),
-            "damping -0.1 N·m·s/rad is not allowed; it must be >= 0");
+            "damping −0.1 N·m·s/rad is not allowed; it must be >= 0");
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(said_by([&] { require_not_negative(infinite, "stiction gain", ""); }),
             "stiction gain inf is not allowed; it must be >= 0");
@@ -40,7 +40,7 @@ TEST(RefusalWords, QuoteTheValueAndTheRule) {
 
 TEST(RefusalWords, SayTheWordsOfAParameterThatHasACode) {
   EXPECT_EQ(said_by([] { require_positive(-1, Code{"parameter.cog_distance"}, "m"); }),
-            "distance of the centre of gravity -1 m is not allowed; it must be > 0");
+            "distance of the centre of gravity −1 m is not allowed; it must be > 0");
 }
 
 TEST(RefusalWords, AreWhatAnyOtherErrorSays) {
