@@ -4,6 +4,9 @@
 {{>EQUATION}}
 {{>FIGURE}}
 {{#REMARK_IF}}<p class="remark partial">{{REMARK:x-symbols}}</p>{{/REMARK_IF}}
+{{#FOLD}}<details class="fold"><summary>{{WHAT}}</summary>
+{{>CHECKS}}
+</details>{{/FOLD}}
 {{>CHECKS}}
 {{#TOLD}}<ul class="told" aria-label="Told, not checked">
 {{#ENTRY}}<li>{{TEXT:x-symbols}}</li>

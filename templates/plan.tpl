@@ -26,8 +26,8 @@
 <ol>
 <li><a href="#verdict">Outcome</a></li>
 <li><a href="#experiment">The experiment</a></li>
-{{#EXPECTATION}}<li><a href="#expected">What to expect</a></li>{{/EXPECTATION}}
 {{#HOW}}<li><a href="#how">How to run it</a></li>{{/HOW}}
+{{#EXPECTATION}}<li><a href="#expected">What to expect</a></li>{{/EXPECTATION}}
 <li><a href="#assumptions">Assumptions</a></li>
 <li><a href="#made">How this was made</a></li>
 </ol>
@@ -39,10 +39,6 @@
 {{>PARTS}}
 {{>FIGURE}}
 </section>
-{{#EXPECTATION}}<section id="expected" aria-labelledby="expected-title">
-<h2 id="expected-title">What to expect <a class="self" href="#expected" aria-label="Link to this section">#</a></h2>
-{{>EXPECTED}}
-</section>{{/EXPECTATION}}
 {{#HOW}}<section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How to run it <a class="self" href="#how" aria-label="Link to this section">#</a></h2>
 <ul>
@@ -51,11 +47,18 @@
 {{>POSITIONS}}
 {{>WINDOWS}}
 </section>{{/HOW}}
+{{#EXPECTATION}}<section id="expected" aria-labelledby="expected-title">
+<h2 id="expected-title">What to expect <a class="self" href="#expected" aria-label="Link to this section">#</a></h2>
+{{>EXPECTED}}
+</section>{{/EXPECTATION}}
+<details class="folded"><summary>Assumptions</summary>
 <section id="assumptions" aria-labelledby="assumptions-title">
 <h2 id="assumptions-title">Assumptions <a class="self" href="#assumptions" aria-label="Link to this section">#</a></h2>
 <p>What is not stated is assumed. State what is known in the joint's file: amplitudes, speeds and expected intervals follow from it.</p>
 {{>ASSUMPTIONS}}
 </section>
+</details>
+<details class="folded"><summary>How this was made</summary>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made <a class="self" href="#made" aria-label="Link to this section">#</a></h2>
 <details><summary>The joint, <code><bdi>{{JOINT_FILE}}</bdi></code></summary>
@@ -64,6 +67,7 @@
 <p>The same file, seed and program give the same plan again. Made {{CREATED}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
+</details>
 </main>
 </div>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-plan</code></p></footer>

@@ -147,6 +147,7 @@ test("without JavaScript there is no viewer, and every figure is there", async (
   assert.ok(figures >= 10);
   await withReport("paper.html", { javaScriptEnabled: false }, async (page) => {
     assert.equal(await page.locator("#review").isVisible(), false);
+    await page.evaluate(() => document.querySelectorAll("details").forEach((one) => { one.open = true; }));
     assert.equal(await page.locator("figure img").count(), figures);
     for (const image of await page.locator("figure img").all()) {
       await image.scrollIntoViewIfNeeded();

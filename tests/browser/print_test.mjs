@@ -20,7 +20,9 @@ for (const [format, width, height] of [["A4", 595, 842], ["Letter", 612, 792]].s
     () => withReport("paper.html", {}, async (page) => {
       const file = reportPath(`paper-${format}.pdf`);
       const headings = await page.locator("figure:has(img) h3").evaluateAll(
-        (list) => list.map((heading) => heading.firstChild.textContent.trim()));
+        (list) => list.filter((heading) => heading.checkVisibility())  // folded figures are not printed
+          .map((heading) => heading.firstChild.textContent.trim()));
+      assert.ok(headings.length >= 5, headings);
       await page.pdf({ path: file, format, preferCSSPageSize: true });
       const paper = execFileSync("pdfinfo", [file], { encoding: "utf8" }).match(/Page size: +([\d.]+) x ([\d.]+)/);
       for (const [k, points] of [width, height].entries()) {

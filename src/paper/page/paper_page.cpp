@@ -122,13 +122,19 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
     report::TemplateValues& told = out.add_section("TOLD");
     for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
   }
+  if (item.checks.empty()) return;
   const checks::Tally tally = checks::tally_checks(item.checks);
-  fill_checks(
-      item.checks, item_anchor(item),
+  const std::string caption =
       tr("{item}: {holding_checks} of {checks} checks hold", {{"item", checks::item_name(item)},
                                                               {"holding_checks", tally.hold},
-                                                              {"checks", tally.there}}),
-      "CHECKS", out);
+                                                              {"checks", tally.there}});
+  // Where all hold, their number says it.
+  report::TemplateValues* place = &out;
+  if (tally.hold == tally.there) {
+    place = &out.add_section("FOLD");
+    place->set("WHAT", caption);
+  }
+  fill_checks(item.checks, item_anchor(item), caption, "CHECKS", *place);
 }
 
 }  // namespace
