@@ -34,7 +34,7 @@
 <h2 id="changes-title">Changes <a class="self" href="#changes" aria-label="Link to this section">#</a></h2>
 {{#DIFFERENCES}}<div class="differences" role="group" aria-labelledby="differences-title">
 <p id="differences-title">Change from the first to the second, in per cent of the first, with its 95 % interval; an arrow: it goes on beyond the axis</p>
-<p class="scale" aria-hidden="true"><span>{{FROM}}</span><span>0</span><span>{{TO}}</span></p>
+<p class="scale" aria-hidden="true"><span class="ends"><span>{{FROM}}</span><span>0</span><span>{{TO}}</span></span></p>
 {{#DIFFERENCE}}<div class="difference {{KIND}}"><span class="name"><bdi>{{QUANTITY}}</bdi></span><span class="strip">{{#DRAWN}}<svg viewBox="0 0 400 24" preserveAspectRatio="none" aria-hidden="true"><path class="zero" d="{{ZERO}}"/><path class="interval" d="{{INTERVAL}}"/><path class="dot" d="{{DOT}}"/></svg>{{/DRAWN}}</span><span class="size"><bdi>{{CHANGE}}</bdi>{{#PERCENT_IF}} <small><bdi>{{PERCENT}}</bdi></small>{{/PERCENT_IF}}</span><span class="word">{{WORD}}</span></div>
 {{/DIFFERENCE}}</div>{{/DIFFERENCES}}
 {{>CHANGES}}

@@ -126,8 +126,8 @@ void add_drift(const history::QuantityTrend& trend, const wording::AxisScale& sc
   }
 }
 
-/// Those that would squash the others on the axis: whatever was left out, and a single calibration
-/// far from the others where no change was found.
+/// Those that would squash the others on the axis: whatever was left out, and where no change was
+/// found, a single calibration far from the others, or one in eight.
 std::vector<bool> far_off(const history::QuantityTrend& trend) {
   constexpr double squashed = 3;  // The axis would grow so many times.
   const auto extent_without = [&](const std::vector<bool>& left, std::size_t further) {
@@ -147,12 +147,19 @@ std::vector<bool> far_off(const history::QuantityTrend& trend) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   constexpr std::size_t fewest = 4;
   if (trend.changes.empty() && used >= fewest) {
-    const double all = extent_without(off, none).span();
-    for (std::size_t i = 0; i < off.size(); ++i) {
-      if (!off[i] && all > squashed * extent_without(off, i).span()) {
-        off[i] = true;
-        break;
+    constexpr std::size_t one_in = 8;
+    for (std::size_t round = 0; round < std::max<std::size_t>(1, used / one_in); ++round) {
+      std::size_t furthest = none;
+      double least = extent_without(off, none).span() / squashed;
+      for (std::size_t i = 0; i < off.size(); ++i) {
+        const double rest = off[i] ? least : extent_without(off, i).span();
+        if (rest < least) {
+          least = rest;
+          furthest = i;
+        }
       }
+      if (furthest == none) break;
+      off[furthest] = true;
     }
   }
   const wording::Extent rest = extent_without(off, none);

@@ -256,18 +256,22 @@ void fill_verdict(const history::Comparison& c, TemplateValues& values) {
 /// The panel of the differences: in percent, each as a dot with its interval.
 class DifferenceAxis {
  public:
-  /// Holds all intervals, but for those that would squash the others: they are cut.
+  /// Holds all changes that were found and the other intervals, but for those that would squash the
+  /// rest: they are cut.
   explicit DifferenceAxis(const history::Comparison& c) {
     std::vector<double> reach;
+    double changed = 0;
     for (const history::ComparedQuantity& q : c.quantities) {
-      if (const statistics::Estimate* percent = percent_of(q)) {
-        reach.push_back(std::max(std::abs(percent->low), std::abs(percent->high)));
-      }
+      const statistics::Estimate* percent = percent_of(q);
+      if (percent == nullptr || q.word == history::ChangeWord::not_comparable) continue;
+      reach.push_back(std::max(std::abs(percent->low), std::abs(percent->high)));
+      if (q.word == history::ChangeWord::changed) changed = std::max(changed, reach.back());
     }
     if (reach.empty()) return;
     std::sort(reach.begin(), reach.end());
     constexpr double most = 4;  // times the median
-    const double limit = std::min(reach.back(), most * reach[reach.size() / 2]);
+    const double limit = std::max(changed, std::min(reach.back(), most * reach[reach.size() / 2]));
+    if (!(limit > 0)) return;
     const double power = std::pow(10.0, std::floor(std::log10(limit)));
     for (const double step : {1.0, 2.0, 5.0, 10.0}) {
       end_ = step * power;

@@ -15,7 +15,8 @@ const timeWindow = (loop) => {
           Math.min(loop.t.length, firstAtOrAfter(loop.t, to) + 1)];
 };
 const paintLoops = (plot, pen) => {
-  const isOver = (k) => (k === state.loop ? 1 : 0);
+  // Of two calibrations the dashes lie over the solid line: where loops coincide, both are seen.
+  const isOver = (k) => (k === state.loop && !isPhase ? 1 : 0);
   const order = loops.map((_, k) => k).filter((k) => state.shown[k])
     .sort((a, b) => isOver(a) - isOver(b));
   for (const k of order) {

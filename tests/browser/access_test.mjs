@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { axePath, eachNight, focusPlot, settled, withReport } from "./open_report.mjs";
+import { axePath, eachNight, focusPlot, press, settled, withReport } from "./open_report.mjs";
 
 const axe = readFileSync(axePath, "utf8");
 
@@ -48,6 +48,14 @@ test("paper.html, dark, 768 px: axe-core finds no violation", eachNight, () =>
     await use(page);
     assert.deepEqual(await violationsOf(page, "html", { runOnly: contrast }), []);
     assert.deepEqual(await violationsOf(page, "#review"), []);
+  }));
+
+test("diff.html, light, 390 px: axe-core finds no violation", () =>
+  withReport("diff.html", { width: 390 }, async (page) => {
+    await press(page, ["T-q"], "+", 40);
+    assert.ok(await page.locator('[data-plot="T-q"] .lost').isVisible());
+    assert.deepEqual(await violationsOf(page, "html"), []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   }));
 
 test("a fault would be found", () =>

@@ -223,6 +223,27 @@ test("the fit can be taken away, and a part of the time leaves the rest pale", (
     assert.ok(await inkOf(page, "z-q", "#c3c9d0") > 100);
   }));
 
+test("two calibrations' loops are laid over each other, told apart by colour and dashes", () =>
+  withReport("diff.html", {}, async (page) => {
+    const { loops: [a, b] } = await dataOf(page);
+    const ink = async (loop) => (await settled(page), inkOf(page, "T-q", loop.style.colour));
+    assert.deepEqual([a.style.line, b.style.line], ["solid", "dash"]);
+    assert.ok(await ink(a) > 100 && await ink(b) > 100);
+    await page.getByLabel(b.label).uncheck();
+    assert.equal(await ink(b), 0);
+    assert.ok(await ink(a) > 100);
+    await page.getByLabel("Read and scrub").selectOption({ label: b.label });
+    await page.locator("#review-slider").focus();
+    await page.keyboard.press("Home");
+    for (const [id, x, y] of [["T-q", "q", "T"], ["T-t", "t", "T"], ["q-t", "t", "q"]]) {
+      const plot = await plotOf(page, id);
+      assertNear(plot.now.x, b[x][0], plot.x, id);
+      assertNear(plot.now.y, b[y][0], plot.y, id);
+    }
+    assert.equal((await listOf(page, "review-instant")).Phase, "0.0 °");
+    assert.equal(b.q[0], Math.max(...b.q));
+  }));
+
 test("the misfit is the measured torque less the fitted one, drawn once it is asked for", () =>
   withReport("noisy.html", {}, async (page) => {
     const { loops: [loop], fit_style: fit } = await dataOf(page);

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The reports that the browser tests open: the paper's joint without and with noise, the noisy one in
-# Polish, and with markup of strangers in every text of its manifest and its logs.
+# Polish, both compared, and with markup of strangers in every text of its manifest and its logs.
 #   make_reports.sh TRIBOLOG DIRECTORY
 set -e
 tribolog=$1
@@ -12,8 +12,12 @@ quick='--resamples 0 --truth-runs 0'
 for name in scenario scenario_noise; do
   "$tribolog" --quiet simulate "$sources/../../examples/paper/$name.toml" -o $name
 done
+rm -f pair.tribolog
 "$tribolog" --quiet report scenario/dataset.toml $quick -o paper.html
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures -o noisy.html
+"$tribolog" --quiet archive add --archive pair.tribolog paper.calibration.json noisy.calibration.json
+ids=$("$tribolog" archive list --archive pair.tribolog | awk 'length($1) == 10 { print $1 }')
+"$tribolog" --quiet archive diff $ids --archive pair.tribolog -o diff.html
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures --language pl -o polish.html
 
 # Recorded names of columns and files become markup too.
