@@ -34,7 +34,7 @@ reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); read
 inline const char* const checks = R"py(
 import base64, hashlib, html.parser, re, sys
 text = open(sys.argv[1], encoding='utf-8').read()
-VOID = {'meta', 'link', 'img', 'br', 'hr', 'input', 'mspace', 'path', 'circle'}
+VOID = {'meta', 'link', 'img', 'br', 'hr', 'input', 'mspace', 'path', 'circle', 'rect'}
 faults, ids, targets, stack = [], [], [], []
 class Reader(html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/encodings.h"
-#include "base/encodings.h"
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
 #include "render/figure/figure.h"
@@ -44,6 +43,9 @@ TEST(HtmlReport, SectionsComeInTheContractsOrder) {
          {"verdict", "quantities", "boundary", "certificate", "findings", "budget", "stage-1",
           "stage-2", "stage-3", "stage-4", "stage-5", "stage-6", "stage-7", "stage-8",
           "data-checks", "key-numbers", "intervals", "provenance"}) {
+      const bool is_judged = id == "quantities" || id == "findings" || id == "budget";
+      if (is_judged && c.judgement.quantities.empty()) continue;
+      if (id == "data-checks" && c.data_checks.checks.empty()) continue;
       const std::size_t at = html.find("<section id=\"" + id + "\"");
       ASSERT_NE(at, std::string::npos) << id;
       EXPECT_GT(at, last) << id;
@@ -95,8 +97,7 @@ TEST(HtmlReport, EachQuantityHasItsVerdictAndRefersToItsReasons) {
 
 TEST(HtmlReport, EveryReferenceLeadsToAFinding) {
   for (const calibration::Calibration& c :
-         {complete_calibration(),
-          identify::identify(simulate::simulated_dataset(paper_joint()))}) {
+       {complete_calibration(), identify::identify(simulate::simulated_dataset(paper_joint()))}) {
     const std::string html = report_of(c);
     std::size_t references = 0;
     const std::string start = "href=\"#finding-";
@@ -153,6 +154,7 @@ TEST(HtmlReport, TheWeightiestThreeFindingsAreOnPageOne) {
   const Statement lowers = Statement::verbatim("five");
   c.judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"),
                           Statement::verbatim("three"), Statement::verbatim("four"), lowers};
+  c.judgement.quantities.resize(1);
   c.judgement.quantities.front().verdict = calibration::Verdict::doubtful;
   c.judgement.quantities.front().reasons = {lowers};
   const std::string html = report_of(c);

@@ -203,7 +203,7 @@ TEST(ReviewScript, ReachesForNothingAndStaysSmall) {
     text.erase(text.find(name_space), name_space.size());
     EXPECT_EQ(text.find(word), std::string::npos) << word;
   }
-  EXPECT_LT(script.size() + report::own_style(report::PageKind::with_viewer).size(), 70000U);
+  EXPECT_LT(script.size() + report::own_style(report::PageKind::with_viewer).size(), 80000U);
 }
 
 }  // namespace
