@@ -347,9 +347,8 @@ std::optional<ReportFigure> quality_error_figure(const calibration::Calibration&
 
 namespace {
 
-constexpr double chosen_width = 1.4;     // times the usual
-constexpr double other_width = 0.8;      // times the usual
-constexpr double other_paleness = 0.35;  // share of white
+constexpr double chosen_width = 1.4;  // times the usual
+constexpr double other_width = 0.7;   // times the usual
 
 /// The curve that is drawn for the estimator, itself or one that coincides with it.
 Estimator drawn_for(const std::vector<NamedValues>& curves, Estimator estimator) {
@@ -363,7 +362,7 @@ Estimator drawn_for(const std::vector<NamedValues>& curves, Estimator estimator)
   return found == curves.end() ? estimator : found->estimator;
 }
 
-/// Strengthens the candidate's curve, and makes the others thin and pale.
+/// Strengthens the candidate's curve, and makes the others thin.
 void emphasise(render::figure::Panel& panel, const std::string& candidate,
                const std::string& reference) {
   bool is_chosen = false;
@@ -376,7 +375,7 @@ void emphasise(render::figure::Panel& panel, const std::string& candidate,
     }
     if (is_reference) continue;
     series.width_px *= is_chosen ? chosen_width : other_width;
-    if (!is_chosen) series.colour = lightened(series.colour, other_paleness);
+    series.marker_size_px *= is_chosen ? 1.0 : other_width;
   }
 }
 

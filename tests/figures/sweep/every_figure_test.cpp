@@ -21,7 +21,7 @@ constexpr double least_letters_pt = 7;  // in a journal; a report is magnified b
 
 /// Counts, names, and one that says its unit in words.
 const std::vector<std::string> without_unit{
-    "cycles recorded", "parameters of the model", "quantity", "estimator, numbered as below",
+    "cycles recorded", "parameters of the model", "quantity", "estimator",
     "deviation from the simulated value, in half widths of the stated 95 % interval"};
 
 class EveryFigure : public testing::TestWithParam<std::string> {};
