@@ -12,6 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "joint/degrees.h"
+#include "wording/rounding.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -175,8 +176,9 @@ void tell_outcome(const Calibration& calibration, Console& console) {
     const std::optional<Quantity> found = calibration.quantity(quantity);
     if (!found || !found->at_joint) return;
     const Estimate& e = *found->at_joint;
-    console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, factor * e.value,
-                            unit, factor * e.low, factor * e.high));
+    using wording::six_digits;
+    console.say(fmt::format("  {:<34} {} {} (95 %: {} to {})", name, six_digits(factor * e.value),
+                            unit, six_digits(factor * e.low), six_digits(factor * e.high)));
   };
   say("cog_angle", "gravity peak at joint angle", joint::degrees_per_rad, "deg");
   say("surrogate_mass", "surrogate mass, " + calibration.estimator(), 1, "kg");

@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "inspect/survey/text_table.h"
 #include "report/embedded_json.h"
+#include "wording/rounding.h"
 
 namespace tribolog::cli {
 namespace {
@@ -28,7 +29,7 @@ std::string facts_text(const calibration::Facts& f, const std::string& id, int r
     if (!text.empty()) table.add({name, printable(text, 400)});
   };
   const auto number = [](const std::optional<double>& value, const char* unit) {
-    return value ? fmt::format("{:.6g} {}", *value, unit) : "";
+    return value ? wording::six_digits(*value) + " " + unit : "";
   };
   add("id", id);
   add("robot", f.of.robot);
@@ -56,9 +57,11 @@ std::string quantities_text(const std::vector<calibration::Quantity>& quantities
   table.add({"quantity", "value", "95 %", "unit", "verdict"});
   for (const calibration::Quantity& q : quantities) {
     const auto& e = q.estimate;
-    table.add({printable(q.words), e ? fmt::format("{:.6g}", e->value) : "",
-               e ? fmt::format("{:.6g} to {:.6g}", e->low, e->high) : "", printable(q.unit),
-               calibration::to_string(q.verdict)});
+    table.add(
+        {printable(q.words), e ? wording::six_digits(e->value) : "",
+         e ? fmt::format("{} to {}", wording::six_digits(e->low), wording::six_digits(e->high))
+           : "",
+         printable(q.unit), calibration::to_string(q.verdict)});
   }
   return table.text();
 }

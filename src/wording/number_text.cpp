@@ -46,7 +46,9 @@ std::string to_place(double value, double largest, int digits) {
 }
 
 std::string with_unit(double value_in_si, const AxisScale& scale, int digits) {
-  return joined(significant(scale(value_in_si), digits), scale.unit);
+  const double shown = scale(value_in_si);
+  return joined(is_below_resolution(shown, scale.unit) ? "0" : significant(shown, digits),
+                scale.unit);
 }
 
 std::string size_words(double size_in_si, double floor, const std::string& si_unit) {
@@ -65,6 +67,9 @@ std::string with_interval(const statistics::Estimate& estimate, const AxisScale&
   const double above = scale(estimate.high) - value;
   const double half = (below + above) / 2;
   if (!std::isfinite(value)) return tr("unknown");
+  if (is_below_resolution(std::isfinite(half) ? std::abs(value) + half : value, scale.unit)) {
+    return joined("0", scale.unit);
+  }
   if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
   const int decimals = decimals_for(half, 2);
   const std::string number = joined(fixed(value, decimals), scale.unit);

@@ -86,8 +86,21 @@ std::string without_exponent(std::string printed) {
   return fmt::format("{}{:.{}f}", has_plus ? "+" : "", std::stod(printed), decimals);
 }
 
+std::string six_digits(double value) {
+  return with_minus_sign(without_exponent(fmt::format("{:.6g}", value)));
+}
+
 std::string as_stated(double value) {
   return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : tr("unknown");
+}
+
+bool is_below_resolution(double number, const std::string& unit) {
+  constexpr double of_prefixed = 1e-3;
+  constexpr double of_percent = 1e-6;
+  const double size = std::abs(number);
+  if (unit == "%") return size < of_percent;
+  const bool is_prefixed = unit.starts_with("µ") || unit.starts_with("nN") || unit == "nrad";
+  return is_prefixed && size < of_prefixed;
 }
 
 RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Scale& scale) {
@@ -98,6 +111,10 @@ RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Sc
   }
   const double value = estimate.value * scale.factor;
   const double half = estimate.half_width() * std::abs(scale.factor);
+  if (is_below_resolution(std::isfinite(half) ? std::abs(value) + half : value, scale.unit)) {
+    text.estimate = "0";
+    return text;
+  }
   if (!std::isfinite(half) || half <= 0.0) {
     text.estimate = significant(value, digits_without_interval);
     return text;

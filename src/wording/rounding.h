@@ -29,6 +29,10 @@ struct RoundedEstimate {
   [[nodiscard]] std::string range() const;       ///< "3.8789 … 3.8875"; empty without interval.
 };
 
+/// Whether a number in this unit is the computer's rounding and no result: below a thousandth of a
+/// unit with the prefix µ or n, or a millionth of a per cent. It reads "0".
+bool is_below_resolution(double number, const std::string& unit);
+
 /// An interval counts as lopsided if its sides differ by more than a tenth of the half width.
 RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Scale& scale);
 
@@ -54,6 +58,9 @@ std::string significant(double value, int digits);
 /// A number that was printed with an exponent, without one: "6e+02" is "600", a small one or one of
 /// 1e9 and more "3.8×10⁻⁵". Others stay as they are.
 std::string without_exponent(std::string printed);
+
+/// Up to six significant digits and no zeros behind, for tables of the console: "−22.2263".
+std::string six_digits(double value);
 
 /// A number as somebody stated it, with up to ten significant digits and no zeros behind:
 /// "100", "9.81".

@@ -64,8 +64,8 @@ TEST(JointFile, RipplePeriodsFollowFromTheBuild) {
 
 TEST(JointFile, RefusalsNameThePlace) {
   EXPECT_EQ(refusal(with("highest_deg = 90", "highest_deg = -95")),
-            "j.toml:8:15: key 'joint.highest_deg': highest angle -95 deg is not above the lowest, "
-            "-90 deg");
+            "j.toml:8:15: key 'joint.highest_deg': highest angle −95 deg is not above the lowest, "
+            "−90 deg");
   EXPECT_NE(refusal(with("joint_torque_limit_Nm = 200", "")).find("motor_torque_limit_Nm"),
             std::string::npos);
   EXPECT_NE(refusal(with("speed_limit_deg_s = 100", "speed_limit_deg_s = 0")).find("j.toml:9:"),

@@ -147,7 +147,7 @@ TEST(SerialArm, RefusesWhatNoArmIs) {
   bad = good;
   bad.lowest_rad = 1;
   bad.highest_rad = -1;
-  EXPECT_EQ(refusal({bad}), "joint '3': the range of motion from 57.2958° to -57.2958° is empty");
+  EXPECT_EQ(refusal({bad}), "joint '3': the range of motion from 57.2958° to −57.2958° is empty");
   bad = good;
   bad.shape.radius_m = 0;
   EXPECT_EQ(refusal({bad}), "joint '3': a size of 0 m is not allowed; it must be > 0");

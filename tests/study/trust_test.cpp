@@ -98,7 +98,7 @@ TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
   const study::StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
   const std::vector<std::string> findings = wording::words(study::study_findings(study));
   ASSERT_FALSE(findings.empty());
-  EXPECT_NE(findings[0].find("point B biased by -0.500"), std::string::npos) << findings[0];
+  EXPECT_NE(findings[0].find("point B biased by −0.500"), std::string::npos) << findings[0];
   EXPECT_EQ(findings[0].find("mid-line"), std::string::npos) << findings[0];
   EXPECT_NE(findings[1].find("mid-line free of relevant bias"), std::string::npos) << findings[1];
   bool told = false;

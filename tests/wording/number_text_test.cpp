@@ -55,6 +55,10 @@ TEST(NumberText, WithoutAnInterval) {
 }
 
 TEST(NumberText, ComputersRoundingIsNoResult) {
+  EXPECT_EQ(wording::with_unit(-4e-16, wording::AxisScale{1e9, "nN·m"}, 3), "0 nN·m");
+  EXPECT_EQ(wording::with_interval(statistics::symmetric_estimate(1e-14, 1e-15),
+                                   wording::AxisScale{1.0, "%"}),
+            "0 %");
   EXPECT_EQ(wording::size_words(4.8e-12, wording::torque_floor_Nm, "N·m"), "below 1 µN·m");
   EXPECT_EQ(wording::size_words(0.005, wording::torque_floor_Nm, "N·m"), "5.0 mN·m");
   EXPECT_EQ(wording::size_words(1.3e-10, wording::percent_floor, "%"), "below 0.001 %");

@@ -54,6 +54,14 @@ TEST(Rounding, NoMoreThanSevenDigits) {
   EXPECT_EQ(text.range(), "");
 }
 
+TEST(Rounding, BelowResolutionIsZero) {
+  EXPECT_EQ(rounded(1.132e-14, 2e-16, {1e6, "µN·m"}).plus_minus(), "0");
+  EXPECT_EQ(wording::in_words({3.7e-12, 3.6e-12, 3.8e-12, {}}, {1.0, "%"}), "0\u00a0%");
+  // A wide interval about nothing is a result, and so is a small number in a unit of its own.
+  EXPECT_EQ(rounded(1e-14, 2e-6, {1e6, "µN·m"}).plus_minus(), "0.0 ± 2.0");
+  EXPECT_EQ(rounded(2.5e-7, 1e-8).plus_minus(), "0.000000250 ± 0.000000010");
+}
+
 TEST(Rounding, WhatIsNotKnownIsSaid) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rounded(nan, 0.1).plus_minus(), "not identified");

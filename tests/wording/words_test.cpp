@@ -16,6 +16,15 @@ TEST(Words, ValuesStandInTheirFormats) {
   EXPECT_EQ(wording::words(Statement{}), "");
 }
 
+TEST(Words, NumbersHaveAMinusSignAndNoExponent) {
+  const auto law = [](double coulomb_Nm) {
+    return wording::words(
+        Statement{"verdict.of_law_without_coulomb", {{"coulomb_Nm", coulomb_Nm}}});
+  };
+  EXPECT_EQ(law(-0.52), "the same law has a Coulomb torque of −0.52 N·m, which no joint has");
+  EXPECT_EQ(law(-4.8e-5), "the same law has a Coulomb torque of −4.8×10⁻⁵ N·m, which no joint has");
+}
+
 TEST(Words, AStatementStandsInsideAnother) {
   const Statement why{"truth.too_few_samples"};
   EXPECT_EQ(
