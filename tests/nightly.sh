@@ -95,7 +95,7 @@ use_archive() {
     [ "$id" = "${ids[0]}" ] ||
       run "archive/$id/diff" "$program" archive diff "${ids[0]}" "$id" --archive "$archive" \
         --different-joints -o "$out/$part/diff.html"
-    for format in csv latex json urdf mjcf modelica; do
+    for format in csv latex json dcc urdf mjcf modelica; do
       # A simulator is not given what was not identified.
       refusal=2 run "archive/$id/export_$format" "$program" archive export "$id" --archive "$archive" \
         --format $format --doubtful-too -o "$out/$part/export"

@@ -25,6 +25,32 @@ Json robot(const joint::Manifest& m) {
           {"temperature_C", number(m.temperature_C)}};
 }
 
+Json certificate(const joint::Certificate& c) {
+  Json instruments = Json::array();
+  for (const joint::Instrument& one : c.instruments) {
+    instruments.push_back({{"name", one.name},
+                           {"identification", text_or_null(one.identification)},
+                           {"traceability", text_or_null(one.traceability)},
+                           {"used_for", text_or_null(one.used_for)}});
+  }
+  return {{"number", text_or_null(c.number)},
+          {"replaces", text_or_null(c.replaces)},
+          {"laboratory", text_or_null(c.laboratory)},
+          {"laboratory_address", text_or_null(c.laboratory_address)},
+          {"country", text_or_null(c.country)},
+          {"customer", text_or_null(c.customer)},
+          {"customer_address", text_or_null(c.customer_address)},
+          {"place", text_or_null(c.place)},
+          {"received_on", text_or_null(c.received_on)},
+          {"procedure", text_or_null(c.procedure)},
+          {"conditions", text_or_null(c.conditions)},
+          {"humidity_percent", number(c.humidity_percent)},
+          {"adjustment", text_or_null(c.adjustment)},
+          {"decision_rule", text_or_null(c.decision_rule)},
+          {"responsible", text_or_null(c.responsible)},
+          {"instruments", std::move(instruments)}};
+}
+
 Json drive(const joint::Manifest& m) {
   const joint::Drive& d = m.drive;
   return {{"gear_ratio", number(d.gear_ratio())},
@@ -171,6 +197,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["schema"] = "tribolog-calibration-1";
   all["units"] = units;
   all["robot"] = robot(c.manifest);
+  all["certificate"] = certificate(c.manifest.certificate);
   all["drive"] = drive(c.manifest);
   all["verdict"] = verdict(c.judgement);
   all["data_checks"] = data_checks(c.data_checks);

@@ -14,6 +14,7 @@ namespace tribolog::calibration {
 Json verdict(const Judgement& judgement);
 Json data_checks(const method::checks::DataChecksResult& result);
 Json robot(const joint::Manifest& m);
+Json certificate(const joint::Certificate& c);
 Json drive(const joint::Manifest& m);
 Json stated_uncertainty(const joint::StatedUncertainty& u);
 Json inputs(const std::vector<joint::InputFile>& files);

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "calibration/archived_calibration.h"
+#include "calibration/quantity_verdict.h"
+#include "calibration/uncertainty_budget.h"
+#include "joint/certificate.h"
 
 namespace tribolog::calibration {
 
@@ -51,6 +54,28 @@ RecordedCurves read_curves(const std::string& json);
 
 /// What the quantities rest on, by their names; nothing where the file does not tell.
 std::map<std::string, std::vector<StatedInfluence>> read_influences(const std::string& json);
+
+/// What the manifest stated for a calibration certificate; what is missing or of another type
+/// counts as not stated.
+joint::Certificate read_certificate(const std::string& json);
+
+/// What a limit of the manifest came to.
+struct RecordedLimit {
+  bool at_joint{};
+  LimitState state{LimitState::unknown};
+  std::string words;
+};
+
+/// What a quantity's number and verdict rest on.
+struct RecordedEvidence {
+  std::vector<std::string> reasons;         ///< Of the verdict, in English; the first is the most
+                                            ///< important.
+  std::optional<UncertaintyBudget> budget;  ///< Nothing where it is not there in full.
+  std::vector<RecordedLimit> limits;
+};
+
+/// Of each quantity, by its name; nothing where the file does not tell.
+std::map<std::string, RecordedEvidence> read_evidence(const std::string& json);
 
 /// What an archive keeps: what read_calibration() finds, and the file itself. The only way into an
 /// archive, so that `identify`, `report` and `archive add` archive the same.

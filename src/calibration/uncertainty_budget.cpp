@@ -37,6 +37,16 @@ std::string to_string(Influence influence) {
   return "angle_zero";
 }
 
+std::optional<Influence> influence_of(const std::string& word) {
+  for (const Influence one :
+       {Influence::recordings, Influence::disagreement, Influence::torque_constant,
+        Influence::gear_ratio, Influence::surrogate_distance, Influence::gravity,
+        Influence::angle_zero}) {
+    if (to_string(one) == word) return one;
+  }
+  return std::nullopt;
+}
+
 double coverage_factor(double freedom) {
   return std::isinf(freedom) ? statistics::normal_975
                              : statistics::student_t_975(std::max(1.0, freedom));
@@ -77,15 +87,20 @@ UncertaintyBudget combined(const statistics::Estimate& estimate, std::vector<Bud
   return out;
 }
 
-statistics::Estimate expanded_at(const UncertaintyBudget& budget,
-                                 const statistics::Estimate& estimate, int gear_power) {
+UncertaintyBudget budget_at(const UncertaintyBudget& budget, const statistics::Estimate& estimate,
+                            int gear_power) {
   std::vector<BudgetPart> parts = budget.parts;
   for (BudgetPart& part : parts) {
     if (part.influence != Influence::gear_ratio) continue;
     part.standard_uncertainty = std::abs((part.sensitivity + gear_power) * estimate.value) *
                                 part.stated.value_or(0) / 100 / coverage_factor(well_known);
   }
-  return combined(estimate, std::move(parts), {}).expanded;
+  return combined(estimate, std::move(parts), budget.not_stated);
+}
+
+statistics::Estimate expanded_at(const UncertaintyBudget& budget,
+                                 const statistics::Estimate& estimate, int gear_power) {
+  return budget_at(budget, estimate, gear_power).expanded;
 }
 
 }  // namespace tribolog::calibration

@@ -57,6 +57,14 @@ double coverage_factor(double freedom);
 UncertaintyBudget combined(const statistics::Estimate& estimate, std::vector<BudgetPart> parts,
                            std::vector<Influence> not_stated);
 
+/// From the word of to_string(); nothing for any other.
+std::optional<Influence> influence_of(const std::string& word);
+
+/// The budget that the quantity has times the gear ratio to a power, which changes its sensitivity
+/// to the gear ratio; still in the quantity's own unit.
+UncertaintyBudget budget_at(const UncertaintyBudget& budget, const statistics::Estimate& estimate,
+                            int gear_power);
+
 /// The expanded interval that the quantity has times the gear ratio to a power, which changes its
 /// sensitivity to the gear ratio; still in the quantity's own unit.
 statistics::Estimate expanded_at(const UncertaintyBudget& budget,

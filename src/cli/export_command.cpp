@@ -38,6 +38,7 @@ std::string text_of(const ExportOptions& options, const exports::results::Archiv
   if (options.format == "csv") return exports::results::csv_table(joint);
   if (options.format == "json") return exports::results::json_document(joint);
   if (options.format == "latex") return exports::results::latex_table(joint);
+  if (options.format == "dcc") return exports::results::digital_certificate(joint);
   if (options.format == "urdf") return exports::results::urdf_joint(joint, options.simulator);
   if (options.format == "sdf") return exports::results::sdf_joint(joint, options.simulator);
   if (options.format == "ros2") return exports::results::ros2_parameters(joint, options.simulator);
@@ -48,9 +49,11 @@ std::string text_of(const ExportOptions& options, const exports::results::Archiv
 /// All but what is exported.
 void add_options(CLI::App& command, ExportOptions& options) {
   command
-      .add_option("--format", options.format, "csv, json, latex, urdf, sdf, mjcf, modelica or ros2")
+      .add_option("--format", options.format,
+                  "csv, json, latex, dcc, urdf, sdf, mjcf, modelica or ros2")
       ->required()
-      ->check(CLI::IsMember({"csv", "json", "latex", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
+      ->check(CLI::IsMember(
+          {"csv", "json", "latex", "dcc", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
   command.add_option("-o,--output", options.output, "file to write; default: standard output");
   command.add_flag("--doubtful-too", options.simulator.doubtful_too,
                    "urdf, sdf, mjcf, modelica, ros2: also numbers whose verdict is not usable");
@@ -66,7 +69,8 @@ void add_options(CLI::App& command, ExportOptions& options) {
   command.footer(
       "\nEach file states in its comments what it describes, and the conversions of units and "
       "sides.\ncsv, json, latex: every quantity on both sides of the gear, marked with its "
-      "verdict.\nurdf, sdf: <dynamics> with damping and friction. mjcf: <joint damping "
+      "verdict.\ndcc: Digital Calibration Certificate 3.1.2 (XML), with what [certificate] of the "
+      "manifest states.\nurdf, sdf: <dynamics> with damping and friction. mjcf: <joint damping "
       "frictionloss "
       "armature>.\nmodelica: tau_pos and peak of "
       "Modelica.Mechanics.Rotational.Components.BearingFriction.\nros2: parameters of a node, "

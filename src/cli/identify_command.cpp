@@ -64,6 +64,12 @@ The manifest says, for example:
   [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
   torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
                                 # gravity_percent, angle_zero_deg
+  [certificate]                 # optional: for a calibration certificate
+  laboratory = "..."            # also number, replaces, laboratory_address, country, customer,
+                                # customer_address, place, received_on, procedure, conditions,
+                                # humidity_percent, adjustment, decision_rule, responsible
+  [[certificate.instrument]]
+  name = "Torque sensor"        # also identification, traceability, used_for
   [[recording]]
   role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away;
                                 # friction_points: of a curve read elsewhere, a row each,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/statement.h"
+#include "joint/certificate.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
 #include "joint/quantity.h"
@@ -111,6 +112,7 @@ struct Manifest {
   std::string operator_name;
   std::string measured_on;  ///< Free text or ISO date, as given.
   std::string note;
+  Certificate certificate{};
   Drive drive{1.0, EffortKind::motor_torque, Side::motor};
   /// false: kind and side of the effort were proposed from the log's columns (`tribolog init`), and
   /// nobody confirmed them.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +107,77 @@ TEST(ReadCalibration, RefusesAnotherTypeThanTheSchemas) {
     changed[json::json_pointer(place)] = json::array({1});
     EXPECT_THROW((void)read_calibration(changed.dump(), "c.json"), InputError) << place;
   }
+}
+
+joint::Certificate sample_certificate() {
+  joint::Certificate c;
+  int count = 0;
+  for (std::string* const text :
+       {&c.number, &c.replaces, &c.laboratory, &c.laboratory_address, &c.customer,
+        &c.customer_address, &c.place, &c.received_on, &c.procedure, &c.conditions, &c.adjustment,
+        &c.decision_rule, &c.responsible}) {
+    *text = "text " + std::to_string(++count);
+  }
+  c.country = "PL";
+  c.humidity_percent = 45.5;
+  c.instruments = {{"a", "b", "c", "d"}, {"e", "", "", ""}};
+  return c;
+}
+
+TEST(ReadCalibration, FindsWhatTheManifestStatedForACertificate) {
+  Calibration c = test::complete_calibration();
+  EXPECT_EQ(read_certificate(written()), joint::Certificate{});
+  c.manifest.certificate = sample_certificate();
+  EXPECT_EQ(read_certificate(calibration_json(c, test::sample_provenance())),
+            c.manifest.certificate);
+  EXPECT_EQ(read_certificate("{}"), joint::Certificate{}) << "of an older program";
+  EXPECT_EQ(read_certificate(R"({"certificate": {"number": 3, "instruments": 4}})"),
+            joint::Certificate{});
+}
+
+void expect_same(const UncertaintyBudget& read, const UncertaintyBudget& stated) {
+  EXPECT_EQ(read.standard_uncertainty, stated.standard_uncertainty);
+  EXPECT_EQ(read.coverage_factor, stated.coverage_factor);
+  EXPECT_EQ(read.freedom, stated.freedom);
+  EXPECT_EQ(read.expanded.low, stated.expanded.low);
+  EXPECT_EQ(read.expanded.high, stated.expanded.high);
+  EXPECT_EQ(read.not_stated, stated.not_stated);
+  ASSERT_EQ(read.parts.size(), stated.parts.size());
+  for (std::size_t k = 0; k < read.parts.size(); ++k) {
+    EXPECT_EQ(read.parts[k].influence, stated.parts[k].influence);
+    EXPECT_EQ(read.parts[k].is_type_b, stated.parts[k].is_type_b);
+    EXPECT_EQ(read.parts[k].stated, stated.parts[k].stated);
+    EXPECT_EQ(read.parts[k].sensitivity, stated.parts[k].sensitivity);
+    EXPECT_EQ(read.parts[k].standard_uncertainty, stated.parts[k].standard_uncertainty);
+    EXPECT_EQ(read.parts[k].freedom, stated.parts[k].freedom);
+  }
+}
+
+TEST(ReadCalibration, FindsWhatTheNumbersRestOn) {
+  Calibration c = test::complete_calibration();
+  ASSERT_FALSE(c.judgement.quantities.empty());
+  QuantityVerdict& first = c.judgement.quantities.front();
+  const statistics::Estimate estimate{2, 1.5, 3, {}};
+  first.estimate = estimate;
+  first.budget = combined(
+      estimate,
+      {{Influence::recordings, false, std::nullopt, 1, 0.3, 9.5, 0},
+       {Influence::gear_ratio, true, 2.0, -1, 0.02, std::numeric_limits<double>::infinity(), 0}},
+      {Influence::gravity});
+  const auto read = read_evidence(calibration_json(c, test::sample_provenance()));
+  ASSERT_EQ(read.size(), c.judgement.quantities.size());
+  for (const QuantityVerdict& q : c.judgement.quantities) {
+    const RecordedEvidence& found = read.at(to_string(q.quantity));
+    EXPECT_EQ(found.reasons.size(), q.reasons.size());
+    EXPECT_EQ(found.limits.size(), q.limits.size());
+    ASSERT_EQ(found.budget.has_value(), q.budget.has_value());
+    if (q.budget) expect_same(*found.budget, *q.budget);
+  }
+  EXPECT_TRUE(read_evidence("{}").empty());
+  // A budget of which a part cannot be read is none.
+  json changed = json::parse(calibration_json(c, test::sample_provenance()));
+  changed["verdict"]["quantities"][0]["budget"]["parts"][0]["influence"] = "of a newer program";
+  EXPECT_FALSE(read_evidence(changed.dump()).at(to_string(first.quantity)).budget);
 }
 
 TEST(RecordedCurves, ReadsTheRecommendedCurveAndTheLoops) {

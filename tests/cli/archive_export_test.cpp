@@ -45,6 +45,13 @@ TEST(ExportOfAFile, IsThatOfTheArchive) {
       run_shell(program + "export '" + archived.file("cal.json") + "' --format csv");
   EXPECT_EQ(own.status, 0) << own.err;
   EXPECT_EQ(own.out, replaced(kept.out, ", from its archive.", "."));
+  const ProgramRun certificate =
+      archived.run("export " + archived.id.substr(0, 10) + " --format dcc");
+  EXPECT_EQ(certificate.status, 0) << certificate.err;
+  EXPECT_NE(certificate.out.find("<dcc:uniqueIdentifier>tribolog-" + archived.id.substr(0, 12)),
+            std::string::npos);
+  EXPECT_EQ(run_shell(program + "export '" + archived.file("cal.json") + "' --format dcc").out,
+            certificate.out);
   EXPECT_EQ(
       run_shell(program + "export '" + archived.file("report.html") + "' --format csv").status, 3);
   EXPECT_EQ(run_shell(program + "export none.json --format csv").status, 3);
@@ -96,6 +103,7 @@ TEST(ArchiveExport, WritesAWholeArchive) {
   EXPECT_EQ(archived.run("export --all --format csv --robot nobody").out,
             csv.out.substr(0, csv.out.find('\n') + 1));
   EXPECT_EQ(archived.run("export --all --format urdf").status, 2);
+  EXPECT_EQ(archived.run("export --all --format dcc").status, 2);
   EXPECT_EQ(archived.run("export --format csv").status, 2);
   EXPECT_EQ(archived.run("export --all --format csv " + archived.id.substr(0, 10)).status, 2);
 }

@@ -76,6 +76,17 @@ class HostileTexts : public testing::Test {
     manifest =
         replaced(manifest, "log.csv\"", in_one_line + ".csv\"\nnote = \"" + hostile_in_toml + "\"");
     manifest += "[payload]\nmass_kg = 5\nnote = \"" + hostile_in_toml + "\"\n";
+    manifest += "[certificate]\n";
+    for (const char* const key :
+         {"number", "replaces", "laboratory", "laboratory_address", "customer", "customer_address",
+          "place", "received_on", "procedure", "conditions", "adjustment", "decision_rule",
+          "responsible"}) {
+      manifest += std::string(key) + " = \"" + hostile_in_toml + "\"\n";
+    }
+    manifest += "[[certificate.instrument]]\n";
+    for (const char* const key : {"name", "identification", "traceability", "used_for"}) {
+      manifest += std::string(key) + " = \"" + hostile_in_toml + "\"\n";
+    }
     scratch_.write("dataset.toml", manifest);
   }
   [[nodiscard]] ProgramRun run(const std::string& arguments) const {
@@ -131,7 +142,7 @@ TEST_F(HostileTexts, OfAnArchiveAreShownByNoCommandAsTheyAre) {
   expect_json(run("archive show " + one + " --json" + with).out);
   expect_json(run("archive list --json" + with).out);
   for (const char* const format :
-       {"csv", "latex", "json", "urdf", "sdf", "mjcf", "modelica", "ros2"}) {
+       {"csv", "latex", "json", "dcc", "urdf", "sdf", "mjcf", "modelica", "ros2"}) {
     (void)run("archive export " + one + " --doubtful-too --format " + format + with);
     (void)run(std::string("export c.json --doubtful-too --format ") + format);
   }

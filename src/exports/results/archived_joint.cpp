@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/shown_text.h"
 #include "calibration/archived_calibration.h"
 #include "wording/visible_text.h"
 
@@ -17,6 +18,12 @@ const calibration::Quantity* ArchivedJoint::found(joint::Quantity quantity) cons
     if (one.name == name && one.estimate) return &one;
   }
   return nullptr;
+}
+
+std::string shortest(double number) {
+  std::string text;
+  append_number(text, number);
+  return text;
 }
 
 std::string one_line(const std::string& text) {

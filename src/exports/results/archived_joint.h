@@ -42,6 +42,9 @@ std::vector<std::string> comment_lines(const ArchivedJoint& joint);
 std::string estimate_line(const calibration::Quantity& quantity, double gear_ratio,
                           joint::Side side);
 
+/// The shortest that reads back to the same double. @param number finite.
+std::string shortest(double number);
+
 /// Text on one line, in which nothing hides.
 std::string one_line(const std::string& text);
 

@@ -35,6 +35,16 @@ std::string archive_csv_rows(const ArchivedJoint& joint);
 /// verdict. Rounded by the intervals. Letters that pdfLaTeX cannot set become [U+XXXX].
 std::string latex_table(const ArchivedJoint& joint);
 
+// The results as a calibration certificate for machines.
+
+/// A Digital Calibration Certificate (DCC) of PTB, schema 3.1.2 with D-SI 2.1.0, XML: each quantity
+/// on each side with its expanded uncertainty, and what the manifest's [certificate] states. What
+/// the schema demands and the manifest does not state is "not stated"; where the schema takes no
+/// words, a country is "ZZ", which ISO 3166-1 gives to none, and a day of the measurement is
+/// 0001-01-01. A quantity that is not identifiable has no number.
+/// @throw UsageError: the calibration's file is not archived, of which the certificate is made.
+std::string digital_certificate(const ArchivedJoint& joint);
+
 // The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica.
 
 /// A robot of two links with the joint between them, which a parser of URDF loads; its `<dynamics>`

@@ -8,11 +8,11 @@
 
 #include "base/error.h"
 #include "base/requirements.h"
-#include "base/shown_text.h"
 #include "calibration/archived_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
 #include "exports/results/friction_table.h"
+#include "exports/results/xml_text.h"
 
 namespace tribolog::exports::results {
 
@@ -73,32 +73,9 @@ void refuse_doubtful(const ArchivedJoint& joint, joint::Quantity quantity, bool 
 
 namespace {
 
-/// For an attribute in double quotes: what hides becomes visible, the rest is escaped. Never empty:
-/// `instead` stands where there is no text.
+/// For an attribute in double quotes. Never empty: `instead` stands where there is no text.
 std::string xml_attribute(const std::string& text, const std::string& instead) {
-  std::string escaped;
-  for (const char c : one_line(text.empty() ? instead : text)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&apos;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
+  return xml_escaped(one_line(text.empty() ? instead : text));
 }
 
 /// A comment of several lines. "--", which would end it, becomes "- -".
@@ -113,13 +90,6 @@ std::string xml_comment(const std::vector<std::string>& lines, const std::string
     text += '\n';
   }
   return text + indent + "-->\n";
-}
-
-/// The shortest that reads back to the same double.
-std::string shortest(double number) {
-  std::string text;
-  append_number(text, number);
-  return text;
 }
 
 }  // namespace

@@ -26,24 +26,12 @@ const std::string effort_hint =
     "ampere on one robot and newton metre on another, so it is never guessed; \"target_torque\" "
     "where it is a controller's value, \"none\" where nothing was recorded";
 
-std::string required_name(const TomlTable& table, const std::string& hint) {
-  std::string name = table.text("name", hint);
-  if (std::all_of(name.begin(), name.end(), [](char c) { return c == ' '; })) {
-    table.refuse("name", {"is empty", "", "a name", hint});
-  }
-  return name;
-}
-
 void read_identity(const TomlTable& top, joint::Manifest& manifest) {
   const TomlTable robot = top.table("robot", "[robot] with the robot's name");
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
   manifest.serial = robot.text_or("serial", "");
   manifest.operator_name = robot.text_or("operator", "");
-  manifest.measured_on = robot.text_or_date("measured_on", "");
-  if (is_impossible_time(manifest.measured_on)) {
-    robot.refuse("measured_on", {"is no time that there is", in_quotes(manifest.measured_on),
-                                 "2026-01-31, or 2026-01-31T14:05:09+01:00", ""});
-  }
+  manifest.measured_on = read_date(robot, "measured_on");
   manifest.note = robot.text_or("note", "");
   manifest.robot_description = read_description_name(robot);
   robot.refuse_unknown_keys();
@@ -146,6 +134,7 @@ void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
   manifest.known_loads = read_known_loads(top);
   manifest.known_gravity = read_known_gravity(top);
   manifest.limits = read_limits(top);
+  manifest.certificate = read_certificate(top);
   if (const auto reference = top.find_table("reference")) {
     manifest.reference = read_known_curve(*reference);
   }

@@ -38,6 +38,8 @@
 //                 the torque at constant speed is meant
 //   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
 //                 user accepts (manifest_tables.h; optional)
+//   [certificate] what a calibration certificate says of laboratory, customer and instruments
+//                 (manifest_tables.h; optional)
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
 //                 "break_away" | "friction_points", file (relative to the manifest); from_s, to_s
 //                 (of a clock that counts from 1970: since its first reading), columns, note

@@ -9,6 +9,7 @@
 
 #include "base/closest_match.h"
 #include "ingest/log/units.h"
+#include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "joint/degrees.h"
 
@@ -114,6 +115,23 @@ std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest) {
     limits.push_back(std::move(limit));
   }
   return limits;
+}
+
+std::string required_name(const TomlTable& table, const std::string& hint) {
+  std::string name = table.text("name", hint);
+  if (std::all_of(name.begin(), name.end(), [](char c) { return c == ' '; })) {
+    table.refuse("name", {"is empty", "", "a name", hint});
+  }
+  return name;
+}
+
+std::string read_date(const TomlTable& table, const std::string& key) {
+  std::string date = table.text_or_date(key, "");
+  if (is_impossible_time(date)) {
+    table.refuse(key, {"is no time that there is", in_quotes(date),
+                       "2026-01-31, or 2026-01-31T14:05:09+01:00", ""});
+  }
+  return date;
 }
 
 text::TextLogRules read_text_log_rules(const TomlTable& log) {

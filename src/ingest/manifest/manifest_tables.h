@@ -11,6 +11,7 @@
 #include "ingest/log/units.h"
 #include "ingest/manifest/toml_table.h"
 #include "ingest/text/csv_dialect.h"
+#include "joint/certificate.h"
 #include "joint/dataset.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
@@ -83,6 +84,27 @@ std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top);
 /// @throw InputError for an unknown quantity (with the closest known one), a limit without a
 ///        number, min above max, or a width that is not positive.
 std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest);
+
+// Texts of several tables.
+
+/// The key `name`. @throw InputError if it is missing or blank, with the hint.
+std::string required_name(const TomlTable& table, const std::string& hint);
+
+/// A date as ISO 8601, or words; empty: not stated. @throw InputError for a time that there is not.
+std::string read_date(const TomlTable& table, const std::string& key);
+
+// The [certificate] table of a manifest: what a calibration certificate says beside the results.
+//
+//   [certificate]
+//   number, replaces, laboratory, laboratory_address, country ("DE"), customer, customer_address,
+//   place, received_on, procedure, conditions, humidity_percent, adjustment, decision_rule,
+//   responsible
+//   [[certificate.instrument]]
+//   name, identification, traceability, used_for
+
+/// @throw InputError for an unknown key, another type, an instrument without a name, a country that
+///        is no code, a humidity beyond 100 %, a time that there is not.
+joint::Certificate read_certificate(const TomlTable& top);
 
 // The [log] table of a manifest.
 
