@@ -78,7 +78,7 @@ Scenario sketched(const JointSketch& j) {
   Scenario s;
   s.name = "joint of the misfit study";
   s.robot = s.serial = "simulated";
-  s.joint = "1";
+  s.joint = std::string("1");  // GCC 12 warns of an overlap where the literal is assigned
   s.log.keeps_friction_secret = true;
   s.gear_ratio = j.gear_ratio;
   s.motor_inertia_kgm2 = j.motor_inertia_kgm2;

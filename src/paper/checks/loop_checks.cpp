@@ -14,6 +14,7 @@ namespace tribolog::paper::checks {
 
 namespace {
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 }  // namespace

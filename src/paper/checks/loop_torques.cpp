@@ -17,6 +17,7 @@ namespace tribolog::paper::checks {
 // With g constant, eq. (4) is linear along the way: between reversals z goes to ±g like
 // exp(-way/g). The points follow without a solver and without samples.
 
+using method::hysteresis::Estimator;
 using wording::tr;
 
 std::array<double, 6> plain_loop_torques_Nm(const simulate::Scenario& scenario) {

@@ -6,6 +6,7 @@
 
 #include "base/requirements.h"
 #include "friction/static_laws.h"
+#include "joint/degrees.h"
 #include "wording/tr.h"
 
 namespace tribolog::paper::checks {

@@ -11,6 +11,7 @@
 #include "paper/drawings/printed_paper.h"
 #include "paper/page/page_parts.h"
 #include "wording/axis_scale.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 
