@@ -9,5 +9,4 @@
 <dl class="terms">{{#STATED}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/STATED}}</dl>
 <p class="signature"><span>Authorised by</span><span>Date, signature</span></p>
-<p class="table-note">Expanded uncertainty U = k·u, or the 95 % interval where it is lopsided. The results relate only to this item, as it was measured.</p>
 </section>

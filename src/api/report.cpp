@@ -58,12 +58,10 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
     std::vector<render::workers::DrawnFigure> drawn;
     if (render::workers::FigureRenderer* const drawing = api::Inside::of(renderer)) {
       figures = figures::figures_in(language, [&] {
-        return paper::scenes::with_scene_figures(
-            figures::figure_set(dataset, identified.calibration), dataset.robot.get(),
-            identified.calibration);
+        return figures::for_a_report(
+            paper::scenes::with_scene_figures(figures::figure_set(dataset, identified.calibration),
+                                              dataset.robot.get(), identified.calibration));
       });
-      // The report prints a heading over each picture.
-      for (figures::ReportFigure& one : figures) one.figure.title.clear();
       drawn = api::draw(*drawing, figures, [&](std::size_t done, std::size_t all) {
         if (options.progress) options.progress("drawing figures", done, all);
       });

@@ -1,6 +1,13 @@
 #include "figures/figure_set.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "figures/bristle_figures.h"
@@ -44,6 +51,30 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
     candidate->figure.id = candidate->id;
     candidate->figure.title = candidate->title;
     figures.push_back(std::move(*candidate));
+  }
+  return figures;
+}
+
+std::vector<ReportFigure> for_a_report(std::vector<ReportFigure> figures) {
+  constexpr std::pair<std::string_view, std::string_view> combined[] = {
+      {"fig-18-friction-curves", "fig-friction-candidates"},
+      {"fig-19-friction-against-reference", "fig-friction-candidates"},
+      {"fig-20-quality-error", "fig-friction-candidates"},
+      {"fig-21-selected-curve", "fig-curve-models"},
+      {"fig-09-robot", "fig-10-phenomenological-model"}};
+  std::set<std::string, std::less<>> there;
+  for (const ReportFigure& one : figures) there.insert(one.id);
+  std::erase_if(figures, [&](const ReportFigure& one) {
+    return std::any_of(std::begin(combined), std::end(combined), [&](const auto& pair) {
+      return pair.first == one.id && there.contains(pair.second);
+    });
+  });
+  constexpr double folded_share = 0.6;
+  for (ReportFigure& one : figures) {
+    one.figure.title.clear();
+    if (one.is_primary) continue;
+    one.figure.width_px = static_cast<int>(std::lround(folded_share * one.figure.width_px));
+    one.figure.height_px = static_cast<int>(std::lround(folded_share * one.figure.height_px));
   }
   return figures;
 }

@@ -99,7 +99,7 @@ namespace {
 constexpr double visible_band = 0.004;  // of the loop's width
 
 /// The interval of the peak's angle over the height of what the panel shows, as far as the loop
-/// goes.
+/// goes; none where it is wider than the loop.
 void add_peak_interval(render::figure::Panel& panel, const statistics::Estimate& peak,
                        const wording::Extent& angles, const LoopView& view) {
   wording::Extent heights;
@@ -107,10 +107,9 @@ void add_peak_interval(render::figure::Panel& panel, const statistics::Estimate&
   const double low = std::max(peak.low, std::min(peak.value, angles.low));
   const double high = std::min(peak.high, std::max(peak.value, angles.high));
   if (heights.empty || !(high - low > visible_band * angles.span())) return;
+  if (low <= angles.low && high >= angles.high) return;
   render::figure::Band band;
-  band.label = low > angles.low || high < angles.high
-                   ? wording::tr("95 % interval of q_{{peak}}")
-                   : wording::tr("95 % interval of q_{{peak}}, wider than the loop");
+  band.label = wording::tr("95 % interval of q_{{peak}}");
   band.x = {view.angle(low), view.angle(high)};
   band.low = {heights.low, heights.low};
   band.high = {heights.high, heights.high};

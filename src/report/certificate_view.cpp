@@ -172,16 +172,71 @@ std::string conditions_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
   parts.push_back(m.temperature_C ? wording::with_unit(wording::as_stated(*m.temperature_C), "°C")
                                   : tr("temperature not stated"));
+  if (m.certificate.humidity_percent) {
+    parts.push_back(
+        tr("humidity {humidity}",
+           {{"humidity",
+             wording::with_unit(wording::as_stated(*m.certificate.humidity_percent), "%")}}));
+  }
   const std::string payload = payload_in_words(m);
   parts.push_back(payload.empty() ? tr("payload not stated")
                                   : tr("payload {payload}", {{"payload", payload}}));
+  if (!m.certificate.conditions.empty()) parts.push_back(m.certificate.conditions);
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// "encoder 4711 (D-K-15195, 2026-03; for the angle)"
+std::string instrument_in_words(const joint::Instrument& one) {
+  std::string words = one.name;
+  if (!one.identification.empty()) words += " " + one.identification;
+  std::string about = or_not_stated(one.traceability);
+  if (!one.used_for.empty()) about += "; " + one.used_for;
+  return words + " (" + about + ")";
+}
+
+std::string traceability_in_words(const joint::Manifest& m) {
+  std::vector<std::string> parts;
+  for (const joint::Instrument& one : m.certificate.instruments) {
+    parts.push_back(instrument_in_words(one));
+  }
+  if (parts.empty()) parts.push_back(tr("instruments not stated"));
+  parts.push_back(torque_scale_in_words(m));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// A name with its address, as far as they are stated.
+std::string with_address(const std::string& name, const std::string& address) {
+  return name.empty() || address.empty() ? name + address : name + ", " + address;
+}
+
+/// What is stated has a line of its own; what is not is listed in one.
+class StatedFacts {
+ public:
+  void add(const std::string& name, const std::string& text) {
+    if (text.empty()) {
+      missing_.push_back(wording::within_a_sentence(name));
+    } else {
+      facts_.push_back({name, text});
+    }
+  }
+  [[nodiscard]] std::vector<Fact> all() const {
+    std::vector<Fact> facts = facts_;
+    if (!missing_.empty()) {
+      facts.push_back({tr("Not stated"), fmt::format("{}", fmt::join(missing_, ", "))});
+    }
+    return facts;
+  }
+
+ private:
+  std::vector<Fact> facts_;
+  std::vector<std::string> missing_;
+};
+
 }  // namespace
 
-std::string report_number(const joint::Manifest&, const std::string& id) {
+std::string report_number(const joint::Manifest& manifest, const std::string& id) {
   constexpr std::size_t digits = 12;
+  if (!manifest.certificate.number.empty()) return manifest.certificate.number;
   return id.empty() ? "–" : "tribolog-" + id.substr(0, digits);
 }
 
@@ -189,34 +244,45 @@ std::vector<Fact> boundary_facts(const calibration::Calibration& c) {
   return {{tr("What went in"), what_went_in(c)},
           {tr("Included in U"), included(c.judgement)},
           {tr("Not included"), not_included(c.judgement)},
-          {tr("Holds for"), what_was_seen(c)}};
+          {tr("Holds for"),
+           tr("this item alone, as it was measured: {seen}", {{"seen", what_was_seen(c)}})}};
 }
 
 std::vector<Fact> certificate_facts(const calibration::Calibration& c,
                                     const calibration::Provenance& provenance) {
   const joint::Manifest& m = c.manifest;
-  std::vector<Fact> facts;
-  const auto add = [&](const std::string& name, const std::string& text) {
-    facts.push_back({name, or_not_stated(text)});
-  };
-  add(tr("Item"), fmt::format("{}; {}; {}", or_not_stated(m.robot),
-                              tr("serial number {serial}", {{"serial", or_not_stated(m.serial)}}),
-                              tr("joint {joint}", {{"joint", or_not_stated(m.joint)}})));
-  add(tr("Gear ratio"), wording::as_stated(m.drive.gear_ratio()));
-  add(tr("Measured"), m.measured_on);
-  add(tr("Issued"), day_of(provenance.created_utc));
-  add(tr("Conditions"), conditions_in_words(m));
-  add(tr("Traceability"), torque_scale_in_words(m));
-  add(tr("Method"),
-      tr("“Viscous friction measurement technique in robot joint with the use of surrogate mass”; "
-         "tribolog {version}",
-         {{"version", provenance.tool_version}}));
-  add(tr("Decision rule"),
-      tr("a limit is met where the whole 95 % interval meets it; usable, doubtful and not "
-         "identifiable by the rules listed below"));
-  add(tr("Operator"), m.operator_name);
-  if (m.reference) add(tr("Data"), tr("simulated, the true curve is known"));
-  return facts;
+  const joint::Certificate& stated = m.certificate;
+  StatedFacts facts;
+  facts.add(tr("Laboratory"), with_address(stated.laboratory, stated.laboratory_address));
+  facts.add(tr("Customer"), with_address(stated.customer, stated.customer_address));
+  facts.add(tr("Item"),
+            fmt::format("{}; {}; {}", or_not_stated(m.robot),
+                        tr("serial number {serial}", {{"serial", or_not_stated(m.serial)}}),
+                        tr("joint {joint}, gear ratio {gear_ratio}",
+                           {{"joint", or_not_stated(m.joint)},
+                            {"gear_ratio", wording::as_stated(m.drive.gear_ratio())}})));
+  facts.add(tr("Received"), stated.received_on);
+  facts.add(tr("Measured"), m.measured_on);
+  facts.add(tr("Place"), stated.place);
+  facts.add(tr("Issued"), day_of(provenance.created_utc));
+  facts.add(tr("Operator"), m.operator_name);
+  facts.add(tr("Conditions"), conditions_in_words(m));
+  facts.add(tr("Traceability"), traceability_in_words(m));
+  facts.add(tr("Method"),
+            tr("“Viscous friction measurement technique in robot joint with the use of surrogate "
+               "mass”; tribolog {version}",
+               {{"version", provenance.tool_version}}));
+  facts.add(tr("Procedure"), stated.procedure);
+  facts.add(tr("Adjustment"), stated.adjustment);
+  facts.add(tr("Decision rule"),
+            stated.decision_rule.empty()
+                ? tr("a limit is met where the whole 95 % interval meets it; verdicts by the "
+                     "rules in this report")
+                : stated.decision_rule);
+  facts.add(tr("Responsible"), stated.responsible);
+  if (!stated.replaces.empty()) facts.add(tr("Replaces"), stated.replaces);
+  if (m.reference) facts.add(tr("Data"), tr("simulated, the true curve is known"));
+  return facts.all();
 }
 
 }  // namespace tribolog::report

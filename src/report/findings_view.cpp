@@ -60,12 +60,15 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
       if (number_of(reason) == 0) statements_.push_back(reason);
     }
   }
-  std::stable_partition(statements_.begin(), statements_.end(), [&](const Statement& statement) {
-    return std::any_of(judgement.quantities.begin(), judgement.quantities.end(),
-                       [&](const calibration::QuantityVerdict& q) {
-                         return is_in_the_table(q) && is_reason(statement, q);
-                       });
-  });
+  const auto weight = [&](const Statement& statement) {
+    int heaviest = 2;
+    for (const calibration::QuantityVerdict& q : judgement.quantities) {
+      if (is_reason(statement, q)) heaviest = std::min(heaviest, is_in_the_table(q) ? 0 : 1);
+    }
+    return heaviest;
+  };
+  std::stable_sort(statements_.begin(), statements_.end(),
+                   [&](const Statement& a, const Statement& b) { return weight(a) < weight(b); });
   for (const Statement& statement : statements_) {
     Finding finding;
     finding.number = static_cast<int>(findings_.size()) + 1;
