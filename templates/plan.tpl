@@ -37,7 +37,6 @@
 <section id="experiment" aria-labelledby="experiment-title">
 <h2 id="experiment-title">The experiment <a class="self" href="#experiment" aria-label="Link to this section">#</a></h2>
 {{>PARTS}}
-{{>FIGURE}}
 </section>
 {{#HOW}}<section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How to run it <a class="self" href="#how" aria-label="Link to this section">#</a></h2>
@@ -45,12 +44,20 @@
 {{#INSTRUCTION}}<li><bdi>{{TEXT}}</bdi></li>
 {{/INSTRUCTION}}</ul>
 {{>POSITIONS}}
+<details class="fold"><summary>Recordings and their time windows</summary>
 {{>WINDOWS}}
+</details>
 </section>{{/HOW}}
 {{#EXPECTATION}}<section id="expected" aria-labelledby="expected-title">
 <h2 id="expected-title">What to expect <a class="self" href="#expected" aria-label="Link to this section">#</a></h2>
 {{>EXPECTED}}
 </section>{{/EXPECTATION}}
+{{#OVERVIEW}}<section id="course" aria-label="The plan over time">
+{{>FIGURE}}
+</section>{{/OVERVIEW}}
+{{#DETAILS}}<details class="folded"><summary>Further figures</summary>
+{{>FIGURE}}
+</details>{{/DETAILS}}
 <details class="folded"><summary>Assumptions</summary>
 <section id="assumptions" aria-labelledby="assumptions-title">
 <h2 id="assumptions-title">Assumptions <a class="self" href="#assumptions" aria-label="Link to this section">#</a></h2>

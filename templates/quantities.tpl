@@ -1,5 +1,5 @@
 {{%AUTOESCAPE context="HTML"}}
-<section id="quantities" aria-labelledby="table-quantities-caption">
+<section id="quantities" aria-label="Quantities">
 <div class="table-box long" id="table-quantities" tabindex="0" role="region" aria-labelledby="table-quantities-caption">
 <table class="judged summary">
 <caption id="table-quantities-caption"><span>Results with expanded uncertainty, 95 %</span></caption>

@@ -258,7 +258,7 @@ void report_outside(const figure::DrawList& list, const figure::Figure& figure,
       const figure::Owner owner{figure::Role::series, static_cast<int>(p), static_cast<int>(s)};
       const bool has_samples =
           std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
-      if (asked && has_samples && !is_drawn(owner)) {
+      if (asked && has_samples && !series.is_marked_at_edge && !is_drawn(owner)) {
         findings.warnings.push_back({"drawing.outside_axes", {{"what", name_of(figure, owner)}}});
       }
     }

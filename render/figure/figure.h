@@ -29,6 +29,8 @@ struct Series {
   /// Arrow heads along the line that show the direction of time, at these fractions (0..1) of the
   /// points' count.
   std::vector<double> direction_arrows_at;
+  /// What of it lies beyond the axes is marked at their edge: that it does is no fault.
+  bool is_marked_at_edge{};
 };
 
 /// A filled region between two curves, e.g. a 95 % interval.

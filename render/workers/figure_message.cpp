@@ -23,7 +23,7 @@ void visit_fields(Visitor& visit, Is<figure::Colour> auto& item) {
 template <class Visitor>
 void visit_fields(Visitor& visit, Is<figure::Series> auto& item) {
   visit(item.label, item.x, item.y, item.colour, item.width_px, item.style, item.marker,
-        item.marker_size_px, item.direction_arrows_at);
+        item.marker_size_px, item.direction_arrows_at, item.is_marked_at_edge);
 }
 
 template <class Visitor>

@@ -115,7 +115,7 @@ class MassRows {
     if (mass.high > extent_.high) add_arrow(high - arrow, high, row, colour);
     if (mass.low > extent_.high || mass.high < extent_.low) return;
     // Narrower than the marker, it would be hidden.
-    constexpr double marker_share = 0.015;
+    constexpr double marker_share = 0.03;
     if (high - low < marker_share * extent_.span()) return;
     add_visible(panel_, line("", {scale_(low), scale_(high)}, {row, row}, colour, 4.0));
   }

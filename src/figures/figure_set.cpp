@@ -69,12 +69,13 @@ std::vector<ReportFigure> for_a_report(std::vector<ReportFigure> figures) {
       return pair.first == one.id && there.contains(pair.second);
     });
   });
-  constexpr double folded_share = 0.6;
+  constexpr double share_in_sight = 0.875;  // 1400 px, 220 to the inch
+  constexpr double folded_share = 0.55;
   for (ReportFigure& one : figures) {
     one.figure.title.clear();
-    if (one.is_primary) continue;
-    one.figure.width_px = static_cast<int>(std::lround(folded_share * one.figure.width_px));
-    one.figure.height_px = static_cast<int>(std::lround(folded_share * one.figure.height_px));
+    const double share = one.is_primary ? share_in_sight : folded_share;
+    one.figure.width_px = static_cast<int>(std::lround(share * one.figure.width_px));
+    one.figure.height_px = static_cast<int>(std::lround(share * one.figure.height_px));
   }
   return figures;
 }

@@ -23,7 +23,8 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
 
 /// As a report shows them: without a title, which its heading has; without those that another of
 /// them combines (friction curves, reference and errors in one; the selected curve with all laws);
-/// what it folds in three fifths of the resolution, letters as large on paper.
+/// in a resolution for screens and office printers, lower where it folds them; letters are as
+/// large.
 std::vector<ReportFigure> for_a_report(std::vector<ReportFigure> figures);
 
 }  // namespace tribolog::figures

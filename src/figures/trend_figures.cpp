@@ -215,6 +215,7 @@ void set_value_axis(const history::QuantityTrend& trend, const wording::AxisScal
     label.marker = render::figure::Marker::cross;
     add_visible(panel, std::move(label));
   }
+  for (render::figure::Series& s : panel.series) s.is_marked_at_edge = true;
 }
 
 /// Whether temperature's effect is more than what chance makes of none; only then are values shown

@@ -9,6 +9,19 @@
 #include "report/template_engine.h"
 
 namespace tribolog::report {
+namespace {
+
+/// Of what was found from which inputs, whenever and however the program was called.
+std::string digest_of(const calibration::Calibration& calibration,
+                      calibration::Provenance provenance) {
+  provenance.created_utc.clear();
+  provenance.command_line.clear();
+  provenance.drawing.reset();
+  return sha256_hex(calibration::calibration_json(calibration, provenance));
+}
+
+}  // namespace
+
 std::string html_report(const calibration::Calibration& calibration,
                         const std::vector<figures::ReportFigure>& figures,
                         const std::vector<render::workers::DrawnFigure>& drawn,
@@ -18,7 +31,7 @@ std::string html_report(const calibration::Calibration& calibration,
   const wording::WordsIn words(language);
   const std::string result = calibration::calibration_json(calibration, provenance);
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last,
-                                           id.empty() ? sha256_hex(result) : id);
+                                           id.empty() ? digest_of(calibration, provenance) : id);
   TemplateValues values;
   const std::string loops = review_json(calibration);
   fill_report(view, !loops.empty(), values);

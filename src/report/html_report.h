@@ -26,7 +26,8 @@ namespace tribolog::report {
 /// @param since_last from the joint's calibration before to this one.
 /// @param language of the page and the viewer; the embedded result is the same in every language.
 /// @param id hexadecimal, of the calibration in the archive: the report's number where the manifest
-/// states none. Without it, the digest of the embedded result.
+/// states none. Without it, the digest of the
+/// embedded result but for the time, the command and the drawing software.
 std::string html_report(const calibration::Calibration& calibration,
                         const std::vector<figures::ReportFigure>& figures,
                         const std::vector<render::workers::DrawnFigure>& drawn,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -204,7 +205,13 @@ std::string plan_page(const PlanReport& report, const std::vector<figures::Repor
   fill_facts(facts_of(plan), values);
   fill_verdict(plan, values);
   fill_table(parts_table(plan), "PARTS", values);
-  for (const FigureCard& card : figure_cards(figures, drawn)) fill_figure(card, values);
+  // The plan as a whole in sight, its details behind a click.
+  const std::vector<FigureCard> cards = figure_cards(figures, drawn);
+  if (!cards.empty()) fill_figure(cards.front(), values.add_section("OVERVIEW"));
+  if (cards.size() > 1) {
+    TemplateValues& details = values.add_section("DETAILS");
+    for (std::size_t k = 1; k < cards.size(); ++k) fill_figure(cards[k], details);
+  }
   if (!plan.segments.empty()) {
     TemplateValues& how = values.add_section("HOW");
     for (const std::string& text : exports::experiment::plan_instructions(plan)) {

@@ -152,7 +152,7 @@ test("without JavaScript there is no viewer, and every figure is there", async (
     for (const image of await page.locator("figure img").all()) {
       await image.scrollIntoViewIfNeeded();
       await image.evaluate((element) => element.decode());
-      assert.ok(await image.evaluate((element) => element.naturalWidth) >= 1000);
+      assert.ok(await image.evaluate((element) => element.naturalWidth) >= 800);
     }
     const text = await page.locator("body").innerText();
     for (const word of ["Box zoom", "Review the loops", "Page Down"]) assert.ok(!text.includes(word), word);

@@ -92,7 +92,7 @@ test("pairs mark both points of the steady loop; the mid-line is that of the tab
     }
     await page.locator("#review-reading-midline").check();
     const shown = await listOf(page, "review-reading");
-    const cells = await page.locator("#stage-3-results tbody tr").first().innerText();
+    const cells = await page.locator("#stage-3-results tbody tr").first().textContent();  // folded
     assert.equal(shown["T at q_peak"], data.midline.text);
     assert.ok(cells.replace(/\s+/g, " ").includes(data.midline.text.split("\u00a0")[0]), cells);
   }));

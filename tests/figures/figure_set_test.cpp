@@ -51,6 +51,19 @@ TEST(FigureSet, NoReferenceNoComparison) {
             (std::vector<int>{11, 13, 14, 15, 16, 17, 0, 18, 21, 22}));
 }
 
+TEST(FigureSet, AReportLeavesOutWhatAnotherFigureCombines) {
+  const joint::Dataset dataset = test::hand_made_dataset();
+  const auto all = figures::figure_set(dataset, test::hand_made_calibration(dataset));
+  const auto shown = figures::for_a_report(all);
+  // The hand-made one has no choice of a law: its selected curve stays.
+  EXPECT_EQ(numbers(shown), (std::vector<int>{11, 13, 14, 15, 16, 17, 0, 21, 22}));
+  for (const figures::ReportFigure& figure : shown) {
+    EXPECT_EQ(figure.figure.title, "");
+    EXPECT_NE(figure.title, "");
+    EXPECT_EQ(figure.figure.width_px, figure.is_primary ? 1400 : 880) << figure.id;
+  }
+}
+
 TEST(FigureSet, AFewArePrimary) {
   const joint::Dataset dataset = test::hand_made_dataset();
   std::vector<std::string> primary;

@@ -9,8 +9,11 @@ export TRIBOLOG PER_TASK=2
 TRIBOLOG=$(realpath "$1")
 here=$(realpath "$(dirname "$0")")
 source "$here/slurm_cluster.sh"
-robots=${2:-12}
-joints=${3:-4}
+# At every change a few of them; each night (tests/nightly.sh cases) more.
+robots=${2:-${TRIBOLOG_EVERY_CASE:+12}}
+robots=${robots:-6}
+joints=${3:-${TRIBOLOG_EVERY_CASE:+4}}
+joints=${joints:-2}
 options=(--resamples 0 --truth-runs 0 --no-figures)
 export SOURCE_DATE_EPOCH=1767225600  # when it was identified is part of a calibration
 

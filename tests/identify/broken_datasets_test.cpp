@@ -188,7 +188,7 @@ const std::vector<Breach>& breaches() {
          written_by(d, {"UR RTDE", "actual_current_2", joint::EffortKind::motor_current,
                         joint::Side::motor, false, false});
        },
-       "a motor_current"},
+       "a 'motor_current'"},
       {"motor_torque_as_joint_torque", CheckName::static_torque,
        [](joint::Dataset& d) {
          d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
@@ -216,7 +216,7 @@ const std::vector<Breach>& breaches() {
            }
          });
        },
-       "repeat the torque of before"},
+       "repeat the previous torque"},
       {"degrees_as_radians", CheckName::angle_unit,
        [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 180 / pi); }); },
        "degrees"},

@@ -93,6 +93,7 @@ TEST(FigureMessage, WritesEveryField) {
   expect_change(series.marker, figure::Marker::plus);
   expect_change(series.marker_size_px, 7.0);
   expect_change(series.direction_arrows_at, numbers);
+  expect_change(series.is_marked_at_edge, true);
   figure::ErrorBar& bar = panel.error_bars[0];
   expect_change(bar.x, 7.0);
   expect_change(bar.low, 7.0);

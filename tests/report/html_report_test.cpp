@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/encodings.h"
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
 #include "render/figure/figure.h"
@@ -119,10 +118,16 @@ TEST(HtmlReport, ItsNumberIsThatOfTheArchiveOrOfItsContent) {
   EXPECT_NE(filed.find("Identification report <bdi>tribolog-0123456789ab</bdi>"),
             std::string::npos);
   EXPECT_NE(filed.find("@top-right{content:\"tribolog-0123456789ab\""), std::string::npos);
-  const std::string digest = sha256_hex(calibration::calibration_json(c, sample_provenance()));
-  EXPECT_NE(report::html_report(c, {}, {}, sample_provenance())
-                .find("<bdi>tribolog-" + digest.substr(0, 12) + "</bdi>"),
-            std::string::npos);
+  const auto number = [](const calibration::Calibration& found, const std::string& command) {
+    calibration::Provenance p = sample_provenance();
+    p.command_line = command;
+    const std::string html = report::html_report(found, {}, {}, p);
+    return html.substr(html.find("<bdi>tribolog-"), 26);
+  };
+  EXPECT_EQ(number(c, "tribolog report a.toml"), number(c, "tribolog report a.toml -o b.html"));
+  calibration::Calibration other = c;
+  other.inputs.back().sha256 = std::string(64, 'c');
+  EXPECT_NE(number(c, "tribolog"), number(other, "tribolog"));
 }
 
 TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {

@@ -98,6 +98,61 @@ TEST(ReportView, TheSentenceIsMadeFromTheRows) {
             "Not identified, and not needed for the verdict: inertia at the motor.");
 }
 
+std::string text_of(const std::vector<report::Fact>& facts, const std::string& name) {
+  for (const report::Fact& fact : facts) {
+    if (fact.name == name) return fact.text;
+  }
+  return "";
+}
+
+TEST(ReportView, TheCertificateStatesWhatTheManifestDoesAndSaysWhatItDoesNot) {
+  calibration::Calibration c = complete_calibration();
+  std::vector<report::Fact> facts = view_of(c).certificate;
+  EXPECT_EQ(text_of(facts, "Laboratory"), "");
+  EXPECT_EQ(text_of(facts, "Not stated"),
+            "laboratory, customer, received, measured, place, operator, procedure, adjustment, "
+            "responsible");
+  EXPECT_NE(text_of(facts, "Traceability").find("instruments not stated"), std::string::npos);
+  joint::Certificate& stated = c.manifest.certificate;
+  stated.number = "CAL-2026/0815";
+  stated.laboratory = "Joint laboratory";
+  stated.laboratory_address = "Main street 1";
+  stated.customer = "Robots Ltd";
+  stated.instruments = {{"torque sensor", "4711", "D-K-15195, 2026-03", "for the torque"}};
+  stated.humidity_percent = 40;
+  c.manifest.temperature_C = 23.5;
+  const report::ReportView view = view_of(c);
+  EXPECT_EQ(view.number, "CAL-2026/0815");
+  EXPECT_EQ(text_of(view.certificate, "Laboratory"), "Joint laboratory, Main street 1");
+  EXPECT_EQ(text_of(view.certificate, "Customer"), "Robots Ltd");
+  EXPECT_NE(text_of(view.certificate, "Traceability")
+                .find("torque sensor 4711 (D-K-15195, 2026-03; for the torque)"),
+            std::string::npos);
+  EXPECT_NE(text_of(view.certificate, "Conditions").find("23.5\u00a0°C; humidity 40\u00a0%"),
+            std::string::npos);
+  EXPECT_EQ(text_of(view.certificate, "Not stated").find("laboratory"), std::string::npos);
+}
+
+TEST(ReportView, TheBoundarySaysWhatIsIncludedAndWhatIsNot) {
+  const std::vector<report::Fact> facts = view_of(complete_calibration()).boundary;
+  EXPECT_NE(text_of(facts, "What went in").find("1 sweep; 139\u202f210 of 140\u202f410 rows"),
+            std::string::npos)
+      << text_of(facts, "What went in");
+  EXPECT_EQ(text_of(facts, "Included in U"), "torque constant, the recordings");
+  EXPECT_NE(text_of(facts, "Not included").find("uncertainty of the gear ratio: not stated"),
+            std::string::npos);
+}
+
+TEST(ReportView, AQuantitysBudgetIsWhole) {
+  const std::vector<report::BudgetRow> rows = view_of(complete_calibration()).budget;
+  ASSERT_EQ(rows.size(), 1U);
+  ASSERT_EQ(rows[0].parts.size(), 2U);
+  EXPECT_EQ(rows[0].parts[0].kind, "torque-constant");
+  EXPECT_EQ(rows[0].parts[0].from_percent, 0);
+  EXPECT_NEAR(rows[0].parts[1].from_percent + rows[0].parts[1].percent, 100, 1e-9);
+  EXPECT_NEAR(rows[0].parts[0].percent, 95.3, 0.1);  // (0.5 % of 3.883 N·m)² of all
+}
+
 TEST(ReportView, PageOneShowsLoopAndFrictionCurve) {
   const joint::Dataset dataset = simulate::simulated_dataset(paper_joint());
   const std::vector<report::KeyPicture> pictures =

@@ -62,8 +62,9 @@ std::vector<InputCase> manifest_cases() {
           ":9:7: key 'limit.min': nothing is allowed between min and max, found 2..1, expected "
           "min <= max"),
       manifest("48j", "Include", in_front_of_effort("[include]\nfile = \"dataset.toml\""),
-               ":7:1: unknown key 'include'; hint: known here: 'columns', 'effort', 'intervals', "
-               "'joint', 'known_gravity', 'known_load', 'limit', 'log', 'payload', 'recording', "
+               ":7:1: unknown key 'include'; hint: known here: 'certificate', 'columns', 'effort', "
+               "'intervals', 'joint', 'known_gravity', 'known_load', 'limit', 'log', 'payload', "
+               "'recording', "
                "'reference', 'robot', 'schema', 'surrogate', 'temperature', 'uncertainty'"),
       manifest("48k", "DeepNesting", in_front_of_effort("x = " + std::string(10'000, '[')),
                ":7:37: brackets nested too deeply"),
