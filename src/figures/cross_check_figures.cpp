@@ -111,8 +111,14 @@ class MassRows {
     const double arrow = arrow_share * extent_.span();
     double low = std::clamp(mass.low, extent_.low, extent_.high - arrow);
     double high = std::clamp(mass.high, extent_.low + arrow, extent_.high);
-    if (mass.low < extent_.low) add_arrow(low + arrow, low, row, colour);
-    if (mass.high > extent_.high) add_arrow(high - arrow, high, row, colour);
+    if (mass.low < extent_.low) {
+      add_arrow(low + arrow, low, row, colour);
+      low += arrow;
+    }
+    if (mass.high > extent_.high) {
+      add_arrow(high - arrow, high, row, colour);
+      high -= arrow;
+    }
     if (mass.low > extent_.high || mass.high < extent_.low) return;
     // Narrower than the marker, it would be hidden.
     constexpr double marker_share = 0.03;

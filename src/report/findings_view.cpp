@@ -111,20 +111,41 @@ std::vector<int> NumberedFindings::numbers_of(const calibration::QuantityVerdict
   return numbers;
 }
 
-std::vector<NextStep> next_steps(const calibration::Judgement& judgement) {
+std::vector<NextStep> next_steps(const calibration::Calibration& c) {
   std::vector<NextStep> steps;
-  for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    if (q.experiment.empty()) continue;
-    const std::string text = as_sentence(q.experiment);
-    auto step = std::find_if(steps.begin(), steps.end(),
-                             [&](const NextStep& one) { return one.text == text; });
-    if (step == steps.end()) step = steps.insert(steps.end(), {text, {}});
-    step->quantities.push_back(
-        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity))));
+  const auto step_of = [&](const Statement& experiment) {
+    const std::string text = as_sentence(experiment);
+    const auto found = std::find_if(steps.begin(), steps.end(),
+                                    [&](const NextStep& one) { return one.text == text; });
+    return found != steps.end() ? found : steps.insert(steps.end(), {text, {}});
+  };
+  const auto add = [](const calibration::QuantityVerdict& q, NextStep& step) {
+    const std::string name =
+        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity)));
+    if (std::find(step.quantities.begin(), step.quantities.end(), name) == step.quantities.end()) {
+      step.quantities.push_back(name);
+    }
+  };
+  for (const method::checks::DataCheck* check :
+       c.data_checks.in_state(method::checks::CheckState::fails)) {
+    if (check->experiment.empty()) continue;
+    for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+      const bool is_touched =
+          std::any_of(q.reasons.begin(), q.reasons.end(), [&](const Statement& reason) {
+            const auto* found = inside(reason, "found");
+            return found != nullptr && found->size() == 1 && found->front() == check->found;
+          });
+      if (is_touched) add(q, *step_of(check->experiment));
+    }
   }
-  std::stable_sort(steps.begin(), steps.end(), [](const NextStep& a, const NextStep& b) {
-    return a.quantities.size() > b.quantities.size();
-  });
+  const auto of_checks = static_cast<std::ptrdiff_t>(steps.size());
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    if (!q.experiment.empty()) add(q, *step_of(q.experiment));
+  }
+  std::stable_sort(steps.begin() + of_checks, steps.end(),
+                   [](const NextStep& a, const NextStep& b) {
+                     return a.quantities.size() > b.quantities.size();
+                   });
   return steps;
 }
 

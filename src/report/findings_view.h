@@ -25,7 +25,8 @@ class NumberedFindings {
   std::vector<Finding> findings_;
 };
 
-/// What to record next, that for most quantities first. Only of quantities that count.
-std::vector<NextStep> next_steps(const calibration::Judgement& judgement);
+/// What to do next: what failing checks on the data ask for, then what to record, that for most
+/// quantities first.
+std::vector<NextStep> next_steps(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::report

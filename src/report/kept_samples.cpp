@@ -176,4 +176,17 @@ std::vector<std::size_t> kept_samples(const std::vector<double>& t, const Signal
   return line.left();
 }
 
+std::vector<std::size_t> last_cycles(const std::vector<double>& t, double frequency_Hz,
+                                     double cycles, std::size_t most) {
+  std::size_t first = 0;
+  if (frequency_Hz > 0) {
+    const double from = t.back() - cycles / frequency_Hz;
+    first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin());
+  }
+  std::vector<std::size_t> kept;
+  const std::size_t step = std::max<std::size_t>((t.size() - first + most - 1) / most, 1);
+  for (std::size_t i = first; i < t.size(); i += step) kept.push_back(i);
+  return kept;
+}
+
 }  // namespace tribolog::report

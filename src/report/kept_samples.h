@@ -17,4 +17,10 @@ std::vector<std::size_t> kept_samples(const std::vector<double>& t,
                                       const std::vector<const std::vector<double>*>& signals,
                                       const std::vector<std::size_t>& needed, std::size_t most);
 
+/// Indices of the samples of the last cycles, every so many of them, so that they are at most about
+/// `most`; of all samples where the frequency is 0 (not known).
+/// @param t ascending, not empty.
+std::vector<std::size_t> last_cycles(const std::vector<double>& t, double frequency_Hz,
+                                     double cycles, std::size_t most);
+
 }  // namespace tribolog::report

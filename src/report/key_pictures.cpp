@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
+#include "report/kept_samples.h"
 #include "report/view_parts.h"
 #include "wording/axis_scale.h"
 #include "wording/labels.h"
@@ -157,19 +159,16 @@ class Frame {
   Axis x_, y_;
 };
 
-/// The samples of the last cycles, at most as many as such a picture can show.
-std::vector<std::size_t> last_cycles(const std::vector<double>& t, double frequency_Hz) {
-  constexpr double cycles = 1;
-  constexpr std::size_t most = 500;
-  std::size_t first = 0;
-  if (frequency_Hz > 0) {
-    const double from = t.back() - cycles / frequency_Hz;
-    first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin());
-  }
-  std::vector<std::size_t> kept;
-  const std::size_t step = std::max<std::size_t>((t.size() - first + most - 1) / most, 1);
-  for (std::size_t i = first; i < t.size(); i += step) kept.push_back(i);
-  return kept;
+/// With its axes; nothing is drawn in it yet.
+KeyPicture begun(const std::string& id, const std::string& title, const std::string& x_title,
+                 const std::string& y_title, const Frame& frame) {
+  KeyPicture picture;
+  picture.id = id;
+  picture.title = title;
+  picture.x_title = x_title;
+  picture.y_title = y_title;
+  frame.draw_axes(picture);
+  return picture;
 }
 
 const calibration::QuantityVerdict* known(const calibration::Calibration& c,
@@ -188,7 +187,7 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   const method::hysteresis::Oscillation& motion = c.hysteresis.oscillations.front();
   if (trace.t_s.empty()) return std::nullopt;
   const bool is_fitted = trace.model_torque_Nm.size() == trace.t_s.size();
-  const std::vector<std::size_t> kept = last_cycles(trace.t_s, motion.frequency_Hz);
+  const std::vector<std::size_t> kept = last_cycles(trace.t_s, motion.frequency_Hz, 1, 500);
   Extent torque;
   Extent angle;
   for (const std::size_t i : kept) {
@@ -197,9 +196,9 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
     if (is_fitted) torque.add(trace.model_torque_Nm[i]);
   }
   if (!(angle.span() > 0) || !(torque.span() > 0)) return std::nullopt;
-  constexpr double degree_rad = 0.0174532925199433;
-  const AxisScale x =
-      angle.largest() > degree_rad ? wording::degrees() : wording::prefixed("rad", angle.largest());
+  const AxisScale x = angle.largest() * joint::degrees_per_rad > 1
+                          ? wording::degrees()
+                          : wording::prefixed("rad", angle.largest());
   const AxisScale y = wording::prefixed("N·m", torque.largest());
   Points measured;
   Points fitted;
@@ -213,12 +212,9 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   shown_y.add(measured.y);
   shown_y.add(fitted.y);
   const Frame frame(shown_x, false, shown_y);
-  KeyPicture picture;
-  picture.id = "picture-loop";
-  picture.title = tr("Hysteresis loop");
-  picture.x_title = wording::axis_title(tr("joint angle from the loop's centre"), x);
-  picture.y_title = wording::axis_title(tr("torque at the motor"), y);
-  frame.draw_axes(picture);
+  KeyPicture picture = begun("picture-loop", tr("Hysteresis loop"),
+                             wording::axis_title(tr("joint angle from the loop's centre"), x),
+                             wording::axis_title(tr("torque at the motor"), y), frame);
   picture.measured = frame.line(measured);
   picture.fitted = frame.line(fitted);
   picture.caption = fitted.x.empty() ? tr("Dark: the last cycle as measured.")
@@ -264,12 +260,9 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
   }
   if (!(shown_x.span() > 0)) return std::nullopt;
   const Frame frame(shown_x, false, shown_y);
-  KeyPicture picture;
-  picture.id = "picture-sweep";
-  picture.title = tr("Sweep");
-  picture.x_title = wording::axis_title(tr("joint angle"), x);
-  picture.y_title = wording::axis_title(tr("torque at the motor"), y);
-  frame.draw_axes(picture);
+  KeyPicture picture =
+      begun("picture-sweep", tr("Sweep"), wording::axis_title(tr("joint angle"), x),
+            wording::axis_title(tr("torque at the motor"), y), frame);
   picture.fitted = frame.line(rising) + frame.line(falling);
   picture.caption = tr("The sweep's torque as fitted, with the angle rising and falling.");
   const auto* angle = known(c, joint::Quantity::cog_angle);
@@ -348,12 +341,9 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   for (double& value : low.y) value = std::max(value, shown_y.low);
   for (double& value : high.y) value = std::min(value, shown_y.high);
   const Frame frame(shown_x, is_logarithmic, shown_y);
-  KeyPicture picture;
-  picture.id = "picture-curve";
-  picture.title = tr("Friction curve");
-  picture.x_title = wording::axis_title(tr("motor speed"), x);
-  picture.y_title = wording::axis_title(tr("friction at the motor"), y);
-  frame.draw_axes(picture);
+  KeyPicture picture =
+      begun("picture-curve", tr("Friction curve"), wording::axis_title(tr("motor speed"), x),
+            wording::axis_title(tr("friction at the motor"), y), frame);
   picture.forward = frame.dots(forward);
   picture.backward = frame.dots(backward);
   picture.bars = frame.bars(forward, forward_bars) + frame.bars(backward, backward_bars);

@@ -81,9 +81,8 @@ std::string running_head(const std::string& number) {
 }  // namespace
 
 bool is_own_style(std::string_view style) {
-  for (const PageKind kind :
-       {PageKind::with_viewer, PageKind::fleet, PageKind::robot, PageKind::comparison,
-        PageKind::plain}) {
+  for (const PageKind kind : {PageKind::with_viewer, PageKind::fleet, PageKind::robot,
+                              PageKind::comparison, PageKind::plain}) {
     if (!style.starts_with(own_style(kind))) continue;
     std::string_view head = style.substr(own_style(kind).size());
     if (head.empty()) return true;

@@ -146,7 +146,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.quantities = quantity_rows(c, findings, since_last);
   view.not_asked_for = not_asked_for(c.judgement);
   view.findings = findings.all();
-  view.next_steps = next_steps(c.judgement);
+  view.next_steps = next_steps(c);
   view.pictures = key_pictures(c);
   view.boundary = boundary_facts(c);
   view.certificate = certificate_facts(c, provenance);

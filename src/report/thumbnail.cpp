@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "report/kept_samples.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -114,21 +115,6 @@ std::string size_in_words(double size, const wording::Scale& scale) {
   return wording::with_unit(wording::significant(size * scale.factor, digits), scale.unit);
 }
 
-/// The samples of the last cycles, at most as many as such a picture can show.
-std::vector<std::size_t> last_cycles(const std::vector<double>& t, double frequency_Hz) {
-  constexpr double cycles = 2;
-  constexpr std::size_t most = 400;
-  std::size_t first = 0;
-  if (frequency_Hz > 0) {
-    const double from = t.back() - cycles / frequency_Hz;
-    first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin());
-  }
-  std::vector<std::size_t> kept;
-  const std::size_t step = (t.size() - first + most - 1) / most;
-  for (std::size_t i = first; i < t.size(); i += std::max<std::size_t>(step, 1)) kept.push_back(i);
-  return kept;
-}
-
 }  // namespace
 
 std::optional<Thumbnail> loop_thumbnail(const calibration::Calibration& c) {
@@ -140,7 +126,7 @@ std::optional<Thumbnail> loop_thumbnail(const calibration::Calibration& c) {
       c.hysteresis.oscillations.empty() ? 0.0 : c.hysteresis.oscillations.front().frequency_Hz;
   Points measured;
   Points fitted;
-  for (const std::size_t i : last_cycles(trace.t_s, frequency)) {
+  for (const std::size_t i : last_cycles(trace.t_s, frequency, 2, 400)) {
     measured.x.push_back(trace.q_rad[i]);
     measured.y.push_back(trace.torque_Nm[i]);
     if (!is_fitted) continue;

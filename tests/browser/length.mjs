@@ -28,14 +28,15 @@ export async function sheetsOf(page, name) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  console.log("| page | words in sight | tables | figures | screens (1400 x 900) | printed pages | kB |");
-  console.log("|---|---|---|---|---|---|---|");
+  console.log("| page | words in sight | tables | figures | screens (1400 x 900) | printed pages | kB | first paint [ms] |");
+  console.log("|---|---|---|---|---|---|---|---|");
   for (const name of process.argv.slice(2)) {
     const { page, close } = await open(name, { width: 1400, height: 900 });
     const seen = await inSight(page);
+    const paint = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
     const sheets = await sheetsOf(page, name);
     const size = Math.round(statSync(reportPath(name)).size / 1000);
-    console.log(`| ${name} | ${seen.words} | ${seen.tables} | ${seen.figures} | ${(seen.height / 900).toFixed(1)} | ${sheets} | ${size} |`);
+    console.log(`| ${name} | ${seen.words} | ${seen.tables} | ${seen.figures} | ${(seen.height / 900).toFixed(1)} | ${sheets} | ${size} | ${paint.toFixed(0)} |`);
     await close();
   }
   process.exit(0);

@@ -173,7 +173,7 @@ TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
   EXPECT_EQ(wording::words(d.notes),
             (std::vector<std::string>{
                 "the logs reach 97.4°, outside the range of motion of joint 'J' in "
-                "arm.toml, -90° to 90°: do both count the angle from the same zero and "
+                "arm.toml, −90° to 90°: do both count the angle from the same zero and "
                 "with the same sign?"}));
 }
 

@@ -65,7 +65,7 @@ TEST(EffortProvenance, OfAProposalAndOfATargetFails) {
       method::checks::check_effort_provenance(method::checks::look_at(d));
   EXPECT_EQ(proposed.state, method::checks::CheckState::fails);
   EXPECT_NE(wording::words(proposed.found)
-                .find("motor_torque on the motor side is proposed, not confirmed"),
+                .find("'motor_torque' on the motor side is proposed, not confirmed"),
             std::string::npos);
   EXPECT_FALSE(proposed.experiment.empty());
   d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::joint);
@@ -105,10 +105,11 @@ TEST(EffortColumn, ContradictsTheManifestByItsName) {
         Case{joint::Drive(100, joint::EffortKind::motor_current, joint::Side::joint, 50),
              ur_current, ""},
         Case{motor, ur_current,
-             "a motor_current into column 'actual_current_0'; the manifest states a motor_torque"},
+             "a 'motor_current' into column 'actual_current_0'; the manifest states a "
+             "'motor_torque'"},
         Case{current, ur_target, "a controller target"},
         Case{at_joint(100), ur_target, "a controller target"},
-        Case{target, ur_current, "a measurement"}, Case{current, franka, "a joint_torque"},
+        Case{target, ur_current, "a measurement"}, Case{current, franka, "a 'joint_torque'"},
         Case{motor, franka, "a joint-side torque"},
         Case{joint::Drive(100, joint::EffortKind::motor_torque, joint::Side::joint), franka,
              "on the output side of the gear"}}) {

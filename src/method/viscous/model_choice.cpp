@@ -357,9 +357,8 @@ void follow_waiboer(const CurveModelChoice& choice, const std::vector<CurveSampl
     if (p.name == "stribeck_speed_rad_s") law.stribeck_speed_rad_s = {p.estimate, {}};
   }
   // Its own exponent is told in place of the other law's.
-  std::erase_if(law.findings, [](const Statement& one) {
-    return one.is("curve_model.viscous_not_linear");
-  });
+  std::erase_if(law.findings,
+                [](const Statement& one) { return one.is("curve_model.viscous_not_linear"); });
   law.findings.push_back(law.coulomb_Nm.why_not);
   law.findings.push_back(law.viscous_Nms_rad.why_not);
 }

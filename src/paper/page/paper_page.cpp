@@ -124,10 +124,9 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
   }
   if (item.checks.empty()) return;
   const checks::Tally tally = checks::tally_checks(item.checks);
-  const std::string caption =
-      tr("{item}: {holding_checks} of {checks} checks hold", {{"item", checks::item_name(item)},
-                                                              {"holding_checks", tally.hold},
-                                                              {"checks", tally.there}});
+  const std::string caption = tr(
+      "{item}: {holding_checks} of {checks} checks hold",
+      {{"item", checks::item_name(item)}, {"holding_checks", tally.hold}, {"checks", tally.there}});
   // Where all hold, their number says it.
   report::TemplateValues* place = &out;
   if (tally.hold == tally.there) {

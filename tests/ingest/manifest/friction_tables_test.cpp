@@ -132,7 +132,7 @@ TEST(FrictionTables, RefusalsQuoteTheRuleAtTheKeyAtFault) {
   };
   EXPECT_EQ(
       own("dahl", "viscous_Nms_rad = 0.01\nexponent = -1\ncoulomb_Nm = 0.5\n"),
-      "f.toml:12:12: key 'friction.dahl.exponent': Dahl's exponent -1 is not allowed; it must "
+      "f.toml:12:12: key 'friction.dahl.exponent': Dahl's exponent −1 is not allowed; it must "
       "be >= 0");
   EXPECT_EQ(own("gms", "attraction_Nm_s = 0\n"),
             "f.toml:11:19: key 'friction.gms.attraction_Nm_s': attraction 0 N·m/s is not allowed; "

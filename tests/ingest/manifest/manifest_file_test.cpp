@@ -191,7 +191,7 @@ TEST(Manifest, WantsATorqueConstantForACurrentOnly) {
             "ampere, on the side stated; hint: without it a current cannot become a torque");
   EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\ntorque_constant_Nm_A = 2")),
             "m.toml:10:24: key 'effort.torque_constant_Nm_A': torque constant 2 N·m/A is given for "
-            "an effort of kind motor_torque; it belongs to motor_current");
+            "an effort of kind motor_torque; it belongs to 'motor_current'");
 }
 
 TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
@@ -415,7 +415,7 @@ TEST(ManifestEffort, OfAModelIsATorqueOnTheSideStated) {
   EXPECT_EQ(joint::to_string(m.manifest.drive.kind()), "target_torque");
   EXPECT_NE(
       refusal(with("kind = \"motor_torque\"", "kind = \"target_torque\"\ntorque_constant_Nm_A = 2"))
-          .find("belongs to motor_current"),
+          .find("belongs to 'motor_current'"),
       std::string::npos);
 }
 
