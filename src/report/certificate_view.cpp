@@ -68,8 +68,10 @@ std::string what_went_in(const calibration::Calibration& c) {
       {{"recordings", recordings}, {"used", wording::count(used)}, {"read", wording::count(read)}});
 }
 
-bool is_stated_as_number(const calibration::QuantityVerdict& q) {
-  return q.budget && q.verdict != calibration::Verdict::not_identifiable;
+/// Nullptr where no number is stated.
+const calibration::UncertaintyBudget* stated_budget(const calibration::QuantityVerdict& q) {
+  if (q.verdict == calibration::Verdict::not_identifiable) return nullptr;
+  return q.budget ? &*q.budget : nullptr;
 }
 
 std::string names_of(const std::vector<calibration::Influence>& influences) {
@@ -84,8 +86,9 @@ std::string names_of(const std::vector<calibration::Influence>& influences) {
 std::string included(const calibration::Judgement& judgement) {
   std::vector<calibration::Influence> parts;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    if (!is_stated_as_number(q)) continue;
-    for (const calibration::BudgetPart& part : q.budget->parts) parts.push_back(part.influence);
+    const calibration::UncertaintyBudget* budget = stated_budget(q);
+    if (budget == nullptr) continue;
+    for (const calibration::BudgetPart& part : budget->parts) parts.push_back(part.influence);
   }
   return or_dash(names_of(parts));
 }
@@ -93,8 +96,9 @@ std::string included(const calibration::Judgement& judgement) {
 std::string not_included(const calibration::Judgement& judgement) {
   std::vector<calibration::Influence> missing;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    if (!is_stated_as_number(q)) continue;
-    missing.insert(missing.end(), q.budget->not_stated.begin(), q.budget->not_stated.end());
+    const calibration::UncertaintyBudget* budget = stated_budget(q);
+    if (budget == nullptr) continue;
+    missing.insert(missing.end(), budget->not_stated.begin(), budget->not_stated.end());
   }
   const std::string never = tr("wear, and temperatures and loads other than those recorded");
   return missing.empty() ? never

@@ -171,12 +171,11 @@ KeyPicture begun(const std::string& id, const std::string& title, const std::str
   return picture;
 }
 
-const calibration::QuantityVerdict* known(const calibration::Calibration& c,
-                                          joint::Quantity quantity) {
+/// With its expanded interval; nullptr where there is nothing to state.
+const statistics::Estimate* known(const calibration::Calibration& c, joint::Quantity quantity) {
   const calibration::QuantityVerdict* q = c.judgement.find(quantity);
-  const bool is_known =
-      q != nullptr && q->budget && q->verdict != calibration::Verdict::not_identifiable;
-  return is_known ? q : nullptr;
+  if (q == nullptr || q->verdict == calibration::Verdict::not_identifiable) return nullptr;
+  return q->budget ? &q->budget->expanded : nullptr;
 }
 
 std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
@@ -219,10 +218,10 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   picture.fitted = frame.line(fitted);
   picture.caption = fitted.x.empty() ? tr("Dark: the last cycle as measured.")
                                      : tr("Dark: the last cycle as measured; blue: the LuGre fit.");
-  const auto* gravity = known(c, joint::Quantity::gravity_torque);
+  const statistics::Estimate* gravity = known(c, joint::Quantity::gravity_torque);
   if (gravity != nullptr && c.q_peak_rad) {
     const double cosine = std::cos(motion.centre_rad - c.q_peak_rad->value);
-    const statistics::Estimate at_centre = statistics::scaled(gravity->budget->expanded, cosine);
+    const statistics::Estimate at_centre = statistics::scaled(*gravity, cosine);
     const double middle = y(at_centre.value);
     if (middle > shown_y.low && middle < shown_y.high) {
       picture.level = frame.level(middle);
@@ -265,9 +264,9 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
             wording::axis_title(tr("torque at the motor"), y), frame);
   picture.fitted = frame.line(rising) + frame.line(falling);
   picture.caption = tr("The sweep's torque as fitted, with the angle rising and falling.");
-  const auto* angle = known(c, joint::Quantity::cog_angle);
+  const statistics::Estimate* angle = known(c, joint::Quantity::cog_angle);
   if (angle != nullptr) {
-    const statistics::Estimate& at = angle->budget->expanded;
+    const statistics::Estimate& at = *angle;
     if (x(at.low) > shown_x.low && x(at.high) < shown_x.high) {
       // At least as wide as can be seen.
       const double middle = x(at.value);
