@@ -279,9 +279,9 @@ class DifferenceAxis {
     }
   }
   [[nodiscard]] static const statistics::Estimate* percent_of(const history::ComparedQuantity& q) {
-    const bool is_known = q.change && q.change->percent && std::isfinite(q.change->percent->low) &&
-                          std::isfinite(q.change->percent->high);
-    return is_known ? &*q.change->percent : nullptr;
+    if (!q.change || !q.change->percent) return nullptr;
+    const statistics::Estimate& percent = *q.change->percent;
+    return std::isfinite(percent.low) && std::isfinite(percent.high) ? &percent : nullptr;
   }
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool holds(double percent) const { return std::abs(percent) <= end_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <fmt/format.h>
+
 #include "calibration/archived_calibration.h"
 #include "report/element_values.h"
 #include "report/fleet_values.h"
