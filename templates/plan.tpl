@@ -43,8 +43,8 @@
 <ul>
 {{#INSTRUCTION}}<li><bdi>{{TEXT}}</bdi></li>
 {{/INSTRUCTION}}</ul>
-{{>POSITIONS}}
 <details class="fold"><summary>Recordings and their time windows</summary>
+{{>POSITIONS}}
 {{>WINDOWS}}
 </details>
 </section>{{/HOW}}

@@ -4,7 +4,7 @@
 import { execFileSync } from "node:child_process";
 import { statSync, rmSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { open, reportPath } from "./open_report.mjs";
+import { open, reportPath, settled } from "./open_report.mjs";
 
 /// What stands in sight while nothing is unfolded. Labels of plots count as the viewer's.
 export const inSight = (page) => page.evaluate(() => {
@@ -33,7 +33,8 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   for (const name of process.argv.slice(2)) {
     const { page, close } = await open(name, { width: 1400, height: 900 });
     const seen = await inSight(page);
-    const paint = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
+    await settled(page);
+    const paint = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? NaN);
     const sheets = await sheetsOf(page, name);
     const size = Math.round(statSync(reportPath(name)).size / 1000);
     console.log(`| ${name} | ${seen.words} | ${seen.tables} | ${seen.figures} | ${(seen.height / 900).toFixed(1)} | ${sheets} | ${size} | ${paint.toFixed(0)} |`);
