@@ -36,11 +36,17 @@ std::string largest_part(const calibration::QuantityVerdict& q) {
             {{"influence", name_of(part.influence)}, {"share", share_in_words(part.share)}});
 }
 
+const UncertaintyBudget* stated_budget(const calibration::QuantityVerdict& q) {
+  if (q.verdict == calibration::Verdict::not_identifiable) return nullptr;
+  return q.budget ? &*q.budget : nullptr;
+}
+
 std::vector<BudgetRow> budget_rows(const calibration::Judgement& judgement) {
   std::vector<BudgetRow> rows;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    if (!q.budget || q.verdict == calibration::Verdict::not_identifiable) continue;
-    const UncertaintyBudget& budget = *q.budget;
+    const UncertaintyBudget* const stated = stated_budget(q);
+    if (stated == nullptr) continue;
+    const UncertaintyBudget& budget = *stated;
     const wording::Scale scale = wording::quantity_scale(q.unit, q.estimate->value);
     const auto in_unit = [&](double value) {
       constexpr int digits = 2;

@@ -68,12 +68,6 @@ std::string what_went_in(const calibration::Calibration& c) {
       {{"recordings", recordings}, {"used", wording::count(used)}, {"read", wording::count(read)}});
 }
 
-/// Nullptr where no number is stated.
-const calibration::UncertaintyBudget* stated_budget(const calibration::QuantityVerdict& q) {
-  if (q.verdict == calibration::Verdict::not_identifiable) return nullptr;
-  return q.budget ? &*q.budget : nullptr;
-}
-
 std::string names_of(const std::vector<calibration::Influence>& influences) {
   std::vector<std::string> names;
   for (const calibration::Influence one : influences) {

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "report/view_parts.h"
-#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -40,11 +39,6 @@ bool tells(const Statement& finding, const Statement& reason) {
          *found == *of_reason;
 }
 
-/// Not one that nothing rests on and that does not show.
-bool is_in_the_table(const calibration::QuantityVerdict& q) {
-  return q.decides || q.verdict != calibration::Verdict::not_identifiable;
-}
-
 /// Whether a quantity's verdict rests on it.
 bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) {
   return std::any_of(q.reasons.begin(), q.reasons.end(),
@@ -63,7 +57,7 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
   const auto weight = [&](const Statement& statement) {
     int heaviest = 2;
     for (const calibration::QuantityVerdict& q : judgement.quantities) {
-      if (is_reason(statement, q)) heaviest = std::min(heaviest, is_in_the_table(q) ? 0 : 1);
+      if (is_reason(statement, q)) heaviest = std::min(heaviest, is_merely_absent(q) ? 1 : 0);
     }
     return heaviest;
   };
@@ -76,8 +70,7 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
     findings_.push_back(std::move(finding));
   }
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    const std::string name =
-        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity)));
+    const std::string name = name_within_a_sentence(q.quantity);
     for (const int number : numbers_of(q)) {
       findings_[static_cast<std::size_t>(number) - 1].quantities.push_back(name);
     }
@@ -120,8 +113,7 @@ std::vector<NextStep> next_steps(const calibration::Calibration& c) {
     return found != steps.end() ? found : steps.insert(steps.end(), {text, {}});
   };
   const auto add = [](const calibration::QuantityVerdict& q, NextStep& step) {
-    const std::string name =
-        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity)));
+    const std::string name = name_within_a_sentence(q.quantity);
     if (std::find(step.quantities.begin(), step.quantities.end(), name) == step.quantities.end()) {
       step.quantities.push_back(name);
     }

@@ -174,8 +174,8 @@ KeyPicture begun(const std::string& id, const std::string& title, const std::str
 /// With its expanded interval; nullptr where there is nothing to state.
 const statistics::Estimate* known(const calibration::Calibration& c, joint::Quantity quantity) {
   const calibration::QuantityVerdict* q = c.judgement.find(quantity);
-  if (q == nullptr || q->verdict == calibration::Verdict::not_identifiable) return nullptr;
-  return q->budget ? &q->budget->expanded : nullptr;
+  const calibration::UncertaintyBudget* budget = q == nullptr ? nullptr : stated_budget(*q);
+  return budget == nullptr ? nullptr : &budget->expanded;
 }
 
 std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {

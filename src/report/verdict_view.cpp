@@ -123,14 +123,13 @@ std::string verdict_in_words(calibration::Verdict verdict) {
   return tr("not identifiable");
 }
 
-namespace {
-
-/// What nothing rests on, and does not show, is no fault.
 bool is_merely_absent(const calibration::QuantityVerdict& q) {
   return !q.decides && q.verdict == calibration::Verdict::not_identifiable;
 }
 
-}  // namespace
+std::string name_within_a_sentence(joint::Quantity quantity) {
+  return wording::within_a_sentence(wording::words_for("quantity", to_string(quantity)));
+}
 
 std::vector<QuantityRow> quantity_rows(const calibration::Calibration& c,
                                        const NumberedFindings& findings,
@@ -166,9 +165,7 @@ template <typename Test>
 std::string names_of(const calibration::Judgement& judgement, Test is_meant) {
   std::vector<std::string> names;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
-    if (!is_meant(q)) continue;
-    names.push_back(
-        wording::within_a_sentence(wording::words_for("quantity", to_string(q.quantity))));
+    if (is_meant(q)) names.push_back(name_within_a_sentence(q.quantity));
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }

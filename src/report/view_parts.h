@@ -75,6 +75,12 @@ inline constexpr std::size_t findings_on_page_one = 3;
 std::vector<QuantityRow> quantity_rows(const calibration::Calibration& calibration,
                                        const NumberedFindings& findings,
                                        const std::optional<history::Comparison>& since_last);
+/// Nothing rests on it, and it does not show: that is no fault.
+bool is_merely_absent(const calibration::QuantityVerdict& quantity);
+/// Nullptr where no number is stated: without an estimate, or where the verdict refuses it.
+const calibration::UncertaintyBudget* stated_budget(const calibration::QuantityVerdict& quantity);
+/// "surrogate mass", as it stands within a sentence.
+std::string name_within_a_sentence(joint::Quantity quantity);
 /// "9 of 10 quantities are usable. Doubtful: ..."; of those that stand in the first table.
 std::string rows_in_words(const calibration::Judgement& judgement);
 /// Quantities that nothing rests on and that do not show; empty: there are none.
