@@ -73,8 +73,9 @@ TEST_F(LoopFigures, ThePeaksIntervalIsABandAsFarAsTheLoopGoes) {
     EXPECT_EQ(bands.front().label, "95 % interval of q_{peak}");
   }
   calibration_.q_peak_rad->low = known::q_peak_rad - 1;
-  EXPECT_EQ(torque_loop_figure(calibration_)->figure.panels.front().bands.front().label,
-            "95 % interval of q_{peak}, wider than the loop");
+  const auto wider_than_the_loop = torque_loop_figure(calibration_);
+  ASSERT_TRUE(wider_than_the_loop);
+  EXPECT_TRUE(wider_than_the_loop->figure.panels.front().bands.empty());
   calibration_.q_peak_rad->low = known::q_peak_rad - 1e-9;
   calibration_.q_peak_rad->high = known::q_peak_rad + 1e-9;
   EXPECT_TRUE(torque_loop_figure(calibration_)->figure.panels.front().bands.empty());
