@@ -47,6 +47,16 @@ TEST(TorqueOutliers, SpikesAreReplacedByTheLineBetweenTheirNeighboursAndCounted)
   }
 }
 
+TEST(TorqueOutliers, SpikesAreFoundInASteadyMotionWhoseAnglesAreRounded) {
+  constexpr double step = 1e-4;
+  joint::Recording r = loop(0.01);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    r.q_rad[i] = step * std::round(0.003 * r.t_s[i] / step);  // most angles equal their neighbours
+  }
+  for (std::size_t i = 20; i < r.size(); i += 97) r.torque_Nm[i] += 2;
+  EXPECT_EQ(method::motion::torque_outliers(r).size(), 21U);
+}
+
 TEST(TorqueOutliers, ALogThatConsistsOfSpikesIsLeftAsItIs) {
   joint::Recording r = loop(0.01);
   for (std::size_t i = 0; i < r.size(); i += 5) r.torque_Nm[i] += 2;

@@ -38,16 +38,22 @@ double deviation_about(const std::vector<double>& y, std::size_t i, double media
 class RareMotion {
  public:
   explicit RareMotion(const std::vector<double>& q_rad) : q_(q_rad) {
-    std::vector<double> sizes;
+    std::vector<double> changes;
+    std::vector<double> paths;
     for (std::size_t i = beside_scale; i + beside_scale < q_.size(); ++i) {
-      sizes.push_back(std::abs(change(i)));
+      changes.push_back(std::abs(change(i)));
+      paths.push_back(std::abs(q_[i + beside] - q_[i - beside]));
     }
-    usual_ = statistics::normal_sd_by_median_size * statistics::median(std::move(sizes));
+    constexpr double rare = 5 * statistics::normal_sd_by_median_size;
+    constexpr double steady = 0.01;  // of the path
+    // A second difference of rounded angles is up to two steps off.
+    constexpr double rounding = 2.5;
+    rare_ = std::max({rare * statistics::median(std::move(changes)),
+                      steady * statistics::median(std::move(paths)), rounding * common_step(q_)});
   }
   [[nodiscard]] bool at(std::size_t i) const {
-    constexpr double rare = 5;
     for (std::size_t k = i - beside; k <= i + beside; ++k) {
-      if (std::abs(change(k)) > rare * usual_) return true;
+      if (std::abs(change(k)) > rare_) return true;
     }
     return false;
   }
@@ -57,7 +63,7 @@ class RareMotion {
     return q_[i + beside] - 2 * q_[i] + q_[i - beside];
   }
   const std::vector<double>& q_;
-  double usual_{};
+  double rare_{};
 };
 
 }  // namespace
@@ -70,7 +76,6 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   const std::vector<double>& y = recording.torque_Nm;
   if (y.size() < fewest_samples || y.size() != recording.size()) return {};
   const double noise = statistics::white_sd_beside_jumps(statistics::third_differences(y));
-  const RareMotion motion(recording.q_rad);
   std::vector<double> sorted = y;
   const auto at = [&](double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
@@ -90,13 +95,14 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
     const double median = median_about(y, i, beside);
     const double off = std::abs(y[i] - median);
     if (!(off > least)) continue;
-    if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale)) && !motion.at(i)) {
-      out.push_back(i);
-    }
+    if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale))) out.push_back(i);
   }
+  if (out.empty()) return out;
+  const RareMotion motion(recording.q_rad);
+  std::erase_if(out, [&](std::size_t i) { return motion.at(i); });
   // A torque in coarse steps flickers between two of them.
   constexpr double flicker = 1.5;
-  const double step = out.empty() ? 0 : common_step(y);
+  const double step = common_step(y);
   if (step > 0) {
     std::erase_if(out, [&](std::size_t i) {
       return std::abs(y[i] - median_about(y, i, beside)) < flicker * step;
