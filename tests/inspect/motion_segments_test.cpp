@@ -217,6 +217,50 @@ TEST(MotionSegments, AMotionUnderARisingEffortIsNoRamp) {
   }
 }
 
+/// A motor at 48 samples a second whose effort is noise for a third, with an encoder that does not
+/// flicker: pushed up until it slips, then down without effect, then run to and fro.
+inspect::motion::AngleTrace pushed_up_and_down() {
+  statistics::RandomStream noise(5, 0);
+  inspect::motion::AngleTrace trace;
+  double q_rad = -2.4;
+  for (int i = 0; i < 2400; ++i) {
+    const double t = i / 48.0;
+    double effort = 0;
+    if (t < 15) {
+      effort = 0.036 * t;
+      if (t > 14.8) q_rad += 8e-3;
+    } else if (t < 32) {
+      effort = -0.036 * (t - 15);
+    } else if (t < 41) {
+      effort = 1;
+      q_rad += 0.1;
+    } else {
+      effort = -1;
+      q_rad -= 0.1;
+    }
+    trace.t_s.push_back(t);
+    trace.q_rad.push_back(4e-4 * std::round(q_rad / 4e-4));
+    trace.effort.push_back(effort + 0.12 * noise.normal());
+  }
+  return trace;
+}
+
+TEST(MotionSegments, RampsAreFoundInNoiseThatHidesTheirTurns) {
+  std::vector<inspect::motion::MotionSegment> ramps;
+  for (const auto& s : inspect::motion::cut_by_motion(pushed_up_and_down())) {
+    if (s.kind == inspect::motion::MotionKind::break_away_ramp) ramps.push_back(s);
+  }
+  ASSERT_EQ(ramps.size(), 2U);
+  EXPECT_LT(ramps[0].from_s, 1.5);
+  EXPECT_NEAR(ramps[0].to_s, 15, 0.2);
+  EXPECT_NEAR(ramps[0].effort_rate, 0.036, 0.003);
+  EXPECT_TRUE(ramps[0].joint_slid);
+  EXPECT_NEAR(ramps[1].from_s, 15, 1.5);
+  EXPECT_NEAR(ramps[1].to_s, 32, 1);
+  EXPECT_NEAR(ramps[1].effort_rate, -0.036, 0.003);
+  EXPECT_FALSE(ramps[1].joint_slid);
+}
+
 TEST(MotionSegments, TooFewSamplesAreNothing) {
   EXPECT_TRUE(inspect::motion::cut_by_motion({}).empty());
   EXPECT_TRUE(inspect::motion::cut_by_motion({{0}, {1}, {}}).empty());

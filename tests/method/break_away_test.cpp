@@ -11,6 +11,7 @@
 #include "friction/lugre.h"
 #include "simulate/drive_noise.h"
 #include "simulate/forced_motion.h"
+#include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 #include "wording/words.h"
 
@@ -64,6 +65,34 @@ TEST(BreakAway, ANoisyTorqueBeforeTheRampDoesNotTurnIt) {
   EXPECT_TRUE(found.is_rising);
   EXPECT_TRUE(found.broke_away);
   EXPECT_NEAR(found.friction_Nm, clean.ramps.front().friction_Nm, 0.005);
+}
+
+/// At 48 samples a second, the torque's noise a fifth of what it breaks away at, the angle without a
+/// step before it slides for a fifth of a second.
+joint::Recording coarse_ramp(double slip_at_s) {
+  statistics::RandomStream noise(3, 1);
+  joint::Recording r;
+  r.name = "coarse.csv";
+  double q_rad = 0;
+  for (int i = 0; i < 720; ++i) {
+    const double t = i / 48.0;
+    if (t > slip_at_s) q_rad += 0.075 * (t - slip_at_s);
+    r.t_s.push_back(t);
+    r.q_rad.push_back(4e-4 * std::round(q_rad / 4e-4));
+    r.torque_Nm.push_back(0.036 * t + 0.1 * noise.normal());
+  }
+  return r;
+}
+
+TEST(BreakAway, AShortSlideIsSeenByAnEncoderThatNeverFlickered) {
+  const joint::Recording slides = coarse_ramp(14.8);
+  const joint::Recording rests = coarse_ramp(100);
+  const auto found = method::hysteresis::identify_break_away({&slides, &rests}, std::nullopt);
+  ASSERT_EQ(found.ramps.size(), 2U);
+  EXPECT_TRUE(found.ramps[0].broke_away);
+  EXPECT_TRUE(found.ramps[0].is_rising);
+  EXPECT_NEAR(found.ramps[0].torque_Nm, 0.533, 0.06);  // of one sample: 0.2
+  EXPECT_FALSE(found.ramps[1].broke_away);
 }
 
 TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {

@@ -131,13 +131,18 @@ class MotionCutter {
               [](const MotionSegment& a, const MotionSegment& b) { return a.first < b.first; });
     const TorqueRampFinder ramps(trace_, floor_);
     std::size_t first = 0;
+    const auto take = [&](const TorqueRamp& ramp) {
+      MotionSegment s = segment(MotionKind::break_away_ramp, ramp.first, ramp.last);
+      s.effort_rate = ramp.rate;
+      s.joint_slid = ramp.joint_slid;
+      segments_.push_back(s);
+    };
     const auto look_until = [&](std::size_t last) {
       for (const TorqueRamp& ramp : ramps.between(first, last)) {
-        if (starts_a_motion(ramp)) continue;
-        MotionSegment s = segment(MotionKind::break_away_ramp, ramp.first, ramp.last);
-        s.effort_rate = ramp.rate;
-        s.joint_slid = ramp.joint_slid;
-        segments_.push_back(s);
+        if (!starts_a_motion(ramp)) take(ramp);
+      }
+      for (const TorqueRamp& ramp : ramps_in_noise(trace_, first, last, floor_)) {
+        if (is_free(ramp.first, ramp.last)) take(ramp);
       }
     };
     for (const MotionSegment& s : taken) {

@@ -11,6 +11,7 @@
 #include "base/requirements.h"
 #include "method/hysteresis/break_away_level.h"
 #include "method/hysteresis/position_mean.h"
+#include "method/motion/encoder_resolution.h"
 #include "statistics/distributions.h"
 #include "statistics/group_mean.h"
 #include "statistics/linear_systems.h"
@@ -53,7 +54,12 @@ struct RampBegin {
 /// over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
 RampBegin begin_of_ramp(const joint::Recording& r) {
   const std::size_t window = window_of(r);
-  const double rest = torque_on * largest_change_Nm(r);
+  // Two means of noise alone differ by as much once in many thousands.
+  constexpr double clear = 4;
+  const double noise =
+      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  const double rest = std::max(torque_on * largest_change_Nm(r),
+                               clear * noise * std::sqrt(2 / static_cast<double>(window)));
   double sum = 0;
   for (std::size_t i = 0; i < window; ++i) sum += r.torque_Nm[i];
   const double first = sum / static_cast<double>(window);
@@ -95,15 +101,22 @@ RampEnd end_of_ramp(const joint::Recording& r, double sign) {
   return {largest, last};
 }
 
-/// What the torque has certainly reached at a sample: by a straight line through those before it,
-/// less two standard errors of its end.
-double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
+/// A ramp's torque at a sample.
+struct TorqueAt {
+  double torque_Nm{};
+  double standard_error_Nm{};
+};
+
+/// By a straight line through the samples before it.
+TorqueAt torque_by_line(const joint::Recording& r, std::size_t at) {
   constexpr std::size_t share = 20;
   constexpr std::size_t most = 50;
   constexpr std::size_t fewest = 4;
   const std::size_t count =
       std::min(std::clamp<std::size_t>(r.size() / share, 2 * fewest, most), at + 1);
-  if (count < fewest) return r.torque_Nm[at];
+  const double noise =
+      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  if (count < fewest) return {r.torque_Nm[at], noise};
   const auto n = static_cast<double>(count);
   double mean = 0;
   double slope = 0;
@@ -113,14 +126,27 @@ double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign)
     mean += torque / n;
     slope += from_middle * torque * 12 / (n * (n * n - 1));
   }
+  return {mean + slope * (n - 1) / 2, 2 * noise / std::sqrt(n)};
+}
+
+/// What the torque has certainly reached at a sample.
+double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
+  const TorqueAt reached = torque_by_line(r, at);
+  return reached.torque_Nm - sign * 2 * reached.standard_error_Nm;
+}
+
+/// A sample's own torque, where its noise does not matter.
+double torque_at_Nm(const joint::Recording& r, std::size_t at) {
+  constexpr double matters = 0.05;
   const double noise =
       statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
-  return mean + slope * (n - 1) / 2 - sign * 2 * noise * 2 / std::sqrt(n);
+  const bool is_noisy = noise > matters * std::abs(r.torque_Nm[at]);
+  return is_noisy ? torque_by_line(r, at).torque_Nm : r.torque_Nm[at];
 }
 
 /// The usual step of the angle from sample to sample, zero steps left out: the encoder's step or
 /// its noise, whichever shows. From the part that certainly rests, up to half of the ramp's torque:
-/// steps in sliding are larger.
+/// steps in sliding are larger, but whole multiples of an encoder's.
 double usual_step_rad(const joint::Recording& r) {
   const double largest = largest_change_Nm(r);
   std::vector<double> at_rest;
@@ -134,7 +160,13 @@ double usual_step_rad(const joint::Recording& r) {
   }
   if (all.empty()) return 0;
   constexpr std::size_t enough = 5;
-  return statistics::median(at_rest.size() >= enough ? std::move(at_rest) : std::move(all));
+  if (at_rest.size() >= enough) return statistics::median(std::move(at_rest));
+  const double encoder = motion::common_step(r.q_rad);
+  if (encoder > 0) return encoder;
+  // Of a rest without any and a short slide: none is smaller than the encoder's.
+  constexpr std::size_t few = 10;
+  return all.size() < few ? *std::min_element(all.begin(), all.end())
+                          : statistics::median(std::move(all));
 }
 
 /// Where the joint has moved `need` on from sample i, or the end.
@@ -319,7 +351,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
   if (ramp.broke_away && knows_inertia) {
     at = where_it_held_most(r, at, beside, rest_Nm, sign * inertia_at_joint);
   }
-  ramp.torque_Nm = ramp.broke_away ? r.torque_Nm[at] : torque_reached_Nm(r, largest, sign);
+  ramp.torque_Nm = ramp.broke_away ? torque_at_Nm(r, at) : torque_reached_Nm(r, largest, sign);
   if (shows_acceleration) {
     const Acceleration acceleration = acceleration_at(r, at, beside);
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration.value;
