@@ -45,6 +45,28 @@ bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) 
                      [&](const Statement& reason) { return tells(finding, reason); });
 }
 
+/// Reasons that are no findings of their own say how little is known of a quantity. Before these
+/// stands what the rules found the farthest beyond its threshold: it may well be why.
+void put_a_cause_first(const calibration::Judgement& judgement,
+                       std::vector<Statement>& statements) {
+  const std::vector<Statement>& findings = judgement.findings;
+  if (statements.empty() ||
+      std::find(findings.begin(), findings.end(), statements.front()) != findings.end()) {
+    return;
+  }
+  double farthest = 0;
+  auto cause = statements.end();
+  for (const calibration::RuleOutcome& rule : judgement.rules) {
+    if (rule.is_note || rule.finding.empty() || !rule.value) continue;
+    const double times = *rule.value / rule.threshold;
+    const auto at = std::find(statements.begin(), statements.end(), rule.finding);
+    if (at == statements.end() || !(times > farthest)) continue;
+    farthest = times;
+    cause = at;
+  }
+  if (cause != statements.end()) std::rotate(statements.begin(), cause, cause + 1);
+}
+
 }  // namespace
 
 NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
@@ -63,6 +85,7 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
   };
   std::stable_sort(statements_.begin(), statements_.end(),
                    [&](const Statement& a, const Statement& b) { return weight(a) < weight(b); });
+  put_a_cause_first(judgement, statements_);
   for (const Statement& statement : statements_) {
     Finding finding;
     finding.number = static_cast<int>(findings_.size()) + 1;

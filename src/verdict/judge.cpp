@@ -14,6 +14,7 @@
 #include "method/checks/data_check.h"
 #include "verdict/acceptance.h"
 #include "verdict/curve_findings.h"
+#include "verdict/finding_order.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
@@ -235,57 +236,6 @@ bool is_of_gravity(const statistics::StageReport& stage) {
   return std::find(names.begin(), names.end(), stage.name) != names.end();
 }
 
-/// How many of the numbers that decide rest their doubt on a finding.
-std::ptrdiff_t numbers_resting_on(const Statement& finding,
-                                  const std::vector<calibration::QuantityVerdict>& quantities) {
-  return std::count_if(quantities.begin(), quantities.end(),
-                       [&](const calibration::QuantityVerdict& q) {
-                         return q.decides && q.verdict != calibration::Verdict::usable &&
-                                !q.reasons.empty() && q.reasons.front() == finding;
-                       });
-}
-
-/// Whether the statement has one of the codes, or one inside it has.
-bool says(const Statement& statement, const std::vector<Code>& codes) {
-  if (std::find(codes.begin(), codes.end(), statement.code()) != codes.end()) return true;
-  return std::any_of(statement.values().begin(), statement.values().end(), [&](const auto& v) {
-    const auto* inside = std::get_if<std::vector<Statement>>(&v.value);
-    return inside != nullptr && std::any_of(inside->begin(), inside->end(),
-                                            [&](const Statement& one) { return says(one, codes); });
-  });
-}
-
-/// Whether what one finding tells is a consequence of what the other does: estimates that disagree
-/// as an offset makes them, loops that are not symmetric as friction by direction makes them, loops
-/// that are beside a peak that a moving joint has shifted.
-bool follows_from(const Statement& finding, const Statement& cause,
-                  const calibration::Calibration& c) {
-  const std::vector<Code> by_direction{"cause.asymmetry", "cause.asymmetry_of_runs"};
-  if (says(finding, {"cross_check.offset_or_direction"})) {
-    return says(cause, {"cause.offset", "cause.offset_or_dead_zone", "cause.offset_taken_off",
-                        "cause.offset_taken_off_or_dead_zone"}) ||
-           says(cause, by_direction);
-  }
-  if (finding.is("cause.other_contact") && says(cause, by_direction)) {
-    const double asymmetry_Nm =
-        std::abs(c.session.direction.asymmetry.value) * c.session.mean_friction_Nm;
-    const auto* worst = c.lugre ? c.lugre->worst_described() : nullptr;
-    return worst != nullptr && c.session.direction.asymmetry_found &&
-           asymmetry_Nm > worst->systematic_Nm;
-  }
-  return says(finding, {"check.oscillation_at_peak"}) && cause.is("cause.other_joint");
-}
-
-/// Each finding stands behind the first that it follows from.
-void put_causes_first(const calibration::Calibration& c, std::vector<Statement>& findings) {
-  for (auto at = findings.begin(); at != findings.end(); ++at) {
-    const auto cause = std::find_if(at + 1, findings.end(), [&](const Statement& other) {
-      return follows_from(*at, other, c);
-    });
-    if (cause != findings.end()) std::rotate(at, cause, cause + 1);
-  }
-}
-
 /// Most important first: what is wrong with the data; then that on which most numbers rest their
 /// doubt, and else disagreements, broken limits, how friction is, what is missing, notes.
 std::vector<Statement> collect_findings(const calibration::Calibration& c,
@@ -300,7 +250,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::fails)) {
     add(finding_of(*check));
   }
-  const auto checks = static_cast<std::ptrdiff_t>(findings.size());
+  const std::size_t checks = findings.size();
   for (const calibration::RuleOutcome& rule : judgement.rules) {
     if (!rule.is_note) add(rule.finding);
   }
@@ -329,12 +279,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     if (rule.is_note) add(rule.finding);
   }
   add(what_is_not_stated(c, judgement.quantities));
-  std::stable_sort(findings.begin() + checks, findings.end(),
-                   [&](const Statement& a, const Statement& b) {
-                     return numbers_resting_on(a, judgement.quantities) >
-                            numbers_resting_on(b, judgement.quantities);
-                   });
-  put_causes_first(c, findings);
+  order_findings(c, judgement.quantities, checks, findings);
   return findings;
 }
 
@@ -387,6 +332,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
   out.rules = apply_rules(c, out.quantities);
+  give_causes_as_reasons(c, out.rules, out.quantities);
   const bool without_gravity = is_without_gravity(c);
   if (without_gravity) {
     // Identifying friction alone is legitimate: nothing is missing.

@@ -172,6 +172,11 @@ const Messages& hysteresis_messages() {
        text("{recording}: the torque reached {torque_Nm:.4g} N·m and the joint did not break away, "
             "so its break-away torque is larger than {friction_Nm:.4g} N·m (censored: a bound, not "
             "a value)")},
+      {"break_away.some_censored",
+       text("{count} of {ramps} ramps ended before the joint broke away, so its break-away torque "
+            "is larger than {friction_Nm:.4g} N·m (a bound, of {recording}, not a value)")},
+      {"break_away.censored_without_bound",
+       text("{count} of {ramps} ramps ended before the joint broke away")},
       {"break_away.too_few_towards_negative",
        text("fewer than two ramps broke away towards negative torque; more ramps there, up to a "
             "larger torque, would give the break-away torque with its scatter")},

@@ -223,6 +223,27 @@ TEST(Findings, AMisfitOfTheLoopsStandsBehindFrictionByDirectionOnlyIfThatIsLarge
   }
 }
 
+TEST(Findings, ALagThatBendsTheLoopsIsTheReasonOfTheirShape) {
+  for (const double lag_s : {1e-5, 0.1}) {
+    calibration::Calibration c = sound_joint();
+    ASSERT_TRUE(c.lugre && c.lugre->worst_described() != nullptr);
+    for (method::hysteresis::LuGreLoop& loop : c.lugre->loops) {
+      loop.systematic_Nm = 0.01 * loop.height_Nm;
+    }
+    c.torque_lag.lag_s = statistics::Estimate{lag_s, 0.9 * lag_s, 1.1 * lag_s, {}};
+    c.torque_lag.shape.reset();
+    const calibration::Judgement judgement = verdict::judge(c);
+    const auto& reasons = judgement.find(joint::Quantity::bristle_stiffness)->reasons;
+    const auto place = [&](const Code& code) {
+      return std::find_if(reasons.begin(), reasons.end(),
+                          [&](const Statement& one) { return one.is(code); });
+    };
+    ASSERT_NE(place({"cause.other_contact"}), reasons.end());
+    const bool bends = lag_s > 1e-3;
+    EXPECT_EQ(place({"cause.lag"}) < place({"cause.other_contact"}), bends) << lag_s;
+  }
+}
+
 TEST(Findings, AnotherJointThatMovesStandsBeforeTheShiftOfThePeakThatItMakes) {
   calibration::Calibration c = sound_joint();
   for (method::checks::DataCheck& check : c.data_checks.checks) {

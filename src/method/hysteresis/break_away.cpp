@@ -129,10 +129,40 @@ TorqueAt torque_by_line(const joint::Recording& r, std::size_t at) {
   return {mean + slope * (n - 1) / 2, 2 * noise / std::sqrt(n)};
 }
 
+/// Standard deviation of what hangs together in a torque's noise, such as a vibration, about a
+/// straight line through the last part of a ramp: white noise does not show it.
+double coloured_noise_Nm(const joint::Recording& r, std::size_t at) {
+  constexpr std::size_t share = 4;
+  constexpr std::size_t fewest = 20;
+  const std::size_t count = std::min(std::max(r.size() / share, fewest), at + 1);
+  if (count < fewest) return 0;
+  const std::size_t first = at + 1 - count;
+  const auto n = static_cast<double>(count);
+  double mean = 0;
+  double slope = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
+    mean += r.torque_Nm[first + k] / n;
+    slope += from_middle * r.torque_Nm[first + k] * 12 / (n * (n * n - 1));
+  }
+  double squares = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
+    squares += std::pow(r.torque_Nm[first + k] - mean - slope * from_middle, 2);
+  }
+  const double white = statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  const double coloured = squares / (n - 2) - white * white;
+  constexpr double clear = 1;  // of the white noise's variance
+  return coloured > clear * white * white ? std::sqrt(coloured) : 0;
+}
+
 /// What the torque has certainly reached at a sample.
 double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
   const TorqueAt reached = torque_by_line(r, at);
-  return reached.torque_Nm - sign * 2 * reached.standard_error_Nm;
+  constexpr double white = 2;
+  constexpr double coloured = 3;  // the largest bound of several ramps is said
+  return reached.torque_Nm - sign * std::hypot(white * reached.standard_error_Nm,
+                                               coloured * coloured_noise_Nm(r, at));
 }
 
 /// A sample's own torque, where its noise does not matter.
@@ -573,15 +603,26 @@ void add_reason(statistics::StageReport& stage, const Statement& reason) {
   stage.reason.add(reason);
 }
 
-/// The bounds of the ramps that did not break away.
+/// What the ramps that did not break away say: the largest of their bounds.
 void add_censored(BreakAwayResult& result) {
+  const BreakAwayRamp* largest = nullptr;
   for (const BreakAwayRamp& ramp : result.ramps) {
     if (ramp.broke_away) continue;
-    add_reason(result.stage, {"break_away.censored",
-                              {{"recording", ramp.recording},
-                               {"torque_Nm", ramp.torque_Nm},
-                               {"friction_Nm", ramp.friction_Nm}}});
+    if (largest == nullptr || ramp.friction_Nm > largest->friction_Nm) largest = &ramp;
   }
+  if (largest == nullptr) return;
+  if (!(largest->friction_Nm > 0)) {
+    add_reason(result.stage, {"break_away.censored_without_bound",
+                              {{"count", result.censored}, {"ramps", result.ramps.size()}}});
+    return;
+  }
+  add_reason(result.stage, {result.censored == 1 ? Code{"break_away.censored"}
+                                                 : Code{"break_away.some_censored"},
+                            {{"count", result.censored},
+                             {"ramps", result.ramps.size()},
+                             {"recording", largest->recording},
+                             {"torque_Nm", largest->torque_Nm},
+                             {"friction_Nm", largest->friction_Nm}}});
 }
 
 /// In which direction fewer than two ramps broke away.
