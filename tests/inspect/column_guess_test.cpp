@@ -31,7 +31,7 @@ TEST(ColumnGuess, FindsClockAngleAndSpeed) {
     i.push_back(std::cos(t.back()) > 0 ? 1.5 : -1.5);
   }
   const ingest::log::LogTable table = table_of({{"#1", i}, {"#2", t}, {"#3", v}, {"#4", q}});
-  const auto guesses = inspect::survey::guess_by_numbers(table, {});
+  const auto guesses = inspect::survey::guess_by_numbers(table, {}).meanings;
   ASSERT_EQ(guesses.size(), 3U);
   EXPECT_EQ(guesses[0].meaning.column, 1U);
   EXPECT_EQ(guesses[0].meaning.quantity, ingest::log::Quantity::time);
@@ -53,10 +53,47 @@ TEST(ColumnGuess, ConstantColumnsAreNoSlopeAndAccelerationsNoSpeed) {
   }
   const ingest::log::LogTable table =
       table_of({{"#1", t}, {"#2", constant}, {"#3", v}, {"#4", a}, {"#5", q}, {"#6", constant}});
-  const auto guesses = inspect::survey::guess_by_numbers(table, {});
+  const auto guesses = inspect::survey::guess_by_numbers(table, {}).meanings;
   ASSERT_EQ(guesses.size(), 3U);
   EXPECT_EQ(guesses[1].meaning.column, 4U);
   EXPECT_EQ(guesses[2].meaning.column, 2U);
+}
+
+/// A clock, three angles, three speeds and three others; the second joint moves.
+ingest::log::LogTable three_joints(std::size_t left_out) {
+  std::vector<std::vector<double>> columns(10);
+  for (int k = 0; k < 1000; ++k) {
+    const double t = 0.01 * k;
+    const std::vector<double> row{t, 0.1, std::sin(t), 0.3, 0, std::cos(t), 0,
+                                  1, std::cos(t) > 0 ? 2.0 : -2.0, 3};
+    for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(row[c]);
+  }
+  std::vector<std::pair<std::string, std::vector<double>>> named;
+  for (std::size_t c = 0; c + left_out < columns.size(); ++c) {
+    named.emplace_back("#" + std::to_string(c + 1), columns[c]);
+  }
+  return table_of(named);
+}
+
+TEST(ColumnGuess, ColumnsInGroupsAreThoseOfSeveralJoints) {
+  const auto guessed = inspect::survey::guess_by_numbers(three_joints(0), {});
+  ASSERT_TRUE(guessed.groups);
+  EXPECT_EQ(guessed.groups->first, 1U);
+  EXPECT_EQ(guessed.groups->joints, 3U);
+  EXPECT_EQ(guessed.groups->joint_of(8), "2");
+  ASSERT_EQ(guessed.meanings.size(), 7U);
+  for (const auto& guess : guessed.meanings) {
+    const std::size_t column = guess.meaning.column;
+    if (guess.meaning.quantity == ingest::log::Quantity::time) continue;
+    EXPECT_EQ(guess.meaning.joint, std::to_string((column - 1) % 3 + 1)) << column;
+    EXPECT_EQ(guess.meaning.quantity == ingest::log::Quantity::angle, column < 4) << column;
+  }
+}
+
+TEST(ColumnGuess, ColumnsThatCannotBeCutIntoGroupsAreOneJoints) {
+  const auto guessed = inspect::survey::guess_by_numbers(three_joints(1), {});
+  EXPECT_FALSE(guessed.groups);
+  EXPECT_EQ(guessed.meanings.size(), 3U);
 }
 
 TEST(ColumnGuess, WhatTheNamesTellIsNotGuessedAgain) {
@@ -68,12 +105,12 @@ TEST(ColumnGuess, WhatTheNamesTellIsNotGuessedAgain) {
   time.quantity = ingest::log::Quantity::time;
   layout.columns = {time, angle};
   const ingest::log::LogTable table = table_of({{"t", {0, 1, 2, 3}}, {"q", {0, 1, 2, 3}}});
-  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, layout).empty());
+  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, layout).meanings.empty());
 }
 
 TEST(ColumnGuess, NothingIsMadeOfNoise) {
   const ingest::log::LogTable table = table_of({{"a", {1, 1, 1}}, {"b", {NAN, NAN, NAN}}});
-  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, {}).empty());
+  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, {}).meanings.empty());
 }
 
 TEST(ColumnGuess, ThirtyTurnsOfRadiansAreDegrees) {

@@ -88,7 +88,24 @@ GuessedMeaning meaning_of(std::size_t column, ingest::log::Quantity quantity, st
   return guess;
 }
 
+/// Groups as far apart as a joint's angle and speed, in columns without names behind the clock.
+std::optional<ColumnGroups> groups_of(const ingest::log::LogTable& table, std::size_t clock,
+                                      std::size_t angle, std::size_t speed) {
+  constexpr std::size_t fewest_groups = 3;  // two may be one joint's columns in another order
+  if (speed < angle + 2 || !table.columns[angle].header.full.starts_with('#')) return std::nullopt;
+  const ColumnGroups groups{clock < angle ? clock + 1 : 0, speed - angle};
+  const std::size_t end = clock < angle ? table.columns.size() : clock;
+  const bool is_in_first = angle >= groups.first && angle < groups.first + groups.joints;
+  const std::size_t columns = end - groups.first;
+  if (!is_in_first || columns % groups.joints != 0) return std::nullopt;
+  return columns / groups.joints >= fewest_groups ? std::optional(groups) : std::nullopt;
+}
+
 }  // namespace
+
+std::string ColumnGroups::joint_of(std::size_t column) const {
+  return std::to_string((column - first) % joints + 1);
+}
 
 std::optional<double> speed_by_slope(const std::vector<double>& t_s,
                                      const std::vector<double>& angle,
@@ -108,9 +125,10 @@ bool looks_like_degrees(const std::vector<double>& angles) {
   return high - low > widest_rad;
 }
 
-std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
-                                             const ingest::layout::LogLayout& layout) {
-  std::vector<GuessedMeaning> guesses;
+GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
+                               const ingest::layout::LogLayout& layout) {
+  GuessedLayout out;
+  std::vector<GuessedMeaning>& guesses = out.meanings;
   const auto& columns = table.columns;
   std::optional<std::size_t> clock;
   for (const ingest::layout::ColumnMeaning& c : layout.columns) {
@@ -122,7 +140,7 @@ std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
     guesses.push_back(
         meaning_of(k, ingest::log::Quantity::time, "s", "the first column that only rises"));
   }
-  if (!clock || has(layout, ingest::log::Quantity::angle)) return guesses;
+  if (!clock || has(layout, ingest::log::Quantity::angle)) return out;
   const auto correlation = [&](std::size_t a, std::size_t v) {
     const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
     return may_be
@@ -148,7 +166,8 @@ std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
     angle = a;
     break;
   }
-  if (angle == speed) return guesses;
+  if (angle == speed) return out;
+  out.groups = groups_of(table, *clock, angle, speed);
   guesses.push_back(meaning_of(angle, ingest::log::Quantity::angle, "rad",
                                "its slope is column " + in_quotes(columns[speed].header.full)));
   if (!is_told(layout, speed)) {
@@ -156,7 +175,24 @@ std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
         meaning_of(speed, ingest::log::Quantity::angular_speed, "rad/s",
                    "it is the slope of column " + in_quotes(columns[angle].header.full)));
   }
-  return guesses;
+  if (!out.groups) return out;
+  for (GuessedMeaning& guess : guesses) {
+    if (guess.meaning.column != *clock) {
+      guess.meaning.joint = out.groups->joint_of(guess.meaning.column);
+    }
+  }
+  for (std::size_t k = 0; k < out.groups->joints; ++k) {
+    const std::size_t q = out.groups->first + k;
+    const std::size_t v = q + out.groups->joints;
+    if (q == angle || is_told(layout, q) || is_told(layout, v)) continue;
+    const std::string place = "by its place, as " + in_quotes(columns[angle].header.full) +
+                              " and " + in_quotes(columns[speed].header.full);
+    guesses.push_back(meaning_of(q, ingest::log::Quantity::angle, "rad", place));
+    guesses.back().meaning.joint = out.groups->joint_of(q);
+    guesses.push_back(meaning_of(v, ingest::log::Quantity::angular_speed, "rad/s", place));
+    guesses.back().meaning.joint = out.groups->joint_of(v);
+  }
+  return out;
 }
 
 }  // namespace tribolog::inspect::survey

@@ -15,11 +15,27 @@ struct GuessedMeaning {
   std::string reason;  ///< "its slope is column '#3'"
 };
 
+/// Columns without names that come in groups, in each one for each joint: the angles, then the
+/// speeds, then others.
+struct ColumnGroups {
+  std::size_t first{};   ///< Column of the first joint's angle.
+  std::size_t joints{};  ///< Columns in a group, two or more.
+
+  /// "1" for the first joint.
+  [[nodiscard]] std::string joint_of(std::size_t column) const;
+};
+
+struct GuessedLayout {
+  std::vector<GuessedMeaning> meanings;
+  std::optional<ColumnGroups> groups;
+};
+
 /// Only what the layout lacks: a clock is the first column that rises all the way; where no angle
 /// is known, it is a column whose slope over the clock another column holds, which is the speed. Of
-/// what is left nothing tells which one is an effort.
-std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
-                                             const ingest::layout::LogLayout& layout);
+/// columns without names the distance between the two tells the groups, where the rest can be cut
+/// into such. Of what is left nothing tells which one is an effort.
+GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
+                               const ingest::layout::LogLayout& layout);
 
 /// Speed over the slope of an angle, where they go together: 1 in the same units, pi/180 for a
 /// speed in rad/s of an angle in degrees. Nothing where they do not, or either stands still.

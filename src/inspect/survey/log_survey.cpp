@@ -235,6 +235,25 @@ void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) 
   }
 }
 
+/// Of columns whose meaning is stated, but not their joint; those in the same group are the other
+/// joints'.
+void name_joints_by_place(const ColumnGroups& groups, std::vector<ColumnSurvey>& columns) {
+  for (std::size_t k = groups.first; k < columns.size(); ++k) {
+    auto& meaning = columns[k].meaning;
+    if (!meaning || !meaning->joint.empty()) continue;
+    if (meaning->quantity == ingest::log::Quantity::time) continue;
+    meaning->joint = groups.joint_of(k);
+    const std::size_t begin = k - (k - groups.first) % groups.joints;
+    for (std::size_t other = begin; other < begin + groups.joints; ++other) {
+      if (other >= columns.size() || columns[other].meaning) continue;
+      columns[other].meaning = meaning;
+      columns[other].meaning->column = other;
+      columns[other].meaning->joint = groups.joint_of(other);
+      columns[other].guessed_by = "by its place, as " + in_quotes(columns[k].name);
+    }
+  }
+}
+
 /// @param missing receives the stated columns that the table has not.
 TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
                          const ingest::text::TextLogRules& rules, const StatedColumns& stated,
@@ -255,10 +274,13 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     table.columns[meaning.column].meaning = meaning;
   }
   if (data.columns.size() <= most_columns_by_numbers) {
-    for (GuessedMeaning& guess : guess_by_numbers(data, layout)) {
+    GuessedLayout guessed = guess_by_numbers(data, layout);
+    for (GuessedMeaning& guess : guessed.meanings) {
       table.columns[guess.meaning.column].guessed_by = guess.reason;
       table.columns[guess.meaning.column].meaning = std::move(guess.meaning);
     }
+    table.groups = guessed.groups;
+    if (table.groups) name_joints_by_place(*table.groups, table.columns);
   }
   for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
     const auto& meaning = table.columns[k].meaning;

@@ -13,6 +13,7 @@
 #include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
 #include "inspect/motion/motion_segments.h"
+#include "inspect/survey/column_guess.h"
 #include "inspect/survey/stated_columns.h"
 
 namespace tribolog::inspect::survey {
@@ -90,6 +91,7 @@ struct TableSurvey {
   std::optional<std::size_t> time;  ///< Column of the clock.
   std::optional<ClockSurvey> clock;
   std::vector<JointSurvey> joints;  ///< Those with an angle.
+  std::optional<ColumnGroups> groups;  ///< Of columns without names, where they come in such.
 };
 
 struct LogSurvey {

@@ -78,12 +78,28 @@ class ManifestText {
     for (const std::string& line : columns_of(first_, true)) text_ += line + "\n";
     if (effort_.kind == joint::EffortKind::none) {
       text_ += "# effort = { name = \"...\", unit = \"A\" }  # or \"Nm\": once it is recorded\n";
+      add_places_of_effort();
     }
     for (const ProposedRecording& recording : roles_.recordings) add_recording(recording);
     for (const std::size_t log : roles_.without_role) {
       text_ += "\n# " + printable(path_of(log), 200) +
                ": no motion that a stage reads was found; not used.\n";
     }
+  }
+
+  /// Where columns without names come in groups, those at the joint's place in the further ones.
+  void add_places_of_effort() {
+    const TableSurvey& log = table(first_);
+    if (!log.groups) return;
+    std::string names;
+    for (std::size_t k = joint(first_).angle + 2 * log.groups->joints; k < log.columns.size();
+         k += log.groups->joints) {
+      if (log.columns[k].is_constant() || log.columns[k].meaning) continue;
+      names += (names.empty() ? "" : ", ") + log.columns[k].name;
+    }
+    if (names.empty()) return;
+    text_ += "# The columns come in groups of " + std::to_string(log.groups->joints) +
+             "; this joint's effort may be one of " + names + ".\n";
   }
 
   [[nodiscard]] const TableSurvey& table(const JointInLog& of) const { return table_of(logs_, of); }
@@ -173,8 +189,8 @@ class ManifestText {
 
   [[nodiscard]] std::string moves_too() const {
     if (choice_.moves_too.empty()) return "";
-    return "moves most; these move too, and if they change its gravity, [[known_load]] takes that "
-           "off: " +
+    return std::string(options_.joint ? "" : "moves most; ") +
+           "these move too, and if they change its gravity, [[known_load]] takes that off: " +
            list_of_names(choice_.moves_too, 8);
   }
 
