@@ -262,6 +262,8 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("--measured-on", logs.known.measured_on, "when: 2026-11-26, or with a time");
   command.add_option("--temperature", logs.known.temperature_C, "of the joint, in °C")
       ->check(number_between(-100, 300));
+  command.add_flag("--no-gravity", logs.known.has_no_gravity,
+                   "gravity does not turn the joint: a vertical axis, or a bare motor");
   command.add_option("--payload", logs.known.payload_kg, "mass that it carried, in kg")
       ->check(number_between(0, 1e5));
   ingest::text::TextLogRules& rules = logs.known.log_rules;

@@ -41,8 +41,8 @@ double change_within(const method::hysteresis::LoopTrace& loop, double time_s) {
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
 }
 
-/// Whether a lag moves the torque of the loop that the model describes worst by as much as the model
-/// leaves there.
+/// Whether a lag moves the torque of the loop that the model describes worst by as much as the
+/// model leaves there.
 bool lag_bends_loops(const calibration::Calibration& c) {
   const auto* worst = c.lugre ? c.lugre->worst_described() : nullptr;
   if (worst == nullptr || !c.torque_lag.lag_s) return false;
@@ -113,7 +113,8 @@ void give_causes_as_reasons(const calibration::Calibration& c,
         return !rule.finding.empty() && follows_from(q.reasons[k], rule.finding, c);
       });
       if (cause == rules.end()) continue;
-      if (std::find(q.reasons.begin(), q.reasons.end(), cause->finding) != q.reasons.end()) continue;
+      if (std::find(q.reasons.begin(), q.reasons.end(), cause->finding) != q.reasons.end())
+        continue;
       q.reasons.insert(q.reasons.begin() + static_cast<std::ptrdiff_t>(k), cause->finding);
       ++k;
     }

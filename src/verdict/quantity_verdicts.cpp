@@ -133,17 +133,32 @@ std::optional<statistics::Estimate> level_of_loops(const calibration::Calibratio
   return statistics::symmetric_estimate(contest.find(*contest.winner)->static_Nm, 0, {});
 }
 
+/// Of ramps in one direction, where gravity is taken off or there is none.
+std::optional<statistics::Estimate> of_one_direction(
+    const method::hysteresis::BreakAwayResult& ramps) {
+  if (ramps.mean_Nm || !ramps.gravity) return std::nullopt;
+  return ramps.rising_Nm ? ramps.rising_Nm : ramps.falling_Nm;
+}
+
 /// From ramps if any broke away, else from the loop's level.
 calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                                         const std::optional<statistics::Estimate>& loop_level_Nm,
                                         const Statement& why) {
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
-  calibration::QuantityVerdict q =
-      by_estimate(Quantity::break_away_torque, "N·m",
-                  from_ramps ? with_loops(ramps.mean_Nm, level_of_loops(c)) : loop_level_Nm, why,
-                  record_an_oscillation);
-  if (!ramps.ramps.empty() && !from_ramps) {
+  const auto one_direction = loop_level_Nm ? std::nullopt : of_one_direction(ramps);
+  const auto estimate = from_ramps      ? with_loops(ramps.mean_Nm, level_of_loops(c))
+                        : one_direction ? one_direction
+                                        : loop_level_Nm;
+  const bool ramps_tell_why = !ramps.ramps.empty() && !loop_level_Nm;
+  calibration::QuantityVerdict q = by_estimate(
+      Quantity::break_away_torque, "N·m", estimate, ramps_tell_why ? ramps.stage.reason : why,
+      ramps_tell_why ? Statement{"record.ramps"} : record_an_oscillation);
+  if (one_direction) {
+    calibration::lower(q, calibration::Verdict::doubtful, {"verdict.ramps_of_one_direction"},
+                       {"record.ramps"});
+  }
+  if (!ramps.ramps.empty() && !from_ramps && loop_level_Nm) {
     calibration::lower(q, calibration::Verdict::doubtful,
                        {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},
                        {"record.ramps"});

@@ -379,6 +379,10 @@ const Messages& verdict_messages() {
       {"verdict.known_to_angle", text("known only to ± {degrees:.0f}°")},
       {"verdict.nothing_independent", text("nothing independent checks it: {why}")},
       {"verdict.no_loop_model", text("no friction model was fitted to the loop")},
+      {"verdict.ramps_of_one_direction",
+       text(
+           "the joint broke away in one direction alone: an offset of the torque, or friction that "
+           "differs with the direction, would not be seen")},
       {"verdict.ramps_do_not_show", text("the ramps do not show it: {why}")},
       {"verdict.never_broke_away",
        text("the loop's level lies below the Coulomb torque: the joint never broke away in it, and "

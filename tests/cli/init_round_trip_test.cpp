@@ -2,12 +2,15 @@
 // that no manifest can hold are refused.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -115,6 +118,86 @@ TEST(InitRoundTrip, NamesThatAreNotUtf8AreRefused) {
   for (const char* const robot : {" ", "\xff"}) {
     const ProgramRun run = run_shell(there + "init -o d2.toml log.csv --robot '" + robot + "'");
     EXPECT_EQ(run.status, 2) << run.err;
+  }
+}
+
+/// Rows of numbers, as many loggers write them.
+std::string rows_of(std::size_t count, const std::function<std::vector<double>(double)>& row,
+                    double interval_s) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::vector<double> values = row(interval_s * static_cast<double>(k));
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      text += fmt::format("{}{:.6f}", c > 0 ? " " : "", values[c]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(InitRoundTrip, ThreeJointsWithoutNamesAreToldByTheirPlaces) {
+  const ScratchDirectory scratch;
+  constexpr double rate_rad_s = 2 * M_PI * 0.1;
+  scratch.write("rows.txt",
+                rows_of(
+                    4000,
+                    [](double t) {
+                      const double q = std::sin(rate_rad_s * t);
+                      const double v = rate_rad_s * std::cos(rate_rad_s * t);
+                      const double current = 2 * std::cos(q) + 0.8 * std::tanh(v / 0.01) + 0.3 * v;
+                      return std::vector<double>{t, 0.1, q, 0.3, 0, v, 0, 0.5, current, 0.7};
+                    },
+                    0.01));
+  const std::string there = "cd '" + scratch.path() + "' && " + program;
+  const ProgramRun init =
+      run_shell(there +
+                "init rows.txt --column effort='#8' --effort-kind motor_current "
+                "--torque-constant 8.4 -o d.toml");
+  ASSERT_EQ(init.status, 0) << init.err;
+  const std::string manifest = read_text(scratch.file("d.toml"));
+  for (const char* line : {"name = \"2\"", "angle = { name = \"#3\"", "speed = { name = \"#6\"",
+                           "effort = { name = \"#9\""}) {
+    EXPECT_NE(manifest.find(line), std::string::npos) << line << "\n" << manifest;
+  }
+  const ProgramRun run = run_shell(there + "identify --truth-runs 0 d.toml -o c.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto found = nlohmann::json::parse(read_text(scratch.file("c.json")));
+  EXPECT_NEAR(found["cog"]["q_peak_rad"]["estimate"].get<double>(), 0, 0.02);
+  const ProgramRun other = run_shell(there + "init rows.txt --joint 3 --force -o d.toml");
+  EXPECT_NE(other.out.find("joint '3': no motion"), std::string::npos) << other.out << other.err;
+}
+
+TEST(InitRoundTrip, RampsOfABareServoThatSpinAwayNeedNoEdit) {
+  const ScratchDirectory scratch;
+  constexpr double step_rad = 2 * M_PI / 10000;
+  for (const char* name : {"a.txt", "b.txt"}) {
+    scratch.write(name,
+                  rows_of(
+                      3000,
+                      [](double t) {
+                        const double q = 0.003 * t + (t > 1.6 ? 15 * (t - 1.6) * (t - 1.6) : 0.0);
+                        return std::vector<double>{step_rad * std::round(q / step_rad), 0.0167 * t};
+                      },
+                      0.001));
+  }
+  const std::string there = "cd '" + scratch.path() + "' && " + program;
+  const ProgramRun init =
+      run_shell(there +
+                "init a.txt b.txt --rate 1000 --column angle='#1' --column "
+                "effort='#2' --effort-kind motor_torque --no-gravity -o d.toml");
+  ASSERT_EQ(init.status, 0) << init.err;
+  const std::string manifest = read_text(scratch.file("d.toml"));
+  EXPECT_NE(manifest.find("unit = \"rad\" }  # unit guessed, the log states none: its steps"),
+            std::string::npos)
+      << manifest;
+  EXPECT_NE(manifest.find("gravity = \"none\""), std::string::npos);
+  const ProgramRun run = run_shell(there + "identify --truth-runs 0 d.toml -o c.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto found = nlohmann::json::parse(read_text(scratch.file("c.json")));
+  ASSERT_EQ(found["break_away"]["ramps"].size(), 2U);
+  for (const auto& ramp : found["break_away"]["ramps"]) {
+    EXPECT_TRUE(ramp["broke_away"].get<bool>());
+    EXPECT_NEAR(ramp["torque_Nm"].get<double>(), 0.0167 * 1.6, 0.002);
   }
 }
 

@@ -64,8 +64,8 @@ ingest::log::LogTable three_joints(std::size_t left_out) {
   std::vector<std::vector<double>> columns(10);
   for (int k = 0; k < 1000; ++k) {
     const double t = 0.01 * k;
-    const std::vector<double> row{t, 0.1, std::sin(t), 0.3, 0, std::cos(t), 0,
-                                  1, std::cos(t) > 0 ? 2.0 : -2.0, 3};
+    const std::vector<double> row{
+        t, 0.1, std::sin(t), 0.3, 0, std::cos(t), 0, 1, std::cos(t) > 0 ? 2.0 : -2.0, 3};
     for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(row[c]);
   }
   std::vector<std::pair<std::string, std::vector<double>>> named;

@@ -67,8 +67,8 @@ TEST(BreakAway, ANoisyTorqueBeforeTheRampDoesNotTurnIt) {
   EXPECT_NEAR(found.friction_Nm, clean.ramps.front().friction_Nm, 0.005);
 }
 
-/// At 48 samples a second, the torque's noise a fifth of what it breaks away at, the angle without a
-/// step before it slides for a fifth of a second.
+/// At 48 samples a second, the torque's noise a fifth of what it breaks away at, the angle without
+/// a step before it slides for a fifth of a second.
 joint::Recording coarse_ramp(double slip_at_s) {
   statistics::RandomStream noise(3, 1);
   joint::Recording r;

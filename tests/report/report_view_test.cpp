@@ -83,10 +83,24 @@ TEST(ReportView, BeforeWhatIsKnownLittleStandsWhatMayBeWhy) {
   const Statement ripple{"cause.vibration", {{"amplitude_Nm", 0.1}, {"frequency_Hz", 7.0}}};
   const Statement drift{"cause.offset_drifts", {{"drift_Nm", 0.01}, {"half_width_Nm", 0.003}}};
   judgement.findings = {drift, ripple};
-  judgement.rules = {{"offset_drift", calibration::RuleState::broken, 2.0, 1.0, "%", {},
-                      calibration::Verdict::usable, drift, false},
-                     {"vibration", calibration::RuleState::broken, 30.0, 1.0, "%", {},
-                      calibration::Verdict::usable, ripple, false}};
+  judgement.rules = {{"offset_drift",
+                      calibration::RuleState::broken,
+                      2.0,
+                      1.0,
+                      "%",
+                      {},
+                      calibration::Verdict::usable,
+                      drift,
+                      false},
+                     {"vibration",
+                      calibration::RuleState::broken,
+                      30.0,
+                      1.0,
+                      "%",
+                      {},
+                      calibration::Verdict::usable,
+                      ripple,
+                      false}};
   judgement.quantities.resize(1);
   calibration::lower(judgement.quantities.front(), calibration::Verdict::doubtful,
                      {"verdict.known_to_share", {{"percent", 41.0}}}, {"record.ramps"});

@@ -13,20 +13,20 @@
 namespace tribolog::inspect::motion {
 namespace {
 
-constexpr std::size_t blocks = 24;           // of a rest, each with a mean
-constexpr std::size_t fewest_blocks = 16;    // that lie on the line: the rest may begin and end level
-constexpr std::size_t fewest_in_block = 5;   // samples
-constexpr double least_s = 2;             // faster ones are starts of a motion
-constexpr double noisy = 0.01;               // of the effort's range: less hides no ramp
-constexpr double least_rise = 0.1;           // of it
-constexpr double means_share = 0.06;          // of the rise: as far from the line as a mean may be
-constexpr double in_doubt = 3;               // standard errors of a mean
-constexpr double far_off = 4;                // standard deviations of a sample
-constexpr double clear_rise = 8;             // of them
-constexpr double rest_rad = 2e-3;            // an elastic contact yields
-constexpr std::size_t most_beyond = 3;       // blocks up to the end of the rest that leave the line
-constexpr double longest_slide = 0.1;        // of the ramp's time
-constexpr double still_on = 0.7;             // of the torque at which the joint gave way
+constexpr std::size_t blocks = 24;         // of a rest, each with a mean
+constexpr std::size_t fewest_blocks = 16;  // that lie on the line: the rest may begin and end level
+constexpr std::size_t fewest_in_block = 5;  // samples
+constexpr double least_s = 2;               // faster ones are starts of a motion
+constexpr double noisy = 0.01;              // of the effort's range: less hides no ramp
+constexpr double least_rise = 0.1;          // of it
+constexpr double means_share = 0.06;        // of the rise: as far from the line as a mean may be
+constexpr double in_doubt = 3;              // standard errors of a mean
+constexpr double far_off = 4;               // standard deviations of a sample
+constexpr double clear_rise = 8;            // of them
+constexpr double rest_rad = 2e-3;           // an elastic contact yields
+constexpr std::size_t most_beyond = 3;      // blocks up to the end of the rest that leave the line
+constexpr double longest_slide = 0.1;       // of the ramp's time
+constexpr double still_on = 0.7;            // of the torque at which the joint gave way
 
 struct Rest {
   std::size_t first{};
@@ -66,8 +66,9 @@ struct LineOfMeans {
   [[nodiscard]] double at(double t_s) const { return middle.effort + rate * (t_s - middle.t_s); }
 };
 
-std::optional<LineOfMeans> line_through(const std::array<MeanEffort, blocks>& means, std::size_t first,
-                                        std::size_t last, double standard_error) {
+std::optional<LineOfMeans> line_through(const std::array<MeanEffort, blocks>& means,
+                                        std::size_t first, std::size_t last,
+                                        double standard_error) {
   const auto n = static_cast<double>(last - first + 1);
   MeanEffort middle;
   for (std::size_t k = first; k <= last; ++k) {
@@ -139,17 +140,18 @@ std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t firs
     }
     // Up to the end of the rest, and as far as the joint slides under the torque that moved it.
     const double gave_way = means.at(line->last).effort;
-    const bool lasts = std::all_of(
-        means.begin() + static_cast<std::ptrdiff_t>(line->last), means.end(),
-        [&](const MeanEffort& mean) { return mean.effort / gave_way >= still_on; });
+    const bool lasts =
+        std::all_of(means.begin() + static_cast<std::ptrdiff_t>(line->last), means.end(),
+                    [&](const MeanEffort& mean) { return mean.effort / gave_way >= still_on; });
     if (lasts && line->last + most_beyond >= blocks) {
       ramp.last = rest.last;
       const double until_s = trace.t_s[rest.last] + longest_slide * duration_s;
       const std::size_t beside = in_block / 4;
       for (std::size_t i = rest.last + 1; i + beside <= last && trace.t_s[i] < until_s; ++i) {
         const auto at = trace.effort.begin() + static_cast<std::ptrdiff_t>(i);
-        const double effort = std::accumulate(at, at + static_cast<std::ptrdiff_t>(beside + 1), 0.0) /
-                              static_cast<double>(beside + 1);
+        const double effort =
+            std::accumulate(at, at + static_cast<std::ptrdiff_t>(beside + 1), 0.0) /
+            static_cast<double>(beside + 1);
         if (effort / gave_way < still_on) break;
         ramp.last = i;
         ramp.joint_slid = true;

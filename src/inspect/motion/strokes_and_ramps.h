@@ -97,8 +97,8 @@ class TorqueRampFinder {
   double range_{};  ///< Of the effort.
 };
 
-/// Ramps of two seconds or longer that noise of a hundredth of the effort's range or more hides from
-/// TorqueRampFinder, each within one rest of the joint.
+/// Ramps of two seconds or longer that noise of a hundredth of the effort's range or more hides
+/// from TorqueRampFinder, each within one rest of the joint.
 /// @param first, last stretch looked at.
 /// @param floor_rad noise floor of the angle.
 std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t first, std::size_t last,

@@ -20,6 +20,10 @@ constexpr double shortest_s = 1;            // faster ones are starts of a motio
 // A joint that slides at the end moves little before; at steady speed it is at half its way.
 constexpr double early_share = 0.2;
 constexpr double most_before_sliding_rad = 5e-3;  // creep; more is a motion under a rising effort
+// One that spins away for longer than it rested: an inertia without friction would take a tenth of
+// the time under a constant torque for a hundredth of the way, a fifth under a rising one.
+constexpr double creep_share = 0.01;
+constexpr double least_rest_share = 0.3;
 // A contact that only yields elastically moves in proportion to the torque, but not further.
 constexpr double yielding_rad = 2e-3;
 
@@ -88,6 +92,13 @@ std::size_t corner(const AngleTrace& trace, const Line& line, std::size_t from, 
   return is_start ? std::min(at, on_line) : std::max(at, on_line);
 }
 
+/// For which share of a ramp's time the joint stays within `creep_rad`.
+double rest_share(const AngleTrace& trace, const TorqueRamp& ramp, double creep_rad) {
+  std::size_t i = ramp.first;
+  while (i < ramp.last && std::abs(trace.q_rad[i] - trace.q_rad[ramp.first]) <= creep_rad) ++i;
+  return (trace.t_s[i] - trace.t_s[ramp.first]) / (trace.t_s[ramp.last] - trace.t_s[ramp.first]);
+}
+
 /// The part of a rise of the effort, from turn to turn, that is a ramp.
 std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, const Piece& piece, std::size_t turn,
                                   std::size_t end, const RampLimits& limits) {
@@ -116,6 +127,7 @@ std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, const Piece& piece, s
     return std::nullopt;
   }
   const double half_s = (trace.t_s[ramp.first] + trace.t_s[ramp.last]) / 2;
+  const double creep = std::max(most_before_sliding_rad, limits.floor_rad);
   double early = 0;
   double whole = 0;
   for (std::size_t i = ramp.first; i <= ramp.last; ++i) {
@@ -123,8 +135,10 @@ std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, const Piece& piece, s
     whole = std::max(whole, moved);
     if (trace.t_s[i] <= half_s) early = std::max(early, moved);
   }
-  ramp.joint_slid = early <= early_share * whole && whole > limits.floor_rad &&
-                    early <= std::max(most_before_sliding_rad, limits.floor_rad);
+  const bool slid_late = early <= early_share * whole && early <= creep;
+  const bool spun_away = creep <= early_share * whole &&
+                         rest_share(trace, ramp, creep_share * whole) >= least_rest_share;
+  ramp.joint_slid = whole > limits.floor_rad && (slid_late || spun_away);
   if (ramp.joint_slid) return ramp;
   const bool yields = whole <= std::max(yielding_rad, limits.floor_rad);
   if (!yields || std::abs(rise) < limits.least_unyielding) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "inspect/survey/log_survey.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -194,6 +195,20 @@ std::optional<UnitsBySlope> units_by_slope(double ratio) {
   return std::nullopt;
 }
 
+/// Whether an angle's step is a turn over a number of counts that encoders have: a power of two, or
+/// a few thousands.
+bool divides_a_turn(double step, double turn) {
+  constexpr double precise = 1e-3;  // logs print few decimals
+  constexpr double fewest = 400;
+  if (!(step > 0) || turn / step < fewest) return false;
+  const double counts = turn / step;
+  const auto is = [&](double encoder) { return std::abs(counts / encoder - 1) < precise; };
+  if (is(std::exp2(std::round(std::log2(counts))))) return true;
+  const double decade = std::pow(10, std::floor(std::log10(counts)));
+  constexpr std::array usual{1.0, 2.0, 4.0, 5.0, 8.0, 10.0};
+  return std::any_of(usual.begin(), usual.end(), [&](double times) { return is(times * decade); });
+}
+
 /// Angles and speeds without a stated unit: by what makes a speed of the angle's slope, else as
 /// degrees where radians make no sense.
 void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) {
@@ -229,6 +244,10 @@ void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) 
       continue;
     }
     if (!looks_like_degrees(data.columns[k].values) || wraps_in_radians(data, table, k)) continue;
+    if (divides_a_turn(table.columns[k].step, 2 * std::numbers::pi)) {
+      table.columns[k].unit_by = "its steps are those of an encoder's turn of 2π";
+      continue;
+    }
     meaning->unit = "deg";
     table.columns[k].unit_by = "no joint turns by so many radians";
     if (speed_is_open) of_speed->unit = "deg/s";

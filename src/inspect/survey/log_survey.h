@@ -90,7 +90,7 @@ struct TableSurvey {
   std::vector<ColumnSurvey> columns;
   std::optional<std::size_t> time;  ///< Column of the clock.
   std::optional<ClockSurvey> clock;
-  std::vector<JointSurvey> joints;  ///< Those with an angle.
+  std::vector<JointSurvey> joints;     ///< Those with an angle.
   std::optional<ColumnGroups> groups;  ///< Of columns without names, where they come in such.
 };
 

@@ -162,6 +162,7 @@ class ManifestText {
            "not known: everything is then stated at the joint; state motor angle "
            "/ joint angle");
     }
+    if (options_.has_no_gravity) line("gravity = \"none\"");
   }
 
   /// @throw UsageError: a name that no manifest takes.

@@ -72,6 +72,7 @@ struct ProposalOptions {
   std::optional<std::string> measured_on;  ///< RFC 3339, a day alone or with a time.
   std::optional<double> temperature_C;     ///< Of the joint, while it was measured.
   std::optional<double> payload_kg;
+  bool has_no_gravity{};                 ///< Stated: a vertical axis, or a bare motor.
   ingest::text::TextLogRules log_rules;  ///< The logs were read with them, and with
   StatedColumns columns;                 ///< these.
   std::string directory;                 ///< Of the manifest: files are named relative to it.

@@ -150,7 +150,8 @@ double coloured_noise_Nm(const joint::Recording& r, std::size_t at) {
     const double from_middle = static_cast<double>(k) - (n - 1) / 2;
     squares += std::pow(r.torque_Nm[first + k] - mean - slope * from_middle, 2);
   }
-  const double white = statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  const double white =
+      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
   const double coloured = squares / (n - 2) - white * white;
   constexpr double clear = 1;  // of the white noise's variance
   return coloured > clear * white * white ? std::sqrt(coloured) : 0;
@@ -161,8 +162,8 @@ double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign)
   const TorqueAt reached = torque_by_line(r, at);
   constexpr double white = 2;
   constexpr double coloured = 3;  // the largest bound of several ramps is said
-  return reached.torque_Nm - sign * std::hypot(white * reached.standard_error_Nm,
-                                               coloured * coloured_noise_Nm(r, at));
+  return reached.torque_Nm -
+         sign * std::hypot(white * reached.standard_error_Nm, coloured * coloured_noise_Nm(r, at));
 }
 
 /// A sample's own torque, where its noise does not matter.
@@ -616,13 +617,13 @@ void add_censored(BreakAwayResult& result) {
                               {{"count", result.censored}, {"ramps", result.ramps.size()}}});
     return;
   }
-  add_reason(result.stage, {result.censored == 1 ? Code{"break_away.censored"}
-                                                 : Code{"break_away.some_censored"},
-                            {{"count", result.censored},
-                             {"ramps", result.ramps.size()},
-                             {"recording", largest->recording},
-                             {"torque_Nm", largest->torque_Nm},
-                             {"friction_Nm", largest->friction_Nm}}});
+  add_reason(result.stage,
+             {result.censored == 1 ? Code{"break_away.censored"} : Code{"break_away.some_censored"},
+              {{"count", result.censored},
+               {"ramps", result.ramps.size()},
+               {"recording", largest->recording},
+               {"torque_Nm", largest->torque_Nm},
+               {"friction_Nm", largest->friction_Nm}}});
 }
 
 /// In which direction fewer than two ramps broke away.
