@@ -80,6 +80,9 @@ const Messages& reading_messages() {
       // Recordings.
       {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
       {"reading.gaps", text("column {column}: {percent:.0f} % of the rows are gaps (nan)")},
+      {"reading.impossible_values",
+       text("column {column}: numbers that no joint has ({count}, such as {value:.6g}) are taken as "
+            "gaps; in a manifest [log] skip_bad_rows = true leaves their rows out")},
       {"reading.clock_from_1970",
        text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
             "reading, in whole units")},
@@ -113,6 +116,7 @@ const Messages& reading_messages() {
       // Why a row is not among the samples.
       {"skipped.outside_window", text("outside the window {window}")},
       {"skipped.gap", text("gap (nan) in column {column}")},
+      {"skipped.impossible", text("a number that no joint has in column {column}")},
       {"skipped.repeated_stamp", text("repeated time stamp")},
       {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},

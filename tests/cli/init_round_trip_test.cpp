@@ -201,5 +201,30 @@ TEST(InitRoundTrip, RampsOfABareServoThatSpinAwayNeedNoEdit) {
   }
 }
 
+TEST(InitRoundTrip, ANumberThatNoJointHasIsNamedAndItsRowLeftOut) {
+  const ScratchDirectory scratch;
+  scratch.write(
+      "log.csv", "t_s,q_rad,tau_Nm\n" + [] {
+        std::string text;
+        for (int i = 0; i < 4000; ++i) {
+          const double t = 0.01 * i;
+          const double q = std::sin(0.6 * t);
+          const double torque = 2 * std::cos(q) + (std::cos(0.6 * t) > 0 ? 0.5 : -0.5);
+          text += fmt::format("{:.2f},{:.6f},{}\n", t, q,
+                              i == 2000 ? "1e297" : fmt::format("{}", torque));
+        }
+        return text;
+      }());
+  const std::string there = "cd '" + scratch.path() + "' && " + program;
+  const ProgramRun inspect = run_shell(there + "inspect log.csv");
+  EXPECT_NE(inspect.out.find("numbers that no joint has (1, such as"), std::string::npos)
+      << inspect.out;
+  ASSERT_EQ(run_shell(there + "init log.csv -o d.toml").status, 0);
+  const ProgramRun run = run_shell(there + "identify --truth-runs 0 d.toml -o c.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("1 rows skipped: a number that no joint has"), std::string::npos)
+      << run.out;
+}
+
 }  // namespace
 }  // namespace tribolog::test::init_round_trip_test

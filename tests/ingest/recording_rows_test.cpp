@@ -276,13 +276,35 @@ TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
   EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e300\n" + rows(31, 40)),
             "dir/run.csv:32: column 'tau': no joint has a torque of this size, found 1e+300 Nm, "
             "expected at most 1e+07 Nm; hint: another unit? where only this row is damaged, write "
-            "nan");
+            "nan, or [log] skip_bad_rows = true leaves it out");
   e.columns.effort->si_factor = 1e3;
   e.columns.effort->unit = "kNm";
   EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,-1e307\n" + rows(31, 40)),
             "dir/run.csv:32: column 'tau': no joint has a torque of this size, found -1e+307 kNm, "
             "expected at most 10000 kNm; hint: another unit? where only this row is damaged, write "
-            "nan");
+            "nan, or [log] skip_bad_rows = true leaves it out");
+}
+
+TEST(RecordingRows, SingleNumbersThatNoJointHasCanBeMadeGaps) {
+  const ingest::manifest::RecordingEntry e = entry();
+  const auto mended_of = [&](const std::string& csv) {
+    MemorySource source(csv);
+    return ingest::dataset::without_impossible_values(
+        e, ingest::text::read_csv(source, "run.csv", ingest::dataset::columns_wanted(e)));
+  };
+  EXPECT_FALSE(mended_of(header + rows(0, 100)));
+  const auto mended = mended_of(header + rows(0, 100) + "1,0,1e300\n" + rows(101, 200));
+  ASSERT_TRUE(mended);
+  std::vector<Statement> notes;
+  const joint::Recording r = ingest::dataset::make_recording(
+      e, *mended, joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor), 1.0,
+      notes);
+  EXPECT_EQ(r.size(), 199U);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_EQ(r.skipped[0].count, 1U);
+  EXPECT_EQ(wording::words(r.skipped[0].reason), "a number that no joint has in column 'tau'");
+  EXPECT_THROW(mended_of(header + rows(0, 50) + "0.5,0,1e300\n" + rows(51, 80)), InputError)
+      << "more than one in a hundred: another unit";
 }
 
 TEST(RecordingRows, ThatWereSkippedAreCounted) {

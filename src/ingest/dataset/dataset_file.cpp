@@ -164,9 +164,12 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
   }
   log::LogTable with_companions;
   if (!companions.empty()) with_companions = joined(entry, own->table, companions);
+  const log::LogTable& as_read = companions.empty() ? own->table : with_companions;
+  std::optional<log::LogTable> mended;
+  if (manifest.text_logs.skip_bad_rows) mended = without_impossible_values(entry, as_read);
   joint::Recording recording =
-      make_recording(entry, companions.empty() ? own->table : with_companions,
-                     dataset.manifest.drive, manifest.effort_sign, dataset.notes, &loads);
+      make_recording(entry, mended ? *mended : as_read, dataset.manifest.drive,
+                     manifest.effort_sign, dataset.notes, &loads);
   joint::InputFile input = own->file;
   input.role = joint::to_string(entry.role);
   count_rows(recording, input);

@@ -9,6 +9,7 @@
 #include "base/requirements.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/units.h"
+#include "ingest/text/csv_dialect.h"
 
 namespace tribolog::ingest::dataset {
 namespace {
@@ -102,14 +103,46 @@ double largest_possible(log::Quantity quantity) {
 
 void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
                              const log::LogTable& table, std::size_t row) {
-  throw InputError({table.file, table.line_of(row), 0},
-                   {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
-                                log::to_string(column.quantity)),
-                    fmt::format("{:.6g} {}", value, printable(column.unit)),
-                    fmt::format("at most {:.6g} {}",
-                                largest_possible(column.quantity) / std::abs(column.si_factor),
-                                printable(column.unit)),
-                    "another unit? where only this row is damaged, write nan"});
+  throw InputError(
+      {table.file, table.line_of(row), 0},
+      {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
+                   log::to_string(column.quantity)),
+       fmt::format("{:.6g} {}", value, printable(column.unit)),
+       fmt::format("at most {:.6g} {}",
+                   largest_possible(column.quantity) / std::abs(column.si_factor),
+                   printable(column.unit)),
+       "another unit? where only this row is damaged, write nan, or [log] skip_bad_rows = "
+       "true leaves it out"});
+}
+
+std::vector<std::size_t> rows_beyond(const std::vector<double>& values, double bound) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::abs(values[row]) > bound) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::optional<log::LogTable> without_impossible_values(const manifest::RecordingEntry& entry,
+                                                       const log::LogTable& table) {
+  std::optional<log::LogTable> out;
+  const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const manifest::ColumnEntry& column = *columns[k].entry;
+    const double bound = largest_possible(column.quantity) / std::abs(column.si_factor);
+    std::vector<std::size_t> rows = rows_beyond(table.columns[k].values, bound);
+    if (rows.empty()) continue;
+    if (static_cast<double>(rows.size()) >
+        text::most_bad_rows * static_cast<double>(table.columns[k].values.size())) {
+      refuse_impossible_value(column, table.columns[k].values[rows.front()],
+                              table.columns[k].stands_in ? *table.columns[k].stands_in : table,
+                              rows.front());
+    }
+    if (!out) out = table;
+    for (const std::size_t row : rows) out->columns[k].values[row] = NAN;
+    out->columns[k].impossible = std::move(rows);
+  }
+  return out;
 }
 
 void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& table,

@@ -2,6 +2,7 @@
 // A log's columns to a recording: SI, joint-side angle, motor-side torque, time strictly rising.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,16 @@ double largest_possible(log::Quantity quantity);
 /// @throw InputError at the row's line: its value in this column is no number that a joint has.
 [[noreturn]] void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
                                           const log::LogTable& table, std::size_t row);
+
+/// The rows of a column whose value is beyond `bound`, in its own unit.
+std::vector<std::size_t> rows_beyond(const std::vector<double>& values, double bound);
+
+/// Makes gaps of such values, which are counted apart from others.
+/// @param table with the columns wanted; a copy is made where there is something to blank.
+/// @return the copy; nothing where no value is impossible.
+/// @throw InputError at the first of them, where they are more than 1 % of the rows.
+std::optional<log::LogTable> without_impossible_values(const manifest::RecordingEntry& entry,
+                                                       const log::LogTable& table);
 
 /// Notes what points to another unit: an angle of more than a turn, a torque larger than that of
 /// the largest robots, few samples a second.

@@ -68,6 +68,7 @@ class RowChooser {
     const double to = entry_.to_s.value_or(std::numeric_limits<double>::infinity());
     std::size_t outside = 0;
     std::vector<std::size_t> gaps(table_.columns.size());
+    std::vector<std::size_t> impossible(table_.columns.size());
     for (std::size_t row = 0; row < table_.rows; ++row) {
       const double t = time_s(row);
       if (t < from || t > to) {
@@ -80,12 +81,17 @@ class RowChooser {
       if (gap == table_.columns.end()) {
         rows_.push_back(row);
       } else {
-        ++gaps[static_cast<std::size_t>(gap - table_.columns.begin())];
+        const bool is_impossible =
+            std::binary_search(gap->impossible.begin(), gap->impossible.end(), row);
+        ++(is_impossible ? impossible
+                         : gaps)[static_cast<std::size_t>(gap - table_.columns.begin())];
       }
     }
     skip({outside_window, {{"window", window()}}}, outside);
     for (std::size_t k = 0; k < gaps.size(); ++k) {
-      skip({"skipped.gap", {{"column", in_quotes(table_.columns[k].header.full)}}}, gaps[k]);
+      const std::string column = in_quotes(table_.columns[k].header.full);
+      skip({"skipped.gap", {{"column", column}}}, gaps[k]);
+      skip({"skipped.impossible", {{"column", column}}}, impossible[k]);
     }
   }
 

@@ -27,6 +27,8 @@ struct LogColumn {
   /// without which no double holds nanoseconds. 0 otherwise.
   double origin{};
   std::size_t gaps{};
+  /// Rows, ascending, whose number no joint has: made gaps of, as the manifest allows.
+  std::vector<std::size_t> impossible{};
   /// File and lines of its rows, without columns, where they are not the table's own; null: they
   /// are.
   std::shared_ptr<const LogTable> stands_in{};

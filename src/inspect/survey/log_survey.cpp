@@ -12,6 +12,7 @@
 #include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
+#include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
@@ -254,6 +255,27 @@ void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) 
   }
 }
 
+/// Makes gaps of single numbers that no joint has; where they are many, the unit is another.
+/// @return whether there were some.
+bool blank_impossible_values(const ingest::layout::LogLayout& layout, ingest::log::LogTable& data) {
+  bool found = false;
+  for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
+    const auto factor = ingest::log::find_si_factor(meaning.quantity, meaning.unit);
+    const double bound = ingest::dataset::largest_possible(meaning.quantity) / factor.value_or(1);
+    ingest::log::LogColumn& column = data.columns[meaning.column];
+    const std::vector<std::size_t> rows = ingest::dataset::rows_beyond(column.values, bound);
+    const double most = ingest::text::most_bad_rows * static_cast<double>(column.values.size());
+    if (rows.empty() || static_cast<double>(rows.size()) > most) continue;
+    found = true;
+    data.notes.push_back({"reading.impossible_values",
+                          {{"column", in_quotes(column.header.full)},
+                           {"count", rows.size()},
+                           {"value", column.values[rows.front()]}}});
+    for (const std::size_t row : rows) column.values[row] = NAN;
+  }
+  return found;
+}
+
 /// Of columns whose meaning is stated, but not their joint; those in the same group are the other
 /// joints'.
 void name_joints_by_place(const ColumnGroups& groups, std::vector<ColumnSurvey>& columns) {
@@ -287,6 +309,7 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   missing = put_stated(stated, header, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
+  table.has_impossible_values = blank_impossible_values(layout, data);
   for (const ingest::log::LogColumn& column : data.columns)
     table.columns.push_back(survey_column(column));
   for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
@@ -334,9 +357,9 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
   std::vector<std::string> missing;  // in every table
   std::vector<std::string> there;
   for (ingest::log::LogTable& table : tables) {
-    survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     std::vector<std::string> missing_here;
     survey.tables.push_back(survey_table(path, survey.format, rules, stated, table, missing_here));
+    survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
     if (&table == &tables.front()) missing = missing_here;
     std::erase_if(missing, [&](const std::string& name) {

@@ -207,6 +207,13 @@ class ManifestText {
     if (rules.decimal_mark == ingest::text::DecimalMark::comma) lines += "decimal_comma = true\n";
     if (rules.encoding == ingest::text::TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
     if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
+    const bool is_damaged = std::any_of(logs_.begin(), logs_.end(), [](const LogSurvey& log) {
+      return std::any_of(log.tables.begin(), log.tables.end(),
+                         [](const TableSurvey& one) { return one.has_impossible_values; });
+    });
+    if (is_damaged) {
+      lines += "skip_bad_rows = true  # single numbers that no joint has; their rows are counted\n";
+    }
     if (!lines.empty()) text_ += "\n[log]\n" + lines;
   }
 
