@@ -96,7 +96,8 @@ Run add_trend(CLI::App& archive) {
   command.footer(
       "\nEach quantity has a control chart (CUSUM), and a straight line over time for slow drifts. "
       "A\nchange is reported with the date from which it is visible; a single odd calibration is "
-      "not one.\nFriction is corrected to one temperature where the calibrations state it.");
+      "told, but is not one.\nFriction is corrected to one temperature where the calibrations "
+      "state it.");
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);

@@ -355,6 +355,12 @@ std::string finding(const history::QuantityTrend& trend, const wording::AxisScal
         n, "{quantity}: {calibrations} usable calibration, too few to say anything yet.",
         "{quantity}: {calibrations} usable calibrations, too few to say anything yet.", values);
   }
+  if (trend.state == history::TrendState::apart) {
+    std::vector<std::string> dates;
+    for (const history::FoundApart& one : trend.apart) dates.push_back(date_of(one.at));
+    return tr("{quantity}: no lasting change visible; far from the others on {dates}.",
+              {{"quantity", name_of(trend)}, {"dates", wording::listed(dates)}});
+  }
   if (trend.changes.empty()) {
     return tr_count(n, "{quantity}: no change visible over {calibrations} calibration.",
                     "{quantity}: no change visible over {calibrations} calibrations.", values);

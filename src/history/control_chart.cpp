@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "base/requirements.h"
@@ -53,6 +54,7 @@ class Charting {
       }
     }
     if (members_.size() >= fewest_learned) {
+      leave_out_apart();
       chart_.reference = ReferenceLine::fitted(series_, members_, settings_.with_slope);
     }
     return std::move(chart_);
@@ -69,6 +71,7 @@ class Charting {
     }
     ChartPoint& point = chart_.points[k];
     point.is_judged = true;
+    point.is_apart = is_apart(k);
     point.score =
         std::clamp(statistics::normal_score(frozen_->standardised(series_[k]), frozen_->freedom),
                    -largest_score, largest_score);
@@ -80,6 +83,31 @@ class Charting {
     members_.push_back(k);
     if (above_ >= chart_.limit) begin_excursion(k, 1, above_from_);
     if (below_ >= chart_.limit) begin_excursion(k, -1, below_from_);
+  }
+
+  /// Held against those before it that do not stand apart themselves. The sums learn from all: a
+  /// joint whose calibrations are wild now and then has no alarm of them.
+  [[nodiscard]] bool is_apart(std::size_t k) const {
+    std::vector<std::size_t> others;
+    std::copy_if(members_.begin(), members_.end(), std::back_inserter(others),
+                 [&](std::size_t i) { return !chart_.points[i].is_apart; });
+    const auto reference = ReferenceLine::fitted(series_, others, settings_.with_slope);
+    return reference && std::abs(statistics::normal_score(reference->standardised(series_[k]),
+                                                          reference->freedom)) >= apart_score;
+  }
+
+  /// Of the reference, where they are few; where they are many, that is how the joint scatters.
+  void leave_out_apart() {
+    constexpr double most_apart = 0.25;
+    const auto apart =
+        static_cast<double>(std::count_if(members_.begin(), members_.end(), [&](std::size_t i) {
+          return chart_.points[i].is_apart;
+        }));
+    if (apart > most_apart * static_cast<double>(members_.size())) {
+      for (ChartPoint& point : chart_.points) point.is_apart = false;
+      return;
+    }
+    std::erase_if(members_, [&](std::size_t i) { return chart_.points[i].is_apart; });
   }
 
   void add_to_sums(std::size_t k, ChartPoint& point) {

@@ -20,7 +20,9 @@
 // calibrations and 2 % within 100. A fleet of thousands of joints can still be followed up; a lower
 // h would find more and drown it.
 //
-// A score counts as 4 at most, so that no single odd calibration raises an alarm.
+// A score counts as 4 at most, so that no single odd calibration raises an alarm. One whose whole
+// score, against those that are not odd, is 4.5 or more (seven in a million by chance) stands
+// apart: it is told as such, and the reference at the end is without it.
 //
 // The change began, as far as the alarm can know, at that of the calibrations since the sum last
 // left zero from which on a shift is likeliest: the largest (sum of d)^2 / n of their standardised
@@ -45,6 +47,7 @@ namespace tribolog::history {
 inline constexpr std::size_t fewest_learned = 6;
 inline constexpr double cusum_allowance = 0.5;
 inline constexpr double largest_score = 4;
+inline constexpr double apart_score = 4.5;
 
 /// As simulated, one false alarm of a joint in so many calibrations or more.
 inline constexpr std::size_t calibrations_per_false_alarm = 2000;
@@ -60,6 +63,7 @@ struct ChartSettings {
 
 struct ChartPoint {
   bool is_judged{false};  ///< false: learned from, or nothing to hold it against.
+  bool is_apart{false};   ///< By itself, whatever the others do.
   double score{};         ///< -4 to 4.
   double above{};         ///< C+, at most twice the limit.
   double below{};         ///< C-

@@ -69,7 +69,7 @@ std::string comparison_json(const Comparison& c) {
 namespace {
 
 const char* key_of(TrendState state) {
-  static const char* const keys[] = {"too_few", "steady", "recovered", "warning"};
+  static const char* const keys[] = {"too_few", "steady", "apart", "recovered", "warning"};
   return keys[static_cast<std::size_t>(state)];
 }
 
@@ -148,8 +148,13 @@ OrderedJson quantity(const QuantityTrend& q) {
                    {"limit", q.limit},
                    {"reference", reference(q.reference, q.temperature)},
                    {"changes", OrderedJson::array()},
+                   {"apart", OrderedJson::array()},
                    {"points", OrderedJson::array()}};
   for (const FoundChange& c : q.changes) made["changes"].push_back(change(c));
+  for (const FoundApart& one : q.apart) {
+    made["apart"].push_back(
+        {{"measured_at", one.at}, {"size", one.size}, {"size_percent", json_of(one.percent)}});
+  }
   for (const HistoryPoint& p : q.points) made["points"].push_back(point(p));
   return made;
 }

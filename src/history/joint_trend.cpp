@@ -83,6 +83,27 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
   return change;
 }
 
+std::vector<FoundApart> found_apart(const std::vector<const HistoryPoint*>& charted,
+                                    const ControlChart& chart, const ReferenceLine& reference) {
+  std::vector<FoundApart> found;
+  for (std::size_t k = 0; k < charted.size(); ++k) {
+    const bool is_in_change = std::any_of(
+        chart.excursions.begin(), chart.excursions.end(),
+        [&](const Excursion& e) { return k >= e.start && k < e.back.value_or(charted.size()); });
+    if (!chart.points[k].is_apart || is_in_change) continue;
+    const SeriesPoint point = series_point(*charted[k]);
+    FoundApart one;
+    one.at = charted[k]->measured_at;
+    one.size = point.value - reference.at(point.temperature_C).value;
+    if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
+      one.percent = 100 * one.size / std::abs(reference.level);
+    }
+    one.is_latest = k + 1 == charted.size();
+    found.push_back(std::move(one));
+  }
+  return found;
+}
+
 /// 1970-01-01: 0.
 double day_number(const HistoryPoint& point) {
   constexpr double seconds = 86400;
@@ -135,6 +156,7 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
   for (const Excursion& e : made.excursions) {
     trend.changes.push_back(found_change(shown, e, *made.reference));
   }
+  trend.apart = found_apart(shown, made, *made.reference);
   if (!made.excursions.empty()) {
     trend.state = made.warning() != nullptr ? TrendState::warning : TrendState::recovered;
     return;
@@ -143,7 +165,11 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
   for (const HistoryPoint* p : shown) days.push_back(day_number(*p));
   const auto drift = find_slow_drift(series, days, settings.with_slope, watched);
   if (drift) trend.changes.push_back(found_drift(shown, *drift));
-  trend.state = drift ? TrendState::warning : TrendState::steady;
+  if (drift) {
+    trend.state = TrendState::warning;
+  } else {
+    trend.state = trend.apart.empty() ? TrendState::steady : TrendState::apart;
+  }
 }
 
 std::vector<Statement> cautions_on(const std::vector<calibration::Measured>& calibrations) {

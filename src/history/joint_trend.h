@@ -52,6 +52,7 @@ struct HistoryPoint {
 enum class TrendState {
   too_few,    ///< Nothing can be said yet.
   steady,     ///< No change is visible.
+  apart,      ///< None, but single calibrations are far from the others.
   recovered,  ///< There was one; the values are back.
   warning,    ///< One stands.
 };
@@ -71,6 +72,14 @@ struct FoundChange {
   std::optional<double> percent;  ///< Of the reference.
 };
 
+/// A calibration that stands apart from the others, in no change.
+struct FoundApart {
+  std::string at;                 ///< Its date.
+  double size{};                  ///< Less the reference, in the quantity's unit.
+  std::optional<double> percent;  ///< Of the reference.
+  bool is_latest{};
+};
+
 struct QuantityTrend {
   std::string name;
   std::string words;
@@ -83,6 +92,7 @@ struct QuantityTrend {
   double limit{};
   std::optional<ReferenceLine> reference;
   std::vector<FoundChange> changes;
+  std::vector<FoundApart> apart;
   TrendState state{TrendState::too_few};
 
   [[nodiscard]] std::size_t count(LeftOut why) const;

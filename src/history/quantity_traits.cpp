@@ -78,6 +78,8 @@ Statement statement_of(TrendState state) {
       return {"trend.too_few"};
     case TrendState::steady:
       return {"trend.steady"};
+    case TrendState::apart:
+      return {"trend.apart"};
     case TrendState::recovered:
       return {"trend.recovered"};
     case TrendState::warning:

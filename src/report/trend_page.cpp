@@ -132,7 +132,36 @@ std::string temperature_text(const history::QuantityTrend& q) {
       {1, "%/K"});
 }
 
+/// "20 % above its reference on 2026-07-17"
+std::string apart_words(const history::QuantityTrend& q, const history::FoundApart& one) {
+  const wording::Scale scale = wording::quantity_scale(q.unit, one.size);
+  const std::string size =
+      one.percent ? wording::with_unit(wording::significant(std::abs(*one.percent), 2), "%")
+                  : wording::with_unit(wording::significant(std::abs(one.size) * scale.factor, 2),
+                                       scale.unit);
+  const std::initializer_list<StatedValue> values{{"size", size}, {"date", day(one.at)}};
+  return one.size > 0 ? tr("{size} above its reference on {date}", values)
+                      : tr("{size} below its reference on {date}", values);
+}
+
+std::string apart_sentence(const history::QuantityTrend& q) {
+  std::vector<std::string> all;
+  for (const history::FoundApart& one : q.apart) all.push_back(apart_words(q, one));
+  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
+                                                  {"apart", wording::listed(all)}};
+  return q.apart.back().is_latest
+             ? tr("{quantity} lay {apart}. The latest calibration is one of them: measure again, "
+                  "for one alone does not show a change.",
+                  values)
+             : tr("{quantity} lay {apart}, and is back at it.", values);
+}
+
 std::string state_text(const history::QuantityTrend& q) {
+  if (q.state == history::TrendState::apart) {
+    std::vector<std::string> dates;
+    for (const history::FoundApart& one : q.apart) dates.push_back(day(one.at));
+    return tr("far from the others on {dates}", {{"dates", wording::listed(dates)}});
+  }
   if (q.changes.empty()) return wording::words(history::statement_of(q.state));
   const history::FoundChange& last = q.changes.back();
   if (last.is_slow) {
@@ -271,6 +300,15 @@ std::vector<std::string> change_sentences(const history::JointTrend& t) {
   });
   std::vector<std::string> sentences;
   for (const Told& told : all) sentences.push_back(change_sentence(*told.quantity, *told.change));
+  std::vector<const history::QuantityTrend*> apart;
+  for (const history::QuantityTrend& q : t.quantities) {
+    if (!q.apart.empty()) apart.push_back(&q);
+  }
+  std::stable_sort(apart.begin(), apart.end(), [](const auto* a, const auto* b) {
+    return std::abs(a->apart.back().percent.value_or(0)) >
+           std::abs(b->apart.back().percent.value_or(0));
+  });
+  for (const history::QuantityTrend* q : apart) sentences.push_back(apart_sentence(*q));
   return sentences;
 }
 
@@ -456,6 +494,8 @@ Headline headline_of(history::TrendState state) {
       return {tr("CHANGED"), Outcome::bad};
     case history::TrendState::recovered:
       return {tr("CHANGED AND RETURNED"), Outcome::partial};
+    case history::TrendState::apart:
+      return {tr("SINGLE CALIBRATIONS FAR OFF"), Outcome::partial};
     case history::TrendState::steady:
       return {tr("NO CHANGE VISIBLE"), Outcome::good};
     case history::TrendState::too_few:

@@ -68,6 +68,7 @@ const Messages& history_messages() {
       // A joint over time.
       {"trend.too_few", text("too few calibrations yet")},
       {"trend.steady", text("no change visible")},
+      {"trend.apart", text("single calibrations far from the others")},
       {"trend.recovered", text("changed and returned")},
       {"trend.changed", text("changed")},
       {"trend.time_not_stated",

@@ -185,6 +185,23 @@ TEST(ControlChart, OneWildCalibrationIsNoAlarm) {
   EXPECT_LE(alarms, 2) << "where luck had carried the sum half the way before";
 }
 
+TEST(ControlChart, TwoWildCalibrationsStandApartAndSpoilNoReference) {
+  int apart = 0;
+  int others = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const ControlChart chart = make_control_chart(
+        series(seed, 30, [](std::size_t k) { return k == 15 || k == 16 ? 50 * sigma : 0; }), {});
+    ASSERT_TRUE(chart.reference);
+    for (std::size_t k = 0; k < chart.points.size(); ++k) {
+      if (chart.points[k].is_apart) ++(k == 15 || k == 16 ? apart : others);
+    }
+    if (!chart.excursions.empty()) continue;
+    EXPECT_LT(chart.reference->scatter(), 2 * sigma) << seed;
+  }
+  EXPECT_GE(apart, 195);
+  EXPECT_LE(others, 1);
+}
+
 TEST(ControlChart, ValuesThatAreAllTheSameAreQuiet) {
   const std::vector<SeriesPoint> same(20, SeriesPoint{3.5, 0, 0});
   const ControlChart chart = make_control_chart(same, {});

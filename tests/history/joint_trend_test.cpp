@@ -49,6 +49,22 @@ TEST(JointTrend, TellsTheDateAndTheSizeOfAStep) {
   EXPECT_EQ(quantity(t, "inertia").state, TrendState::steady);
 }
 
+TEST(JointTrend, TellsOfCalibrationsThatStandApartAndOfTheLatest) {
+  for (const std::size_t at : {12U, 19U}) {
+    const auto odd = [at](const std::string& name, std::size_t k) {
+      return name == "coulomb_torque" && k == at ? 1.5 : 1.0;
+    };
+    const JointTrend t = joint_trends(test::simulated_history(3, odd, of_length(20)), {}).front();
+    EXPECT_EQ(t.state(), TrendState::apart);
+    const QuantityTrend& q = quantity(t, "coulomb_torque");
+    ASSERT_EQ(q.apart.size(), 1U);
+    EXPECT_EQ(q.apart.front().at, test::utc_of_day(14 * static_cast<int>(at)));
+    EXPECT_NEAR(*q.apart.front().percent, 50, 2);
+    EXPECT_EQ(q.apart.front().is_latest, at == 19);
+    EXPECT_TRUE(quantity(t, "inertia").apart.empty());
+  }
+}
+
 TEST(JointTrend, GoesByTimeAndNotByTheOrderOfArrival) {
   auto calibrations = test::simulated_history(3, step_at(14), of_length(24));
   const std::string in_time = trend_json(joint_trends(calibrations, {}));
