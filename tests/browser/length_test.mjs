@@ -27,6 +27,9 @@ for (const name of ["paper.html", "noisy.html", "polish.html"]) {
     }));
 }
 
+test("the plan goes to the robot on two sheets", { skip: !hasPoppler() && "poppler-utils is not installed" },
+  () => withReport("plan.html", {}, async (page) => assert.equal(await sheetsOf(page, "plan.html"), 2)));
+
 for (const format of ["A4", "Letter"]) {
   test(`page one is the first sheet of ${format}, whole, with its signature; each sheet has number and page`,
     { skip: hasPoppler() ? !everyCase && format === "Letter" && "each night" : "poppler-utils is not installed" },

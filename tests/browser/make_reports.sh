@@ -1,6 +1,7 @@
 #!/bin/sh
 # The reports that the browser tests open: the paper's joint without and with noise, the noisy one in
-# Polish, both compared, and with markup of strangers in every text of its manifest and its logs.
+# Polish, both compared, the plan of an experiment, and with markup of strangers in every text of its
+# manifest and its logs.
 #   make_reports.sh TRIBOLOG DIRECTORY
 set -e
 tribolog=$1
@@ -19,6 +20,8 @@ rm -f pair.tribolog
 ids=$("$tribolog" archive list --archive pair.tribolog | awk 'length($1) == 10 { print $1 }')
 "$tribolog" --quiet archive diff $ids --archive pair.tribolog -o diff.html
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures --language pl -o polish.html
+"$tribolog" --quiet plan "$sources/../../examples/plan/joint.toml" --runs 2 -o planned
+cp planned/plan.html plan.html
 
 # Recorded names of columns and files become markup too.
 python3 "$sources/plant_markup.py" scenario_noise harmless x
