@@ -37,6 +37,7 @@ void check(ExportOptions& options) {
 std::string text_of(const ExportOptions& options, const exports::results::ArchivedJoint& joint) {
   if (options.format == "csv") return exports::results::csv_table(joint);
   if (options.format == "json") return exports::results::json_document(joint);
+  if (options.format == "mat") return exports::results::matlab_file(joint);
   if (options.format == "latex") return exports::results::latex_table(joint);
   if (options.format == "dcc") return exports::results::digital_certificate(joint);
   if (options.format == "urdf") return exports::results::urdf_joint(joint, options.simulator);
@@ -50,10 +51,10 @@ std::string text_of(const ExportOptions& options, const exports::results::Archiv
 void add_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("--format", options.format,
-                  "csv, json, latex, dcc, urdf, sdf, mjcf, modelica or ros2")
+                  "csv, json, mat, latex, dcc, urdf, sdf, mjcf, modelica or ros2")
       ->required()
       ->check(CLI::IsMember(
-          {"csv", "json", "latex", "dcc", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
+          {"csv", "json", "mat", "latex", "dcc", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
   command.add_option("-o,--output", options.output, "file to write; default: standard output");
   command.add_flag("--doubtful-too", options.simulator.doubtful_too,
                    "urdf, sdf, mjcf, modelica, ros2: also numbers whose verdict is not usable");
@@ -68,7 +69,7 @@ void add_options(CLI::App& command, ExportOptions& options) {
       ->check(number_between(0, 1e9));
   command.footer(
       "\nEach file states in its comments what it describes, and the conversions of units and "
-      "sides.\ncsv, json, latex: every quantity on both sides of the gear, marked with its "
+      "sides.\ncsv, json, mat, latex: every quantity on both sides of the gear, marked with its "
       "verdict.\ndcc: Digital Calibration Certificate 3.1.2 (XML), with what [certificate] of the "
       "manifest states.\nurdf, sdf: <dynamics> with damping and friction. mjcf: <joint damping "
       "frictionloss "

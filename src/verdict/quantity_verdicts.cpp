@@ -150,7 +150,7 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
   const auto estimate = from_ramps      ? with_loops(ramps.mean_Nm, level_of_loops(c))
                         : one_direction ? one_direction
                                         : loop_level_Nm;
-  const bool ramps_tell_why = !ramps.ramps.empty() && !loop_level_Nm;
+  const bool ramps_tell_why = !ramps.ramps.empty() && c.hysteresis.oscillations.empty();
   calibration::QuantityVerdict q = by_estimate(
       Quantity::break_away_torque, "N·m", estimate, ramps_tell_why ? ramps.stage.reason : why,
       ramps_tell_why ? Statement{"record.ramps"} : record_an_oscillation);
@@ -158,7 +158,7 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
     calibration::lower(q, calibration::Verdict::doubtful, {"verdict.ramps_of_one_direction"},
                        {"record.ramps"});
   }
-  if (!ramps.ramps.empty() && !from_ramps && loop_level_Nm) {
+  if (!ramps.ramps.empty() && !from_ramps && !one_direction && !ramps_tell_why) {
     calibration::lower(q, calibration::Verdict::doubtful,
                        {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},
                        {"record.ramps"});

@@ -1,6 +1,13 @@
-// URDF, SDF and MJCF as urdfdom, sdformat and MuJoCo understand them.
+// URDF, SDF, MJCF and MAT files as urdfdom, sdformat, MuJoCo and matio understand them.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <matio.h>
 
 #include "base/temporary_directory.h"
 #include "exports/export_sample.h"
@@ -64,6 +71,63 @@ TEST(ExportParsers, SdformatReadsTheDynamics) {
 #else
   GTEST_SKIP() << "libsdformat-dev is not installed";
 #endif
+}
+
+/// Variables of a MAT file as matio reads them.
+class MatFile {
+ public:
+  explicit MatFile(const exports::results::ArchivedJoint& joint) {
+    const std::string path = directory_.file("joint.mat", exports::results::matlab_file(joint));
+    file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  }
+  [[nodiscard]] bool is_open() const { return file_ != nullptr; }
+  [[nodiscard]] std::vector<double> numbers(const char* name) const {
+    const auto variable = read(name);
+    if (!variable || variable->class_type != MAT_C_DOUBLE) return {};
+    const auto* first = static_cast<const double*>(variable->data);
+    return {first, first + variable->dims[0] * variable->dims[1]};
+  }
+  [[nodiscard]] std::string text(const char* name) const {
+    const auto variable = read(name);
+    if (!variable || variable->class_type != MAT_C_CHAR) return "?";
+    return {static_cast<const char*>(variable->data), variable->dims[1]};
+  }
+
+ private:
+  [[nodiscard]] std::unique_ptr<matvar_t, decltype(&Mat_VarFree)> read(const char* name) const {
+    return {Mat_VarRead(file_.get(), name), Mat_VarFree};
+  }
+  test::TemporaryDirectory directory_;
+  std::unique_ptr<mat_t, decltype(&Mat_Close)> file_{nullptr, Mat_Close};
+};
+
+TEST(ExportParsers, MatioReadsTheNumbers) {
+  exports::results::ArchivedJoint sample = test::export_sample();
+  test::quantity_of(sample, "inertia").estimate.reset();
+  const MatFile file(sample);
+  ASSERT_TRUE(file.is_open());
+  const std::vector<double> coulomb = file.numbers("coulomb_torque_joint");
+  ASSERT_EQ(coulomb.size(), 3U);
+  EXPECT_DOUBLE_EQ(coulomb[0], 0.31 * 50);
+  EXPECT_DOUBLE_EQ(coulomb[1], 0.30 * 50);
+  EXPECT_DOUBLE_EQ(coulomb[2], 0.32 * 50);
+  EXPECT_EQ(file.text("coulomb_torque_motor_unit"), "N\xb7m");
+  EXPECT_EQ(file.text("coulomb_torque_motor_verdict"), "usable");
+  for (const double number : file.numbers("inertia_motor")) EXPECT_TRUE(std::isnan(number));
+  const std::vector<double> curve = file.numbers("friction_curve_motor");
+  ASSERT_FALSE(curve.empty());
+  ASSERT_EQ(curve.size() % 2, 0U);
+  EXPECT_EQ(curve.front(), 0) << "speeds first, as MATLAB keeps columns";
+  EXPECT_TRUE(std::is_sorted(curve.begin(), curve.begin() + static_cast<long>(curve.size() / 2)));
+  EXPECT_EQ(file.text("joint"), "J2");
+  EXPECT_EQ(file.numbers("gear_ratio"), std::vector<double>{50});
+}
+
+TEST(ExportParsers, MatioReadsWhateverTheNamesAre) {
+  const MatFile file(test::hostile_export_sample());
+  ASSERT_TRUE(file.is_open());
+  EXPECT_EQ(file.numbers("coulomb_torque_joint").size(), 3U);
+  EXPECT_NE(file.text("joint").find("\xe9 ??"), std::string::npos) << file.text("joint");
 }
 
 #ifdef TRIBOLOG_MUJOCO

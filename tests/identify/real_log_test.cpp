@@ -225,11 +225,11 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   ASSERT_EQ(c.break_away.ramps.size(), 10U);
-  // The first ramp stops at 10.07 N·m without a slip.
+  // The first ramp stops at 10.07 N·m without a slip, and its torque is not quite even.
   EXPECT_EQ(c.break_away.censored, 1U);
   EXPECT_FALSE(c.break_away.ramps.front().broke_away);
-  EXPECT_NEAR(c.break_away.ramps.front().friction_Nm, 10.066, 0.001);
-  EXPECT_NE(wording::words(c.break_away.stage.reason).find("larger than 10.07 N·m (censored"),
+  EXPECT_NEAR(c.break_away.ramps.front().friction_Nm, 10.054, 0.001);
+  EXPECT_NE(wording::words(c.break_away.stage.reason).find("larger than 10.05 N·m (censored"),
             std::string::npos);
   ASSERT_TRUE(c.break_away.rising_Nm && c.break_away.falling_Nm);
   EXPECT_NEAR(c.break_away.falling_Nm->value, 11.8, 0.3);  // the first leap in each of the plots

@@ -53,6 +53,21 @@ TEST(ManifestProposal, IsReadByTheReader) {
   EXPECT_FALSE(dataset.manifest.effort_is_confirmed) << "nobody stated what the torque is";
 }
 
+TEST(ManifestProposal, OfTwoCoupledJointsTheDrivenOneIsMeant) {
+  const test::ScratchDirectory scratch;
+  std::string csv = "t_s,q_1_rad,q_2_rad,tau_1_Nm,tau_2_Nm\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    const double q = t < 20 ? -1 + 0.1 * t : 1 - 0.1 * (t - 20);
+    // The second turns with the first, and a little more in the log.
+    csv += fmt::format("{},{:.4f},{:.4f},{:.4f},{}\n", t, q, -1.001 * q,
+                       3 * std::cos(q) + (t < 20 ? 0.5 : -0.5), i % 2 == 0 ? 0.001 : -0.001);
+  }
+  const auto proposal = propose(scratch, scratch.write("log.csv", csv));
+  EXPECT_EQ(proposal.joint, "1");
+  EXPECT_EQ(proposal.moves_too, std::vector<std::string>{"2"});
+}
+
 TEST(ManifestProposal, LeavesTheTorqueConstantToTheUser) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,i_motor_A"));

@@ -104,6 +104,61 @@ std::optional<LineOfMeans> longest_line(const std::array<MeanEffort, blocks>& me
   return std::nullopt;
 }
 
+std::array<MeanEffort, blocks> means_of(const AngleTrace& trace, const Rest& rest,
+                                        std::size_t in_block) {
+  std::array<MeanEffort, blocks> means{};
+  for (std::size_t k = 0; k < blocks * in_block; ++k) {
+    MeanEffort& mean = means.at(k / in_block);
+    mean.t_s += trace.t_s[rest.first + k] / static_cast<double>(in_block);
+    mean.effort += trace.effort[rest.first + k] / static_cast<double>(in_block);
+  }
+  return means;
+}
+
+/// Last sample up to `last` at which the joint still slides under the effort that moved it.
+/// @param beside samples behind each over which the effort is averaged.
+std::size_t slides_until(const AngleTrace& trace, std::size_t from, std::size_t last,
+                         double longest_s, double gave_way, std::size_t beside) {
+  const double until_s = trace.t_s[from] + longest_s;
+  std::size_t i = from;
+  for (; i + 1 + beside <= last && trace.t_s[i + 1] < until_s; ++i) {
+    const auto at = trace.effort.begin() + static_cast<std::ptrdiff_t>(i + 1);
+    const double sum = std::accumulate(at, at + static_cast<std::ptrdiff_t>(beside + 1), 0.0);
+    if (sum / static_cast<double>(beside + 1) / gave_way < still_on) break;
+  }
+  return i;
+}
+
+/// The ramp of one rest.
+/// @param last sample up to which the joint may slide behind it.
+std::optional<TorqueRamp> ramp_of(const AngleTrace& trace, const Rest& rest, std::size_t last,
+                                  double noise, double least_change) {
+  const std::size_t in_block = (rest.last - rest.first + 1) / blocks;
+  const double rest_s = trace.t_s[rest.last] - trace.t_s[rest.first];
+  if (in_block < fewest_in_block || rest_s < least_s) return std::nullopt;
+  const auto means = means_of(trace, rest, in_block);
+  const auto line = longest_line(means, noise / std::sqrt(static_cast<double>(in_block)));
+  if (!line) return std::nullopt;
+  const double duration_s = means.at(line->last).t_s - means.at(line->first).t_s;
+  if (std::abs(line->rate) * duration_s < least_change) return std::nullopt;
+  const auto begin_of = [&](std::size_t block) { return rest.first + block * in_block; };
+  TorqueRamp ramp{begin_of(line->first), begin_of(line->last + 1) - 1, line->rate, false};
+  // The torque of what came before may still die away where the rest begins.
+  for (std::size_t i = ramp.first; i < begin_of(line->first + 1); ++i) {
+    const double off = trace.effort[i] - line->at(trace.t_s[i]);
+    if (std::abs(off) > far_off * noise) ramp.first = i + 1;
+  }
+  const double gave_way = means.at(line->last).effort;
+  const bool lasts =
+      std::all_of(means.begin() + static_cast<std::ptrdiff_t>(line->last), means.end(),
+                  [&](const MeanEffort& mean) { return mean.effort / gave_way >= still_on; });
+  if (!lasts || line->last + most_beyond < blocks) return ramp;
+  ramp.last =
+      slides_until(trace, rest.last, last, longest_slide * duration_s, gave_way, in_block / 4);
+  ramp.joint_slid = ramp.last > rest.last;
+  return ramp;
+}
+
 }  // namespace
 
 std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t first, std::size_t last,
@@ -116,48 +171,8 @@ std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t firs
       statistics::white_sd_beside_jumps(statistics::third_differences(trace.effort));
   if (!(noise > noisy * range)) return found;
   for (const Rest& rest : rests(trace.q_rad, {first, last}, std::max(rest_rad, floor_rad))) {
-    const std::size_t in_block = (rest.last - rest.first + 1) / blocks;
-    if (in_block < fewest_in_block || trace.t_s[rest.last] - trace.t_s[rest.first] < least_s) {
-      continue;
-    }
-    std::array<MeanEffort, blocks> means{};
-    const auto begin_of = [&](std::size_t block) { return rest.first + block * in_block; };
-    for (std::size_t k = 0; k < blocks; ++k) {
-      for (std::size_t i = begin_of(k); i < begin_of(k + 1); ++i) {
-        means.at(k).t_s += trace.t_s[i] / static_cast<double>(in_block);
-        means.at(k).effort += trace.effort[i] / static_cast<double>(in_block);
-      }
-    }
-    const auto line = longest_line(means, noise / std::sqrt(static_cast<double>(in_block)));
-    if (!line) continue;
-    const double duration_s = means.at(line->last).t_s - means.at(line->first).t_s;
-    if (std::abs(line->rate) * duration_s < least_rise * range) continue;
-    TorqueRamp ramp{begin_of(line->first), begin_of(line->last + 1) - 1, line->rate, false};
-    // The torque of what came before may still die away where the rest begins.
-    for (std::size_t i = ramp.first; i < begin_of(line->first + 1); ++i) {
-      const double off = trace.effort[i] - line->at(trace.t_s[i]);
-      if (std::abs(off) > far_off * noise) ramp.first = i + 1;
-    }
-    // Up to the end of the rest, and as far as the joint slides under the torque that moved it.
-    const double gave_way = means.at(line->last).effort;
-    const bool lasts =
-        std::all_of(means.begin() + static_cast<std::ptrdiff_t>(line->last), means.end(),
-                    [&](const MeanEffort& mean) { return mean.effort / gave_way >= still_on; });
-    if (lasts && line->last + most_beyond >= blocks) {
-      ramp.last = rest.last;
-      const double until_s = trace.t_s[rest.last] + longest_slide * duration_s;
-      const std::size_t beside = in_block / 4;
-      for (std::size_t i = rest.last + 1; i + beside <= last && trace.t_s[i] < until_s; ++i) {
-        const auto at = trace.effort.begin() + static_cast<std::ptrdiff_t>(i);
-        const double effort =
-            std::accumulate(at, at + static_cast<std::ptrdiff_t>(beside + 1), 0.0) /
-            static_cast<double>(beside + 1);
-        if (effort / gave_way < still_on) break;
-        ramp.last = i;
-        ramp.joint_slid = true;
-      }
-    }
-    found.push_back(ramp);
+    const auto ramp = ramp_of(trace, rest, last, noise, least_rise * range);
+    if (ramp) found.push_back(*ramp);
   }
   return found;
 }

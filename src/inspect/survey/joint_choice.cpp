@@ -14,6 +14,7 @@ namespace tribolog::inspect::survey {
 namespace {
 
 constexpr double moves_share = 0.01;
+constexpr double as_wide = 0.98;  // of the widest range: two joints that move as one
 
 struct Found {
   JointInLog in_log;
@@ -56,6 +57,13 @@ std::vector<Found> all_joints(const std::vector<LogSurvey>& logs) {
                     "\"#2\""});
 }
 
+/// In the effort's own unit; 0 where none was logged.
+double effort_range(const std::vector<LogSurvey>& logs, const Found& of) {
+  if (!of.joint->effort) return 0;
+  const ColumnSurvey& effort = table_of(logs, of.in_log).columns[*of.joint->effort];
+  return effort.highest - effort.lowest;
+}
+
 std::vector<std::string> names_of(const std::vector<Found>& found) {
   std::vector<std::string> names;
   for (const Found& f : found) {
@@ -90,7 +98,14 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
     const auto widest =
         std::max_element(found.begin(), found.end(),
                          [&](const Found& a, const Found& b) { return range(a) < range(b); });
-    choice.name = widest->joint->name;
+    // Of two that are coupled the one that drives.
+    const double least = as_wide * range(*widest);
+    const auto driven =
+        std::max_element(found.begin(), found.end(), [&](const Found& a, const Found& b) {
+          return (range(a) < least ? -1 : effort_range(logs, a)) <
+                 (range(b) < least ? -1 : effort_range(logs, b));
+        });
+    choice.name = driven->joint->name;
   }
   double widest = 0;
   for (const Found& f : found) {

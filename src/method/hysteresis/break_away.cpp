@@ -37,6 +37,10 @@ double largest_change_Nm(const joint::Recording& r) {
   return largest;
 }
 
+double white_noise_Nm(const joint::Recording& r) {
+  return statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+}
+
 /// Samples over which a ramp's torque is averaged where single ones are too noisy.
 std::size_t window_of(const joint::Recording& r) {
   constexpr std::size_t share = 100;
@@ -56,8 +60,7 @@ RampBegin begin_of_ramp(const joint::Recording& r) {
   const std::size_t window = window_of(r);
   // Two means of noise alone differ by as much once in many thousands.
   constexpr double clear = 4;
-  const double noise =
-      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  const double noise = white_noise_Nm(r);
   const double rest = std::max(torque_on * largest_change_Nm(r),
                                clear * noise * std::sqrt(2 / static_cast<double>(window)));
   double sum = 0;
@@ -82,8 +85,7 @@ struct RampEnd {
 };
 
 RampEnd end_of_ramp(const joint::Recording& r, double sign) {
-  const double noise =
-      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
+  const double noise = white_noise_Nm(r);
   constexpr double in_doubt = 2;  // standard deviations
   std::vector<double> sum{0};
   for (const double torque : r.torque_Nm) sum.push_back(sum.back() + sign * torque);
@@ -101,6 +103,29 @@ RampEnd end_of_ramp(const joint::Recording& r, double sign) {
   return {largest, last};
 }
 
+/// A straight line through the torque of some samples that end with one.
+struct TorqueLine {
+  double at_end_Nm{};
+  double variance_Nm2{};  ///< Of the samples about it.
+};
+
+TorqueLine line_up_to(const joint::Recording& r, std::size_t at, std::size_t count) {
+  const std::size_t first = at + 1 - count;
+  const auto n = static_cast<double>(count);
+  const auto from_middle = [n](std::size_t k) { return static_cast<double>(k) - (n - 1) / 2; };
+  double mean = 0;
+  double slope = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    mean += r.torque_Nm[first + k] / n;
+    slope += from_middle(k) * r.torque_Nm[first + k] * 12 / (n * (n * n - 1));
+  }
+  double squares = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    squares += std::pow(r.torque_Nm[first + k] - mean - slope * from_middle(k), 2);
+  }
+  return {mean + slope * (n - 1) / 2, squares / (n - 2)};
+}
+
 /// A ramp's torque at a sample.
 struct TorqueAt {
   double torque_Nm{};
@@ -114,19 +139,9 @@ TorqueAt torque_by_line(const joint::Recording& r, std::size_t at) {
   constexpr std::size_t fewest = 4;
   const std::size_t count =
       std::min(std::clamp<std::size_t>(r.size() / share, 2 * fewest, most), at + 1);
-  const double noise =
-      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
-  if (count < fewest) return {r.torque_Nm[at], noise};
-  const auto n = static_cast<double>(count);
-  double mean = 0;
-  double slope = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double torque = r.torque_Nm[at + 1 - count + k];
-    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
-    mean += torque / n;
-    slope += from_middle * torque * 12 / (n * (n * n - 1));
-  }
-  return {mean + slope * (n - 1) / 2, 2 * noise / std::sqrt(n)};
+  if (count < fewest) return {r.torque_Nm[at], white_noise_Nm(r)};
+  return {line_up_to(r, at, count).at_end_Nm,
+          2 * white_noise_Nm(r) / std::sqrt(static_cast<double>(count))};
 }
 
 /// Standard deviation of what hangs together in a torque's noise, such as a vibration, about a
@@ -136,25 +151,9 @@ double coloured_noise_Nm(const joint::Recording& r, std::size_t at) {
   constexpr std::size_t fewest = 20;
   const std::size_t count = std::min(std::max(r.size() / share, fewest), at + 1);
   if (count < fewest) return 0;
-  const std::size_t first = at + 1 - count;
-  const auto n = static_cast<double>(count);
-  double mean = 0;
-  double slope = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
-    mean += r.torque_Nm[first + k] / n;
-    slope += from_middle * r.torque_Nm[first + k] * 12 / (n * (n * n - 1));
-  }
-  double squares = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double from_middle = static_cast<double>(k) - (n - 1) / 2;
-    squares += std::pow(r.torque_Nm[first + k] - mean - slope * from_middle, 2);
-  }
-  const double white =
-      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
-  const double coloured = squares / (n - 2) - white * white;
-  constexpr double clear = 1;  // of the white noise's variance
-  return coloured > clear * white * white ? std::sqrt(coloured) : 0;
+  const double white = std::pow(white_noise_Nm(r), 2);
+  const double coloured = line_up_to(r, at, count).variance_Nm2 - white;
+  return coloured > white ? std::sqrt(coloured) : 0;  // less is a matter of chance
 }
 
 /// What the torque has certainly reached at a sample.
@@ -169,9 +168,7 @@ double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign)
 /// A sample's own torque, where its noise does not matter.
 double torque_at_Nm(const joint::Recording& r, std::size_t at) {
   constexpr double matters = 0.05;
-  const double noise =
-      statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
-  const bool is_noisy = noise > matters * std::abs(r.torque_Nm[at]);
+  const bool is_noisy = white_noise_Nm(r) > matters * std::abs(r.torque_Nm[at]);
   return is_noisy ? torque_by_line(r, at).torque_Nm : r.torque_Nm[at];
 }
 
