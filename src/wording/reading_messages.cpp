@@ -81,8 +81,9 @@ const Messages& reading_messages() {
       {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
       {"reading.gaps", text("column {column}: {percent:.0f} % of the rows are gaps (nan)")},
       {"reading.impossible_values",
-       text("column {column}: numbers that no joint has ({count}, such as {value:.6g}) are taken as "
-            "gaps; in a manifest [log] skip_bad_rows = true leaves their rows out")},
+       text(
+           "column {column}: numbers that no joint has ({count}, such as {value:.6g}) are taken as "
+           "gaps; in a manifest [log] skip_bad_rows = true leaves their rows out")},
       {"reading.clock_from_1970",
        text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
             "reading, in whole units")},

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""From the raw logs of robots that exist to their numbers: what has to be typed, and what comes of it.
+"""Writes docs/raw_logs.md: from the raw logs of robots that exist to their numbers, what has to be typed.
 
-  python3 tests/data/raw_logs.py build/src/tribolog
+  python3 tests/data/raw_logs.py build/src/tribolog > docs/raw_logs.md
 
-Each set takes two commands, `init` with the options shown and `identify`; no line of the manifest is
-edited. The logs are not part of the project; sets that are not beside the checkout are named as missing.
+The logs are not part of the project; sets that are not beside the checkout are named as missing.
 """
 import json
 import pathlib
@@ -66,6 +65,11 @@ def row(program, files, options):
         return counts, "<br>".join(numbers) or verdict["sentence"]
 
 
+print("""# From raw logs to numbers
+
+Written by `python3 tests/data/raw_logs.py build/src/tribolog`. Each set takes two commands, `init` with
+the options shown and `identify`; no line of a manifest is edited.
+""")
 print("| set | options of init | recordings found | numbers, SI at the joint (95 %), verdict |")
 print("|---|---|---|---|")
 for name, files, options in sets:

@@ -16,8 +16,8 @@ std::string json_document(const ArchivedJoint& joint, bool is_on_one_line = fals
 
 // The results as variables of MATLAB.
 
-/// A MAT file of level 4, which MATLAB, Octave and SciPy load: each quantity on each side as a row of
-/// value, low and high ("coulomb_torque_joint", NaN where it is not known) with "..._unit" and
+/// A MAT file of level 4, which MATLAB, Octave and SciPy load: each quantity on each side as a row
+/// of value, low and high ("coulomb_torque_joint", NaN where it is not known) with "..._unit" and
 /// "..._verdict"; "friction_curve_joint" and "..._motor" as rows of speed [rad/s] and torque [N·m];
 /// robot, serial, joint, id, gear_ratio and "about". Texts hold the letters of Latin-1.
 std::string matlab_file(const ArchivedJoint& joint);

@@ -91,7 +91,7 @@ struct TableSurvey {
   std::optional<std::size_t> time;  ///< Column of the clock.
   std::optional<ClockSurvey> clock;
   std::vector<JointSurvey> joints;     ///< Those with an angle.
-  bool has_impossible_values{};     ///< Single numbers that no joint has, taken as gaps.
+  bool has_impossible_values{};        ///< Single numbers that no joint has, taken as gaps.
   std::optional<ColumnGroups> groups;  ///< Of columns without names, where they come in such.
 };
 

@@ -44,8 +44,9 @@ InputCase with_left_out(InputCase one, const std::string& left_out) {
 InputCase impossible(const std::string& id, const std::string& name, const std::string& log,
                      const std::string& says) {
   return refused(id, name, log,
-                 says + "; hint: another unit? where only this row is damaged, write nan, or [log] "
-                        "skip_bad_rows = true leaves it out");
+                 says +
+                     "; hint: another unit? where only this row is damaged, write nan, or [log] "
+                     "skip_bad_rows = true leaves it out");
 }
 
 }  // namespace
