@@ -174,11 +174,12 @@ void tell_outcome(const Calibration& calibration, Console& console) {
   const auto say = [&](const char* quantity, const std::string& name, double factor,
                        const char* unit) {
     const std::optional<Quantity> found = calibration.quantity(quantity);
-    if (!found || !found->at_joint) return;
+    if (!found || !found->at_joint || found->verdict == Verdict::not_identifiable) return;
     const Estimate& e = *found->at_joint;
     using wording::six_digits;
-    console.say(fmt::format("  {:<34} {} {} (95 %: {} to {})", name, six_digits(factor * e.value),
-                            unit, six_digits(factor * e.low), six_digits(factor * e.high)));
+    console.say(fmt::format("  {:<34} {} {} (95 %: {} to {}){}", name, six_digits(factor * e.value),
+                            unit, six_digits(factor * e.low), six_digits(factor * e.high),
+                            found->verdict == Verdict::doubtful ? ", doubtful" : ""));
   };
   say("cog_angle", "gravity peak at joint angle", joint::degrees_per_rad, "deg");
   say("surrogate_mass", "surrogate mass, " + calibration.estimator(), 1, "kg");

@@ -172,11 +172,15 @@ void apply_data_checks(const method::checks::DataChecksResult& checks, const Sou
   for (const Consequence& consequence : consequences(sources)) {
     const method::checks::DataCheck* check = checks.find(consequence.check);
     if (check == nullptr || check->state != method::checks::CheckState::fails) continue;
+    // Where the torque changes in no recording, all numbers are made of one that was held.
+    const bool is_dead = check->name == CheckName::torque_alive && check->measured == 0.0;
+    const auto lowered_to =
+        is_dead ? calibration::Verdict::not_identifiable : consequence.lowered_to;
     for (calibration::QuantityVerdict& quantity : quantities) {
       const Quantities& touched = consequence.touched;
       if (std::find(touched.begin(), touched.end(), quantity.quantity) == touched.end()) continue;
       calibration::lower(
-          quantity, consequence.lowered_to,
+          quantity, lowered_to,
           {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
           check->experiment);
     }

@@ -244,6 +244,27 @@ TEST(Findings, ALagThatBendsTheLoopsIsTheReasonOfTheirShape) {
   }
 }
 
+TEST(Findings, ATorqueThatNeverChangesShowsNothing) {
+  for (const double live_percent : {0.0, 60.0}) {
+    calibration::Calibration c = sound_joint();
+    for (method::checks::DataCheck& check : c.data_checks.checks) {
+      if (check.name != CheckName::torque_alive) continue;
+      check.state = method::checks::CheckState::fails;
+      check.measured = live_percent;
+      check.found = {"torque_alive.constant", {{"constant", 24}, {"recordings", 24}}};
+    }
+    const calibration::Judgement judgement = verdict::judge(c);
+    for (const joint::Quantity quantity :
+         {joint::Quantity::gravity_torque, joint::Quantity::surrogate_mass,
+          joint::Quantity::break_away_torque, joint::Quantity::inertia}) {
+      EXPECT_EQ(judgement.find(quantity)->verdict, live_percent == 0
+                                                       ? calibration::Verdict::not_identifiable
+                                                       : calibration::Verdict::doubtful)
+          << joint::to_string(quantity) << " " << live_percent;
+    }
+  }
+}
+
 TEST(Findings, AnotherJointThatMovesStandsBeforeTheShiftOfThePeakThatItMakes) {
   calibration::Calibration c = sound_joint();
   for (method::checks::DataCheck& check : c.data_checks.checks) {
