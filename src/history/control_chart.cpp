@@ -71,10 +71,9 @@ class Charting {
     }
     ChartPoint& point = chart_.points[k];
     point.is_judged = true;
-    point.is_apart = is_apart(k);
-    point.score =
-        std::clamp(statistics::normal_score(frozen_->standardised(series_[k]), frozen_->freedom),
-                   -largest_score, largest_score);
+    const double score = score_of(k, *frozen_);
+    point.is_apart = is_apart(k, score);
+    point.score = std::clamp(score, -largest_score, largest_score);
     add_to_sums(k, point);
     if (way_back_) {
       if (way_back_->add(k, point.score)) end_excursion(k);
@@ -87,13 +86,17 @@ class Charting {
 
   /// Held against those before it that do not stand apart themselves. The sums learn from all: a
   /// joint whose calibrations are wild now and then has no alarm of them.
-  [[nodiscard]] bool is_apart(std::size_t k) const {
+  [[nodiscard]] bool is_apart(std::size_t k, double score_among_all) const {
     std::vector<std::size_t> others;
     std::copy_if(members_.begin(), members_.end(), std::back_inserter(others),
                  [&](std::size_t i) { return !chart_.points[i].is_apart; });
+    if (others.size() == members_.size()) return std::abs(score_among_all) >= apart_score;
     const auto reference = ReferenceLine::fitted(series_, others, settings_.with_slope);
-    return reference && std::abs(statistics::normal_score(reference->standardised(series_[k]),
-                                                          reference->freedom)) >= apart_score;
+    return reference && std::abs(score_of(k, *reference)) >= apart_score;
+  }
+
+  [[nodiscard]] double score_of(std::size_t k, const ReferenceLine& reference) const {
+    return statistics::normal_score(reference.standardised(series_[k]), reference.freedom);
   }
 
   /// Of the reference, where they are few; where they are many, that is how the joint scatters.

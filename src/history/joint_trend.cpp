@@ -53,6 +53,12 @@ std::size_t learned_count(const std::vector<const HistoryPoint*>& charted, const
   return std::max<std::size_t>(static_cast<std::size_t>(inside), fewest_learned);
 }
 
+/// Of a reference that is not zero beyond doubt.
+std::optional<double> percent_of(const ReferenceLine& reference, double size) {
+  if (!(std::abs(reference.level) > 2 * std::sqrt(reference.level_variance))) return std::nullopt;
+  return 100 * size / std::abs(reference.level);
+}
+
 FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const Excursion& e,
                          const ReferenceLine& reference) {
   constexpr std::size_t latest = 3;
@@ -77,9 +83,7 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
   change.calibrations_to_alarm = e.alarm - e.start + 1;
   change.size =
       statistics::symmetric_estimate(mean, half_width, {"interval.last_three_against_reference"});
-  if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
-    change.percent = 100 * mean / std::abs(reference.level);
-  }
+  change.percent = percent_of(reference, mean);
   return change;
 }
 
@@ -95,9 +99,7 @@ std::vector<FoundApart> found_apart(const std::vector<const HistoryPoint*>& char
     FoundApart one;
     one.at = charted[k]->measured_at;
     one.size = point.value - reference.at(point.temperature_C).value;
-    if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
-      one.percent = 100 * one.size / std::abs(reference.level);
-    }
+    one.percent = percent_of(reference, one.size);
     one.is_latest = k + 1 == charted.size();
     found.push_back(std::move(one));
   }

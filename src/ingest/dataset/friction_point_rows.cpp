@@ -69,7 +69,7 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
     const bool is_speed = column.signal == joint::LoggedSignal::speed;
     factors.push_back(conversion_of(column, drive, effort_sign).factor() *
                       (is_speed ? drive.gear_ratio() : 1));
-    bounds.push_back(largest_possible(column.entry->quantity) / std::abs(column.entry->si_factor));
+    bounds.push_back(largest_possible(*column.entry));
   }
   std::size_t at_rest = 0;
   std::vector<std::size_t> gaps(columns.size());

@@ -101,6 +101,10 @@ double largest_possible(log::Quantity quantity) {
   return std::numeric_limits<double>::infinity();
 }
 
+double largest_possible(const manifest::ColumnEntry& column) {
+  return largest_possible(column.quantity) / std::abs(column.si_factor);
+}
+
 void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
                              const log::LogTable& table, std::size_t row) {
   throw InputError(
@@ -108,9 +112,7 @@ void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
       {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
                    log::to_string(column.quantity)),
        fmt::format("{:.6g} {}", value, printable(column.unit)),
-       fmt::format("at most {:.6g} {}",
-                   largest_possible(column.quantity) / std::abs(column.si_factor),
-                   printable(column.unit)),
+       fmt::format("at most {:.6g} {}", largest_possible(column), printable(column.unit)),
        "another unit? where only this row is damaged, write nan, or [log] skip_bad_rows = "
        "true leaves it out"});
 }
@@ -129,8 +131,7 @@ std::optional<log::LogTable> without_impossible_values(const manifest::Recording
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const manifest::ColumnEntry& column = *columns[k].entry;
-    const double bound = largest_possible(column.quantity) / std::abs(column.si_factor);
-    std::vector<std::size_t> rows = rows_beyond(table.columns[k].values, bound);
+    std::vector<std::size_t> rows = rows_beyond(table.columns[k].values, largest_possible(column));
     if (rows.empty()) continue;
     if (static_cast<double>(rows.size()) >
         text::most_bad_rows * static_cast<double>(table.columns[k].values.size())) {

@@ -213,7 +213,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
     const log::LogTable& stands_in =
         table.columns[k].stands_in ? *table.columns[k].stands_in : table;
     const double factor = conversion_of(columns[k], drive, effort_sign).factor();
-    const double bound = largest_possible(column.quantity) / std::abs(column.si_factor);
+    const double bound = largest_possible(column);
     std::vector<double>& signal = signal_of(r, columns[k].signal);
     signal.reserve(choice.rows.size());
     for (const std::size_t row : choice.rows) {

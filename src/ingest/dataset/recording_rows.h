@@ -75,6 +75,8 @@ RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable
 
 /// Of a column's values, in SI and on the side on which they were logged; infinite for the time.
 double largest_possible(log::Quantity quantity);
+/// The same in the column's own unit.
+double largest_possible(const manifest::ColumnEntry& column);
 
 /// @throw InputError at the row's line: its value in this column is no number that a joint has.
 [[noreturn]] void refuse_impossible_value(const manifest::ColumnEntry& column, double value,

@@ -130,6 +130,7 @@ class MotionCutter {
     std::sort(taken.begin(), taken.end(),
               [](const MotionSegment& a, const MotionSegment& b) { return a.first < b.first; });
     const TorqueRampFinder ramps(trace_, floor_);
+    const NoisyRampFinder ramps_in_noise(trace_, floor_);
     std::size_t first = 0;
     const auto take = [&](const TorqueRamp& ramp) {
       MotionSegment s = segment(MotionKind::break_away_ramp, ramp.first, ramp.last);
@@ -141,7 +142,7 @@ class MotionCutter {
       for (const TorqueRamp& ramp : ramps.between(first, last)) {
         if (!starts_a_motion(ramp)) take(ramp);
       }
-      for (const TorqueRamp& ramp : ramps_in_noise(trace_, first, last, floor_)) {
+      for (const TorqueRamp& ramp : ramps_in_noise.between(first, last)) {
         if (is_free(ramp.first, ramp.last)) take(ramp);
       }
     };

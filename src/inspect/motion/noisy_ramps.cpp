@@ -161,17 +161,19 @@ std::optional<TorqueRamp> ramp_of(const AngleTrace& trace, const Rest& rest, std
 
 }  // namespace
 
-std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t first, std::size_t last,
-                                       double floor_rad) {
-  std::vector<TorqueRamp> found;
-  if (trace.effort.empty()) return found;
+NoisyRampFinder::NoisyRampFinder(const AngleTrace& trace, double floor_rad)
+    : trace_(trace), rest_rad_(std::max(rest_rad, floor_rad)) {
+  if (trace.effort.empty()) return;
   const auto [low, high] = std::minmax_element(trace.effort.begin(), trace.effort.end());
-  const double range = *high - *low;
-  const double noise =
-      statistics::white_sd_beside_jumps(statistics::third_differences(trace.effort));
-  if (!(noise > noisy * range)) return found;
-  for (const Rest& rest : rests(trace.q_rad, {first, last}, std::max(rest_rad, floor_rad))) {
-    const auto ramp = ramp_of(trace, rest, last, noise, least_rise * range);
+  range_ = *high - *low;
+  noise_ = statistics::white_sd_beside_jumps(statistics::third_differences(trace.effort));
+}
+
+std::vector<TorqueRamp> NoisyRampFinder::between(std::size_t first, std::size_t last) const {
+  std::vector<TorqueRamp> found;
+  if (!(noise_ > noisy * range_)) return found;
+  for (const Rest& rest : rests(trace_.q_rad, {first, last}, rest_rad_)) {
+    const auto ramp = ramp_of(trace_, rest, last, noise_, least_rise * range_);
     if (ramp) found.push_back(*ramp);
   }
   return found;

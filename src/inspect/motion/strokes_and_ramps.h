@@ -97,11 +97,22 @@ class TorqueRampFinder {
   double range_{};  ///< Of the effort.
 };
 
-/// Ramps of two seconds or longer that noise of a hundredth of the effort's range or more hides
+/// The ramps of two seconds or longer that noise of a hundredth of the effort's range or more hides
 /// from TorqueRampFinder, each within one rest of the joint.
-/// @param first, last stretch looked at.
-/// @param floor_rad noise floor of the angle.
-std::vector<TorqueRamp> ramps_in_noise(const AngleTrace& trace, std::size_t first, std::size_t last,
-                                       double floor_rad);
+class NoisyRampFinder {
+ public:
+  /// @param trace outlives the finder.
+  /// @param floor_rad noise floor of the angle.
+  NoisyRampFinder(const AngleTrace& trace, double floor_rad);
+
+  /// @param first, last stretch looked at.
+  [[nodiscard]] std::vector<TorqueRamp> between(std::size_t first, std::size_t last) const;
+
+ private:
+  const AngleTrace& trace_;
+  double rest_rad_;  ///< Within which the joint rests.
+  double noise_{};   ///< White, of the effort.
+  double range_{};   ///< Of the effort.
+};
 
 }  // namespace tribolog::inspect::motion

@@ -37,6 +37,7 @@ double largest_change_Nm(const joint::Recording& r) {
   return largest;
 }
 
+/// Of the torque: standard deviation of its white noise.
 double white_noise_Nm(const joint::Recording& r) {
   return statistics::white_sd_beside_jumps(statistics::third_differences(r.torque_Nm));
 }
@@ -56,11 +57,10 @@ struct RampBegin {
 
 /// Where the torque first leaves its initial level: earlier motion is not due to the ramp. By means
 /// over a hundredth of the ramp, for single samples of a noisy torque leave it at any time.
-RampBegin begin_of_ramp(const joint::Recording& r) {
+RampBegin begin_of_ramp(const joint::Recording& r, double noise) {
   const std::size_t window = window_of(r);
   // Two means of noise alone differ by as much once in many thousands.
   constexpr double clear = 4;
-  const double noise = white_noise_Nm(r);
   const double rest = std::max(torque_on * largest_change_Nm(r),
                                clear * noise * std::sqrt(2 / static_cast<double>(window)));
   double sum = 0;
@@ -84,8 +84,7 @@ struct RampEnd {
   std::size_t last{};
 };
 
-RampEnd end_of_ramp(const joint::Recording& r, double sign) {
-  const double noise = white_noise_Nm(r);
+RampEnd end_of_ramp(const joint::Recording& r, double sign, double noise) {
   constexpr double in_doubt = 2;  // standard deviations
   std::vector<double> sum{0};
   for (const double torque : r.torque_Nm) sum.push_back(sum.back() + sign * torque);
@@ -133,43 +132,42 @@ struct TorqueAt {
 };
 
 /// By a straight line through the samples before it.
-TorqueAt torque_by_line(const joint::Recording& r, std::size_t at) {
+TorqueAt torque_by_line(const joint::Recording& r, std::size_t at, double noise) {
   constexpr std::size_t share = 20;
   constexpr std::size_t most = 50;
   constexpr std::size_t fewest = 4;
   const std::size_t count =
       std::min(std::clamp<std::size_t>(r.size() / share, 2 * fewest, most), at + 1);
-  if (count < fewest) return {r.torque_Nm[at], white_noise_Nm(r)};
-  return {line_up_to(r, at, count).at_end_Nm,
-          2 * white_noise_Nm(r) / std::sqrt(static_cast<double>(count))};
+  if (count < fewest) return {r.torque_Nm[at], noise};
+  return {line_up_to(r, at, count).at_end_Nm, 2 * noise / std::sqrt(static_cast<double>(count))};
 }
 
 /// Standard deviation of what hangs together in a torque's noise, such as a vibration, about a
 /// straight line through the last part of a ramp: white noise does not show it.
-double coloured_noise_Nm(const joint::Recording& r, std::size_t at) {
+double coloured_noise_Nm(const joint::Recording& r, std::size_t at, double noise) {
   constexpr std::size_t share = 4;
   constexpr std::size_t fewest = 20;
   const std::size_t count = std::min(std::max(r.size() / share, fewest), at + 1);
   if (count < fewest) return 0;
-  const double white = std::pow(white_noise_Nm(r), 2);
+  const double white = noise * noise;
   const double coloured = line_up_to(r, at, count).variance_Nm2 - white;
   return coloured > white ? std::sqrt(coloured) : 0;  // less is a matter of chance
 }
 
 /// What the torque has certainly reached at a sample.
-double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign) {
-  const TorqueAt reached = torque_by_line(r, at);
+double torque_reached_Nm(const joint::Recording& r, std::size_t at, double sign, double noise) {
+  const TorqueAt reached = torque_by_line(r, at, noise);
   constexpr double white = 2;
   constexpr double coloured = 3;  // the largest bound of several ramps is said
-  return reached.torque_Nm -
-         sign * std::hypot(white * reached.standard_error_Nm, coloured * coloured_noise_Nm(r, at));
+  return reached.torque_Nm - sign * std::hypot(white * reached.standard_error_Nm,
+                                               coloured * coloured_noise_Nm(r, at, noise));
 }
 
 /// A sample's own torque, where its noise does not matter.
-double torque_at_Nm(const joint::Recording& r, std::size_t at) {
+double torque_at_Nm(const joint::Recording& r, std::size_t at, double noise) {
   constexpr double matters = 0.05;
-  const bool is_noisy = white_noise_Nm(r) > matters * std::abs(r.torque_Nm[at]);
-  return is_noisy ? torque_by_line(r, at).torque_Nm : r.torque_Nm[at];
+  const bool is_noisy = noise > matters * std::abs(r.torque_Nm[at]);
+  return is_noisy ? torque_by_line(r, at, noise).torque_Nm : r.torque_Nm[at];
 }
 
 /// The usual step of the angle from sample to sample, zero steps left out: the encoder's step or
@@ -324,7 +322,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
                         double inertia_at_joint, double behind_s) {
   BreakAwayRamp ramp;
   ramp.recording = r.name;
-  const auto [begin, sign] = begin_of_ramp(r);
+  const double noise = white_noise_Nm(r);
+  const auto [begin, sign] = begin_of_ramp(r, noise);
   ramp.is_rising = sign > 0;
   ramp.q_start_rad = r.q_rad.front();
   std::vector<double> way(r.size());
@@ -332,7 +331,7 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
   const statistics::Summits summits(std::move(way));
   const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r);
-  const auto [largest, furthest] = end_of_ramp(r, sign);
+  const auto [largest, furthest] = end_of_ramp(r, sign, noise);
   std::size_t furthest_at_rest = largest;
   std::size_t at = furthest;
   std::size_t beside = 0;
@@ -379,7 +378,8 @@ BreakAwayRamp read_ramp(const joint::Recording& r, const BreakAwayResult& result
   if (ramp.broke_away && knows_inertia) {
     at = where_it_held_most(r, at, beside, rest_Nm, sign * inertia_at_joint);
   }
-  ramp.torque_Nm = ramp.broke_away ? torque_at_Nm(r, at) : torque_reached_Nm(r, largest, sign);
+  ramp.torque_Nm =
+      ramp.broke_away ? torque_at_Nm(r, at, noise) : torque_reached_Nm(r, largest, sign, noise);
   if (shows_acceleration) {
     const Acceleration acceleration = acceleration_at(r, at, beside);
     ramp.inertia_Nm = sign * inertia_at_joint * acceleration.value;
