@@ -64,6 +64,21 @@ TEST(FrictionPoints, AreReadAtTheMotorAndEachRowLeftOutIsCounted) {
   EXPECT_EQ(d.manifest.known_gravity->amplitude_Nm(), 0);
 }
 
+TEST(FrictionPoints, SingleNumbersThatNoJointHasAreLeftOutWhereTheManifestAllows) {
+  std::string csv = "v,tau,load\n";
+  for (int i = 1; i <= 200; ++i) {
+    csv += std::to_string(i) + "," + (i == 50 ? "1e300" : std::to_string(10 + i)) + ",0\n";
+  }
+  EXPECT_NE(refusal(head + points + columns, csv).find("skip_bad_rows = true leaves it out"),
+            std::string::npos);
+  const joint::Dataset d = read(head + "[log]\nskip_bad_rows = true\n" + points + columns, csv);
+  const joint::FrictionPoints& p = d.friction_points.front();
+  EXPECT_EQ(p.size(), 199U);
+  ASSERT_EQ(p.skipped.size(), 1U);
+  EXPECT_TRUE(p.skipped[0].reason.is("skipped.impossible"));
+  EXPECT_EQ(p.skipped[0].count, 1U);
+}
+
 TEST(FrictionPoints, WithoutSpeedTimeOrSignAreRefused) {
   EXPECT_NE(
       refusal(head + points + "[recording.columns]\neffort = {name = \"tau\", unit = \"Nm\"}\n",

@@ -276,13 +276,13 @@ TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
   EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e300\n" + rows(31, 40)),
             "dir/run.csv:32: column 'tau': no joint has a torque of this size, found 1e+300 Nm, "
             "expected at most 1e+07 Nm; hint: another unit? where only this row is damaged, write "
-            "nan, or [log] skip_bad_rows = true leaves it out");
+            "nan, or [log] skip_bad_rows = true leaves it out, up to 1 % of all");
   e.columns.effort->si_factor = 1e3;
   e.columns.effort->unit = "kNm";
   EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,-1e307\n" + rows(31, 40)),
             "dir/run.csv:32: column 'tau': no joint has a torque of this size, found -1e+307 kNm, "
             "expected at most 10000 kNm; hint: another unit? where only this row is damaged, write "
-            "nan, or [log] skip_bad_rows = true leaves it out");
+            "nan, or [log] skip_bad_rows = true leaves it out, up to 1 % of all");
 }
 
 TEST(RecordingRows, SingleNumbersThatNoJointHasCanBeMadeGaps) {

@@ -139,8 +139,11 @@ void add_points(const manifest::RecordingEntry& entry, const manifest::ManifestF
                 KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused) {
   const auto log = logs.read(entry, {}, dataset.notes);
   unused.add(log->table);
-  joint::FrictionPoints points = make_friction_points(entry, log->table, dataset.manifest.drive,
-                                                      manifest.effort_sign, dataset.notes);
+  std::optional<log::LogTable> mended;
+  if (manifest.text_logs.skip_bad_rows) mended = without_impossible_values(entry, log->table);
+  joint::FrictionPoints points =
+      make_friction_points(entry, mended ? *mended : log->table, dataset.manifest.drive,
+                           manifest.effort_sign, dataset.notes);
   joint::InputFile input = log->file;
   input.role = joint::to_string(entry.role);
   count_rows(points, input);

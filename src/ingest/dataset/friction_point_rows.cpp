@@ -73,6 +73,7 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
   }
   std::size_t at_rest = 0;
   std::vector<std::size_t> gaps(columns.size());
+  std::vector<std::size_t> impossible(columns.size());
   std::vector<double> values(columns.size());
   for (std::size_t row = 0; row < table.rows; ++row) {
     std::size_t gap = columns.size();
@@ -88,7 +89,7 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
       rests |= columns[k].signal == joint::LoggedSignal::speed && logged == 0;
     }
     if (gap < columns.size()) {
-      ++gaps[gap];
+      ++(table.columns[gap].is_impossible(row) ? impossible : gaps)[gap];
     } else if (rests) {
       ++at_rest;
     } else {
@@ -101,7 +102,9 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
   skip(Code{"skipped.not_usable"}, table.bad_rows);
   skip(Code{"skipped.point_at_rest"}, at_rest);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    skip({"skipped.gap", {{"column", in_quotes(table.columns[k].header.full)}}}, gaps[k]);
+    const std::string column = in_quotes(table.columns[k].header.full);
+    skip({"skipped.gap", {{"column", column}}}, gaps[k]);
+    skip({"skipped.impossible", {{"column", column}}}, impossible[k]);
   }
   if (points.size() < fewest_points) {
     throw InputError({table.file, 0, 0},

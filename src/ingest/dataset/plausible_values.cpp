@@ -114,7 +114,7 @@ void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
        fmt::format("{:.6g} {}", value, printable(column.unit)),
        fmt::format("at most {:.6g} {}", largest_possible(column), printable(column.unit)),
        "another unit? where only this row is damaged, write nan, or [log] skip_bad_rows = "
-       "true leaves it out"});
+       "true leaves it out, up to 1 % of all"});
 }
 
 std::vector<std::size_t> rows_beyond(const std::vector<double>& values, double bound) {

@@ -81,10 +81,8 @@ class RowChooser {
       if (gap == table_.columns.end()) {
         rows_.push_back(row);
       } else {
-        const bool is_impossible =
-            std::binary_search(gap->impossible.begin(), gap->impossible.end(), row);
-        ++(is_impossible ? impossible
-                         : gaps)[static_cast<std::size_t>(gap - table_.columns.begin())];
+        ++(gap->is_impossible(row) ? impossible
+                                   : gaps)[static_cast<std::size_t>(gap - table_.columns.begin())];
       }
     }
     skip({outside_window, {{"window", window()}}}, outside);

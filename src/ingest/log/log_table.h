@@ -1,6 +1,7 @@
 #pragma once
 // What a reader makes of a log, whatever its format: columns of numbers that share their rows.
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -29,6 +30,9 @@ struct LogColumn {
   std::size_t gaps{};
   /// Rows, ascending, whose number no joint has: made gaps of, as the manifest allows.
   std::vector<std::size_t> impossible{};
+  [[nodiscard]] bool is_impossible(std::size_t row) const {
+    return std::binary_search(impossible.begin(), impossible.end(), row);
+  }
   /// File and lines of its rows, without columns, where they are not the table's own; null: they
   /// are.
   std::shared_ptr<const LogTable> stands_in{};

@@ -46,7 +46,7 @@ InputCase impossible(const std::string& id, const std::string& name, const std::
   return refused(id, name, log,
                  says +
                      "; hint: another unit? where only this row is damaged, write nan, or [log] "
-                     "skip_bad_rows = true leaves it out");
+                     "skip_bad_rows = true leaves it out, up to 1 % of all");
 }
 
 }  // namespace
