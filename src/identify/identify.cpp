@@ -236,9 +236,13 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        method::gravity::KnownOfSweep known = p.known_of_sweep();
        if (p.c.rough.found) {
-         known = {
-             false,           {}, p.c.rough.gravity_Nm, p.c.rough.twist_rad, p.c.rough.of_angle,
-             p.c.rough.ripple};
+         known = {false,
+                  {},
+                  p.c.rough.gravity_Nm,
+                  p.c.rough.q_peak_rad.value,
+                  p.c.rough.twist_rad,
+                  p.c.rough.of_angle,
+                  p.c.rough.ripple};
        }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
        p.precise =

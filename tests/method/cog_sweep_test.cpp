@@ -25,11 +25,12 @@ method::gravity::CogSweepResult rough_of(const joint::Dataset& d) {
 }
 
 method::gravity::CogSweepResult precise_of(
-    const joint::Dataset& d, const std::optional<statistics::Estimate>& gravity_Nm = {}) {
+    const joint::Dataset& d, const std::optional<statistics::Estimate>& gravity_Nm = {},
+    std::optional<double> q_peak_rad = {}) {
   return method::gravity::identify_cog_sweep(
              method::gravity::SweepKind::precise,
              method::motion::Sweep(d.with_role(joint::Role::precise_sweep)), 100,
-             {false, {}, gravity_Nm, {}, {}, {}})
+             {false, {}, gravity_Nm, q_peak_rad, {}, {}, {}})
       .result;
 }
 
@@ -76,6 +77,31 @@ TEST(CogSweep, PreciseSweepAloneGivesTheAngleToo) {
   const method::gravity::CogSweepResult precise = precise_of(d);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
+}
+
+// About the trough the same amplitude bends the torque the other way.
+TEST(CogSweep, AMirroredPreciseSweepGivesTheMirroredAngle) {
+  joint::Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(3));
+  const method::gravity::CogSweepResult rough = rough_of(d);
+  const method::gravity::CogSweepResult precise =
+      precise_of(d, rough.gravity_Nm, rough.q_peak_rad.value);
+  for (joint::Recording& recording : d.recordings) {
+    for (std::vector<double>* values :
+         {&recording.q_rad, &recording.dq_rad_s, &recording.torque_Nm}) {
+      for (double& value : *values) value = -value;
+    }
+  }
+  const method::gravity::CogSweepResult rough_mirrored = rough_of(d);
+  const method::gravity::CogSweepResult mirrored =
+      precise_of(d, rough_mirrored.gravity_Nm, rough_mirrored.q_peak_rad.value);
+  ASSERT_TRUE(precise.found && mirrored.found);
+  const double half_turn = std::numbers::pi;
+  EXPECT_NEAR(std::remainder(mirrored.q_peak_rad.value + precise.q_peak_rad.value - half_turn,
+                             2 * half_turn),
+              0, 1e-12);
+  EXPECT_NEAR(mirrored.q_peak_rad.half_width(), precise.q_peak_rad.half_width(), 1e-12);
+  ASSERT_TRUE(precise.torque_offset_Nm && mirrored.torque_offset_Nm);
+  EXPECT_NEAR(mirrored.torque_offset_Nm->value, -precise.torque_offset_Nm->value, 1e-12);
 }
 
 TEST(CogSweep, NoisyIntervalsCoverTheTruth) {

@@ -609,8 +609,11 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
       design.y(static_cast<Eigen::Index>(i)) -= known.of_angle->torque_Nm(sweep.q_rad(i));
     }
   }
+  // Half a turn from the peak the same amplitude bends the torque the other way.
+  const bool near_trough = known.q_peak_rad && std::cos(middle - *known.q_peak_rad) < 0;
+  const double start = near_trough ? middle + std::numbers::pi : middle;
   SweepGravityFit fit = amplitude_known
-                            ? fit_angle(sweep, design, middle, *gravity_Nm, known_twist, blocks)
+                            ? fit_angle(sweep, design, start, *gravity_Nm, known_twist, blocks)
                             : fit_amplitude_and_angle(sweep, design, middle, blocks);
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
@@ -649,7 +652,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   out.of_angle = torque_of_angle(sweep, design, middle, fit);
   made.blocks = blocks_of(design, samples, fit);
   if (amplitude_known) {
-    made.blocks.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
+    made.blocks.amplitude_lever = -(fit.q_peak_rad.value - start) / gravity_Nm->value;
     if (known.of_angle) {
       out.q_peak_rad =
           widened(out.q_peak_rad, known.of_angle->slope_half_width_Nm_rad / gravity_Nm->value,

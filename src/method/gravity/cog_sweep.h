@@ -160,7 +160,8 @@ struct KnownOfSweep {
   /// gear or a spring: subtracting a known inertia makes these visible.
   std::optional<statistics::Estimate> inertia_kgm2;
   std::optional<statistics::Estimate> gravity_Nm;  ///< Amplitude at the motor.
-  std::optional<statistics::Estimate> twist_rad;   ///< Of the gear.
+  std::optional<double> q_peak_rad;  ///< With the amplitude: is it the peak or the trough here?
+  std::optional<statistics::Estimate> twist_rad;  ///< Of the gear.
   std::optional<TorqueOfAngle> of_angle;
   /// A short sweep cannot average it out: the interval of its angle allows for the ripple at any
   /// phase.

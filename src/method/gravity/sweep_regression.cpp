@@ -238,12 +238,12 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
   return fit;
 }
 
-SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double middle,
+SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double start,
                           const statistics::Estimate& gravity, double twist_rad,
                           const std::vector<std::size_t>& blocks) {
   const motion::SweepSamples& samples = sweep.samples;
   const Eigen::VectorXd torque = d.y;
-  double q_peak = middle;
+  double q_peak = start;
   SweepGravityFit fit;
   for (int iteration = 0; iteration < 20; ++iteration) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -258,8 +258,8 @@ SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double mid
     if (std::abs(step) < 1e-13) break;
   }
   const double from_noise = fit.regression.half_width(0);
-  // An amplitude off by a share shifts the angle by that share of its distance from the middle.
-  const double from_amplitude = (q_peak - middle) * gravity.half_width() / gravity.value;
+  // An amplitude off by a share shifts the angle by that share of its distance from the start.
+  const double from_amplitude = (q_peak - start) * gravity.half_width() / gravity.value;
   fit.q_peak_rad = statistics::symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
                                                   {"interval.least_squares_known_amplitude"});
   fit.gravity_Nm = gravity;

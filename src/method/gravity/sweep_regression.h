@@ -103,8 +103,10 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
 
 /// The angle alone, with known amplitude and twist: Gauss-Newton on T = offset + G cos(q_link -
 /// q_peak).
+/// @param start_rad the sweep's middle where that is near the peak, half a turn from it where it is
+/// near the trough.
 /// @param twist_rad 0 where it is not known.
-SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, double middle_rad,
+SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, double start_rad,
                           const statistics::Estimate& gravity_Nm, double twist_rad,
                           const std::vector<std::size_t>& blocks);
 
