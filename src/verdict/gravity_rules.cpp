@@ -124,7 +124,7 @@ std::optional<Measured> gear_twist(const Calibration& c) {
     return std::nullopt;
   }
   return Measured{joint::degrees_per_rad * sure(*twist),
-                  {"cause.elastic_gear",
+                  {twist->value < 0 ? Code{"cause.negative_twist"} : Code{"cause.elastic_gear"},
                    {{"twist_deg", joint::degrees_per_rad * twist->value},
                     {"half_width_deg", joint::degrees_per_rad * twist->half_width()}}}};
 }

@@ -157,6 +157,10 @@ const Messages& verdict_messages() {
       {"cause.elastic_gear",
        text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
             "and the encoder sees the motor; the angle stated is the link's")},
+      {"cause.negative_twist",
+       text("beside gravity a small torque grows with the joint's angle, as of a spring or of hoses: "
+            "as a twist of the gear it would be {twist_deg:.2f} ± {half_width_deg:.2f}°, against its "
+            "load; the angle's interval holds it")},
       {"cause.asymmetry_of_runs",
        text("friction is larger by {percent:.1f} ± {half_width:.1f} % when the angle rises, and "
             "smaller by as much when it falls")},

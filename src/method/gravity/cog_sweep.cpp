@@ -191,6 +191,12 @@ class SlowLines {
                                 first_ + columns * static_cast<Eigen::Index>(lines_.size()));
   }
   [[nodiscard]] bool any() const { return !lines_.empty(); }
+  /// Whether one of them is slower than the motor turns: nothing in it repeats so, it is the shape
+  /// of a torque of the joint's angle that no term describes.
+  [[nodiscard]] bool any_slower_than_motor() const {
+    return std::any_of(lines_.begin(), lines_.end(),
+                       [](const RippleLine* line) { return line->periods_per_turn < 0.9; });
+  }
 
   /// Torque of the lines with their current parameters.
   [[nodiscard]] Eigen::VectorXd torque_Nm() const {
@@ -283,10 +289,11 @@ bool may_be_of_angle(const motion::Sweep& sweep, double middle,
 }
 
 /// Finds ripple and vibration in the residual, and fits without them.
+/// @param rivals receives the fit with them, where they are the shape of something else.
 SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
                                   const std::vector<std::size_t>& blocks,
                                   const SweepGravityFit& first, SweepDesign& design,
-                                  CogSweepResult& out) {
+                                  CogSweepResult& out, std::vector<SweepGravityFit>& rivals) {
   const double white = white_torque_variance(sweep);
   const double beyond_white = torque_ripple_Nm(first.regression.residual_sd, white);
   out.white_Nm = std::sqrt(white);
@@ -307,6 +314,7 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
   const Eigen::VectorXd taken = torque - slow.torque_Nm();
   design.y -= taken;
   if (slow.any()) slow.settle(design);
+  if (slow.any_slower_than_motor()) rivals.push_back(first);
   SweepGravityFit fit = fit_amplitude_and_angle(sweep, design, middle, blocks);
   fit.regression.residuals += taken;  // what the smooth fit leaves
   if (slow.any()) {
@@ -386,6 +394,23 @@ void widen_by_torque_step(const motion::Sweep& sweep, const SweepDesign& design,
   };
   widen(fit.q_peak_rad, lever.on_angle.dot(pulled));
   widen(fit.gravity_Nm, lever.on_gravity.dot(pulled));
+}
+
+/// Widens an interval to hold another.
+void hold(statistics::Estimate& e, const statistics::Estimate& other) {
+  const double reach = std::max(std::abs(other.low - e.value), std::abs(other.high - e.value));
+  if (reach <= e.half_width()) return;
+  e = statistics::symmetric_estimate(
+      e.value, reach, {"interval.widened_by_torque_of_angle", {{"interval", e.method}}});
+}
+
+/// Widens the intervals to hold what fits give that the data do not exclude.
+void hold_rivals(const std::vector<SweepGravityFit>& rivals, SweepGravityFit& fit) {
+  for (const SweepGravityFit& rival : rivals) {
+    hold(fit.q_peak_rad, rival.q_peak_rad);
+    hold(fit.gravity_Nm, rival.gravity_Nm);
+    if (fit.twist_rad && rival.twist_rad) hold(*fit.twist_rad, *rival.twist_rad);
+  }
 }
 
 /// How far the error of an inertia that was subtracted moves angle and amplitude.
@@ -615,6 +640,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   SweepGravityFit fit = amplitude_known
                             ? fit_angle(sweep, design, start, *gravity_Nm, known_twist, blocks)
                             : fit_amplitude_and_angle(sweep, design, middle, blocks);
+  std::vector<SweepGravityFit> rivals;
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(sweep));
@@ -622,11 +648,11 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
     if (!precise) {
       fit = with_kinks_where_they_pay(sweep, design, middle, blocks, fit);
       fit = with_torque_of_angle_where_it_shows(sweep, design, middle, range, blocks, fit,
-                                                out.torque_of_angle_left_Nm);
+                                                out.torque_of_angle_left_Nm, rivals);
     }
     fit = with_load_where_it_pays(sweep, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
-    fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out);
+    fit = fit_without_lines(sweep, gear_ratio, middle, blocks, fit, design, out, rivals);
     fit = with_longer_blocks_where_coloured(sweep, design, middle, fit, out);
     if (!samples.constant_speed && strokes > 2) {
       fit = with_the_wider_blocks(sweep, design, middle, fit, out);
@@ -643,6 +669,7 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
       widen_by_inertia(sweep, design, gear_ratio * known.inertia_kgm2->half_width(), middle, fit);
       out.inertia_kgm2 = known.inertia_kgm2;
     }
+    hold_rivals(rivals, fit);
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,

@@ -94,7 +94,8 @@ bool lifts_always(const std::vector<GravityRun>& runs, double q_peak) {
 }  // namespace
 
 RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>& recordings,
-                                      double gear_ratio) {
+                                      double gear_ratio,
+                                      const std::optional<TorqueOfAngle>& of_angle) {
   RunGravityResult out;
   if (recordings.empty()) {
     out.reason = {"gravity.no_runs"};
@@ -126,10 +127,10 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
   }
   const GravityCells cells{out.lowest_rad, out.highest_rad};
   const double middle = cells.middle_rad();
-  const TwoWayFit with_ripple(gravity_rows(runs, cells, gear_ratio, {}), runs.size());
+  const TwoWayFit with_ripple(gravity_rows(runs, cells, gear_ratio, {}, of_angle), runs.size());
   const Eigen::VectorXd& smooth = with_ripple.by_angle().coefficients;
-  const Ripple ripple = ripple_of_runs(runs, cells, gear_ratio, smooth(0), smooth(1));
-  const TwoWayFit fitted(gravity_rows(runs, cells, gear_ratio, ripple), runs.size());
+  const Ripple ripple = ripple_of_runs(runs, cells, gear_ratio, smooth(0), smooth(1), of_angle);
+  const TwoWayFit fitted(gravity_rows(runs, cells, gear_ratio, ripple, of_angle), runs.size());
   const double b = fitted.by_angle().coefficients(0);
   const double c = fitted.by_angle().coefficients(1);
   const double g = std::hypot(b, c);

@@ -16,10 +16,12 @@
 // looks like gravity. `always_lifts` indicates this.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/statement.h"
 #include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
 
@@ -43,7 +45,9 @@ struct RunGravityResult {
 
 /// @param recordings those of constant speed; may be empty.
 /// @param gear_ratio n, of the motor's angle to the joint's.
+/// @param of_angle what varies with the angle as no weight's torque does, from a sweep: taken off.
 RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>& recordings,
-                                      double gear_ratio);
+                                      double gear_ratio,
+                                      const std::optional<TorqueOfAngle>& of_angle = {});
 
 }  // namespace tribolog::method::gravity

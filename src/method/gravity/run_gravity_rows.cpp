@@ -11,8 +11,13 @@
 namespace tribolog::method::gravity {
 namespace {
 
+double torque_Nm(const std::optional<TorqueOfAngle>& of_angle, double q_rad) {
+  return of_angle ? of_angle->torque_Nm(q_rad) : 0.0;
+}
+
 void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cells,
-              double gear_ratio, const Ripple& ripple, std::vector<GravityRow>& rows) {
+              double gear_ratio, const Ripple& ripple,
+              const std::optional<TorqueOfAngle>& of_angle, std::vector<GravityRow>& rows) {
   std::vector<GravityRow> sums(GravityCells::count, GravityRow{number, 0, 0, 0, 0});
   std::vector<double> counts(GravityCells::count, 0.0);
   const double middle = cells.middle_rad();
@@ -23,7 +28,8 @@ void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cel
     const double half = std::sin((q - middle) / 2);
     sums[cell].cosine += -2 * half * half;
     sums[cell].sine += std::sin(q - middle);
-    sums[cell].torque_Nm += run.recording->torque_Nm[i] - ripple.torque_Nm(gear_ratio * q);
+    sums[cell].torque_Nm += run.recording->torque_Nm[i] - ripple.torque_Nm(gear_ratio * q) -
+                            torque_Nm(of_angle, q);
     counts[cell] += 1;
   }
   GravityRow mean{number, 0, 0, 0, 0};
@@ -75,16 +81,18 @@ std::vector<GravityRun> gravity_runs_of(const std::vector<const joint::Recording
 }
 
 std::vector<GravityRow> gravity_rows(const std::vector<GravityRun>& runs, const GravityCells& cells,
-                                     double gear_ratio, const Ripple& ripple) {
+                                     double gear_ratio, const Ripple& ripple,
+                                     const std::optional<TorqueOfAngle>& of_angle) {
   std::vector<GravityRow> rows;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    add_rows(runs[k], k, cells, gear_ratio, ripple, rows);
+    add_rows(runs[k], k, cells, gear_ratio, ripple, of_angle, rows);
   }
   return rows;
 }
 
 Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& cells,
-                      double gear_ratio, double b_Nm, double c_Nm) {
+                      double gear_ratio, double b_Nm, double c_Nm,
+                      const std::optional<TorqueOfAngle>& of_angle) {
   std::vector<double> angle;
   std::vector<double> residual;
   std::vector<double> white;
@@ -93,9 +101,11 @@ Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& c
     const std::size_t first = residual.size();
     double mean = 0;
     for (std::size_t i = run.plateau.first; i < run.plateau.last; ++i) {
-      const double q = run.recording->q_rad[i] - cells.middle_rad();
-      angle.push_back(gear_ratio * run.recording->q_rad[i]);
-      residual.push_back(run.recording->torque_Nm[i] - b_Nm * std::cos(q) - c_Nm * std::sin(q));
+      const double from_zero = run.recording->q_rad[i];
+      const double q = from_zero - cells.middle_rad();
+      angle.push_back(gear_ratio * from_zero);
+      residual.push_back(run.recording->torque_Nm[i] - b_Nm * std::cos(q) - c_Nm * std::sin(q) -
+                         torque_Nm(of_angle, from_zero));
       mean += residual.back();
     }
     mean /= static_cast<double>(run.plateau.size());

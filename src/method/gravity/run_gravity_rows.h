@@ -2,9 +2,11 @@
 // Internal to the gravity of the runs: the runs' plateaus, and the rows of the regression.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "method/motion/plateaus.h"
 
@@ -39,8 +41,10 @@ std::vector<GravityRun> gravity_runs_of(const std::vector<const joint::Recording
 /// Rows of all runs. Subtracting a run's means from its columns is equivalent to an offset of its
 /// own.
 /// @param ripple is subtracted from the torque, by the motor's angle.
+/// @param of_angle is subtracted too.
 std::vector<GravityRow> gravity_rows(const std::vector<GravityRun>& runs, const GravityCells& cells,
-                                     double gear_ratio, const Ripple& ripple);
+                                     double gear_ratio, const Ripple& ripple,
+                                     const std::optional<TorqueOfAngle>& of_angle);
 
 /// The ripple that the runs show beyond b cos + c sin and an offset for each run, of at least one
 /// period a motor turn and half a period a block: what is slower does not come from the motor or
@@ -48,6 +52,7 @@ std::vector<GravityRow> gravity_rows(const std::vector<GravityRun>& runs, const 
 /// runs'.
 /// @param b_Nm, c_Nm amplitudes of the rows' cosine and sine [N·m].
 Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& cells,
-                      double gear_ratio, double b_Nm, double c_Nm);
+                      double gear_ratio, double b_Nm, double c_Nm,
+                      const std::optional<TorqueOfAngle>& of_angle);
 
 }  // namespace tribolog::method::gravity

@@ -323,9 +323,10 @@ SweepDesign design_of_angle(const motion::Sweep& sweep, double middle, bool seco
 namespace {
 
 /// Whether a linear combination of coefficients is significant.
-bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient) {
+bool shows(const SweepGravityFit& fit, const Eigen::VectorXd& gradient,
+           double half_widths = surely_shown) {
   return std::abs(gradient.dot(fit.regression.coefficients)) >
-         surely_shown * fit.regression.half_width_along(gradient);
+         half_widths * fit.regression.half_width_along(gradient);
 }
 
 /// In a design with cos 2y and sin 2y: their parts that are even and odd about the peak.
@@ -389,18 +390,29 @@ bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
                                                     double middle, double range_rad,
                                                     const std::vector<std::size_t>& blocks,
-                                                    const SweepGravityFit& fit, double& left_Nm) {
+                                                    const SweepGravityFit& fit, double& left_Nm,
+                                                    std::vector<SweepGravityFit>& rivals) {
   if (!sweep.samples.both_directions() || range_rad < least_range_for_second_rad) return fit;
 
   SweepDesign second = design_of_angle(sweep, middle, true, false, design.inertia_at_joint);
   take_kinks(design, second);
   const SweepGravityFit with_second = fit_amplitude_and_angle(sweep, second, middle, blocks);
   const Eigen::VectorXd odd = second_about_peak(second, with_second, middle, false);
-  const bool is_even = shows(with_second, second_about_peak(second, with_second, middle, true));
+  const Eigen::VectorXd even = second_about_peak(second, with_second, middle, true);
+  const bool is_even = shows(with_second, even);
   const bool is_odd = shows(with_second, odd);
   // A gear that gives under its load is the odd part, with the sign of gravity.
   const bool is_twist = design.twist >= 0 && odd.dot(with_second.regression.coefficients) > 0;
-  if (!is_even && (!is_odd || is_twist)) return fit;
+  if (!is_even && (!is_odd || is_twist)) {
+    const bool hints_at_odd = design.twist < 0 && shows(with_second, odd, hinted_at);
+    if (hints_at_odd || shows(with_second, even, hinted_at)) rivals.push_back(with_second);
+    if (fit.twist_rad && fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width()) {
+      SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
+      take_kinks(design, spring);
+      rivals.push_back(fit_amplitude_and_angle(sweep, spring, middle, blocks));
+    }
+    return fit;
+  }
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
     SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
@@ -409,15 +421,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     if (shows(of_spring, along(spring, spring.spring)) &&
         describes_as_well(of_spring, second, with_second)) {
       // Over less than half a turn neither is certain: the interval holds both.
-      const auto hold = [](statistics::Estimate& e, const statistics::Estimate& other) {
-        const double reach =
-            std::max(std::abs(other.low - e.value), std::abs(other.high - e.value));
-        e = statistics::symmetric_estimate(
-            e.value, std::max(e.half_width(), reach),
-            {"interval.widened_by_torque_of_angle", {{"interval", e.method}}});
-      };
-      hold(of_spring.q_peak_rad, with_second.q_peak_rad);
-      hold(of_spring.gravity_Nm, with_second.gravity_Nm);
+      rivals.push_back(with_second);
       chosen = std::move(of_spring);
       second = std::move(spring);
     }

@@ -76,6 +76,9 @@ inline constexpr double least_range_for_twist_rad = 60 / joint::degrees_per_rad;
 /// variable.
 inline constexpr double surely_shown = 2.2;
 
+/// Half widths of an interval from which a term is not chance alone: one file in seven is beyond.
+inline constexpr double hinted_at = 0.75;
+
 /// From this range on [rad] terms of twice the angle can be distinguished from gravity.
 inline constexpr double least_range_for_second_rad = 40 / joint::degrees_per_rad;
 
@@ -137,10 +140,13 @@ GravityShift effect_on_gravity(const motion::Sweep& sweep, const CogSweepResult&
 /// where they are not significant or move neither angle nor amplitude appreciably.
 /// @param left_Nm receives the amplitude of a torque of the angle that is implausibly large: then
 /// something else is wrong, and the fit stays as it was.
+/// @param rivals receives fits that describe the data as well, or that the data hint at without
+/// showing them: the intervals have to hold what these give.
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
                                                     double middle_rad, double range_rad,
                                                     const std::vector<std::size_t>& blocks,
-                                                    const SweepGravityFit& fit, double& left_Nm);
+                                                    const SweepGravityFit& fit, double& left_Nm,
+                                                    std::vector<SweepGravityFit>& rivals);
 
 /// The design with further columns of the angle, in place of the twist's.
 SweepDesign design_of_angle(const motion::Sweep& sweep, double middle_rad, bool second, bool spring,

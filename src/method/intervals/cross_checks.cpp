@@ -134,15 +134,15 @@ void find_disagreements(std::vector<CrossCheck*> checks, double gravity_Nm) {
 /// The recommended torque, its interval wide enough for every method that disagrees.
 statistics::Estimate widened(const CrossCheck& recommended, const std::vector<CrossCheck>& checks) {
   const statistics::Estimate& ours = recommended.gravity_Nm;
-  double spread = 0;
+  double reach = 0;
   for (const CrossCheck& check : checks) {
-    if (check.counts() && check.disagrees) {
-      spread = std::max(spread, std::abs(check.gravity_Nm.value - ours.value));
-    }
+    if (!check.counts() || !check.disagrees) continue;
+    reach = std::max(reach, std::abs(check.gravity_Nm.value - ours.value) +
+                                std::hypot(check.gravity_Nm.half_width(), ours.half_width()));
   }
-  if (spread == 0) return ours;
+  if (reach == 0) return ours;
   return statistics::symmetric_estimate(
-      ours.value, ours.half_width() + spread,
+      ours.value, reach,
       {"interval.widened_by_methods", {{"interval", ours.method}}});
 }
 

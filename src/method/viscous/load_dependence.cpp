@@ -253,6 +253,44 @@ std::optional<statistics::BlockRegression> cube_beside_friction_of_angle(
   return with_columns(all, further);
 }
 
+/// A share that grows with the torque's magnitude, T |T|. While the torque keeps its sign that is
+/// friction by the load and a torque of twice the angle, in a proportion that only it explains.
+std::optional<TorqueProportion> share_by_magnitude(const std::vector<Row>& rows,
+                                                   const std::vector<std::size_t>& blocks) {
+  constexpr double beyond_doubt = 1.5;  // half widths
+  constexpr double about_as_well = 1.05;
+  const BothDirections all = both_directions(rows, blocks, {false, false});
+  const statistics::BlockRegression plain = with_columns(all, {});
+  const double gravity = std::hypot(plain.coefficients(0), plain.coefficients(1));
+  const Eigen::ArrayXd along = all.columns.leftCols<2>() * plain.coefficients.head<2>() / gravity;
+  const Eigen::ArrayXd across = (all.columns.col(1) * plain.coefficients(0) -
+                                 all.columns.col(0) * plain.coefficients(1)) /
+                                gravity;
+  const Eigen::VectorXd twist = 2 * along * across;
+  const Eigen::VectorXd even = along.square() - across.square();
+  const Eigen::VectorXd load = all.columns.col(3).array() * along.abs();
+  const Eigen::ArrayXd torque = (all.torque_Nm - plain.residuals) / gravity;
+  const statistics::BlockRegression square =
+      with_columns(all, {twist, (torque * torque.abs()).matrix()});
+  const double left = square.residuals.squaredNorm();
+  const auto is_worse = [&](const std::vector<Eigen::VectorXd>& further, double by) {
+    return with_columns(all, further).residuals.squaredNorm() > by * left;
+  };
+  const bool wins = is_worse({twist, load}, about_as_well) && is_worse({twist, even}, about_as_well) &&
+                    is_worse({twist, torque.cube().matrix()}, 1) &&
+                    is_worse({twist, load, even}, 1 / about_as_well);
+  const Eigen::Index last = square.coefficients.size() - 1;
+  if (!wins || square.coefficients(last) < beyond_doubt * square.half_width(last)) {
+    return std::nullopt;
+  }
+  // At the peak the mean of G + F and G - F has 1 + (F/G)^2 of the square.
+  const double unit_Nm = gravity / (1 + std::pow(plain.coefficients(3) / gravity, 2));
+  return TorqueProportion{OutOfProportion::saturation,
+                          statistics::symmetric_estimate(square.coefficients(last) / unit_Nm,
+                                                         square.half_width(last) / unit_Nm,
+                                                         {"interval.paired_strokes"})};
+}
+
 /// @param blocks of the rows.
 /// @param load_found whether friction seems to grow with the load.
 std::optional<TorqueProportion> torque_out_of_proportion(const std::vector<Row>& rows,
@@ -395,6 +433,9 @@ LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
   out.found = out.per_load.low > 0 && pays(errors_without, errors);
   const Beside beside{rough.of_angle || rough.twist_rad, speed_changes};
   out.out_of_proportion = torque_out_of_proportion(rows, blocks, beside, out.found);
+  if (!out.out_of_proportion && !speed_changes) {
+    out.out_of_proportion = share_by_magnitude(rows, blocks);
+  }
   if (!out.found) {
     out.sentence = {"load_dependence.does_not_show",
                     {{"share_percent", 100 * out.per_load.value},

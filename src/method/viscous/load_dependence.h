@@ -17,7 +17,7 @@
 // directions too. At a constant speed the torques of both directions are fitted together,
 //   T = G cos(q - q_peak) + offset +- friction, and one term more:
 //   +- per_load |cos|   friction that grows with the load,
-//   (T/G)^3             a drive whose torque constant falls with its current,
+//   (T/G)^3, T|T|/G^2   a drive whose torque constant falls with its current,
 //   sgn T               a dead zone: what it takes before the output moves.
 // Friction that changes with the angle in sines and cosines of q and 2q is the rival of the cube.
 

@@ -122,8 +122,8 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
   return gain > 0 ? known : FrictionOfAngle{};
 }
 
-/// T less the sweep's gravity, so that the scatter is of friction and noise alone. The sweep's
-/// ripple, at the same motor angles, is subtracted from the run where that reduces the scatter.
+/// T less the sweep's gravity, so that the scatter is of friction and noise alone. What else the
+/// sweep has found that varies with the angle is subtracted from the run. The sweep's ripple, at the same motor angles, is subtracted from the run where that reduces the scatter.
 /// Friction that changes with the motor's angle is subtracted too: a slow run crosses only part of
 /// its period.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
@@ -132,12 +132,15 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
 /// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
-                          const gravity::Ripple& ripple, const FrictionOfAngle& friction_of_angle,
+                          const gravity::CogSweepResult& sweep,
+                          const FrictionOfAngle& friction_of_angle,
                           double torque_step_Nm, const std::vector<double>& taken_off_Nm,
                           PlateauSamples& samples, std::vector<double>& blocks_Nm) {
   const std::vector<double> of_angle = friction_of_angle.torque_Nm(r, plateau);
+  const gravity::Ripple& ripple = sweep.ripple;
   const auto torque_at = [&](std::size_t i) {
-    return r.torque_Nm[i] - of_angle[i - plateau.first];
+    const double conservative = sweep.of_angle ? sweep.of_angle->torque_Nm(r.q_rad[i]) : 0.0;
+    return r.torque_Nm[i] - of_angle[i - plateau.first] - conservative;
   };
   const auto friction_at = [&](std::size_t i) {
     return torque_at(i) - gravity * std::cos(r.q_rad[i] - q_peak);
@@ -199,9 +202,14 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   return run;
 }
 
-/// Gravity as found in the sweep, to be subtracted before scatter is estimated.
+/// What the sweep found that varies with the angle: gravity, to be subtracted before scatter is
+/// estimated, and what else does.
 struct GravityShape {
   double q_peak_rad, gravity_Nm;
+  const std::optional<gravity::TorqueOfAngle>& of_angle;
+  [[nodiscard]] double other_Nm(double q_rad) const {
+    return of_angle ? of_angle->torque_Nm(q_rad) : 0.0;
+  }
   [[nodiscard]] double torque_Nm(double q_rad) const {
     return gravity_Nm * std::cos(q_rad - q_peak_rad);
   }
@@ -226,7 +234,7 @@ MeanTorque torque_between(const RunSource& s, double low, double high, const Gra
   double count = 0;
   for (std::size_t i = from; i < to; ++i) {
     if (!s.samples.has(i)) continue;
-    mean.torque_Nm += s.recording->torque_Nm[i];
+    mean.torque_Nm += s.recording->torque_Nm[i] - shape.other_Nm(s.recording->q_rad[i]);
     mean.cosine += std::cos(s.recording->q_rad[i] - shape.q_peak_rad);
     count += 1;
   }
@@ -234,7 +242,8 @@ MeanTorque torque_between(const RunSource& s, double low, double high, const Gra
   mean.torque_Nm /= count;
   mean.cosine /= count;
   mean.half_width_Nm = block_mean(s.samples, from, to, [&](std::size_t i) {
-                         return s.recording->torque_Nm[i] - shape.torque_Nm(s.recording->q_rad[i]);
+                         const double q = s.recording->q_rad[i];
+                         return s.recording->torque_Nm[i] - shape.torque_Nm(q) - shape.other_Nm(q);
                        }).half_width;
   return mean;
 }
@@ -457,7 +466,7 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
       sources.push_back({r, {}});
       made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple, of_angle,
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough, of_angle,
                                   steady.torque_step_Nm(), steady.taken_off_Nm(k), samples,
                                   made.block_friction_Nm.back()));
       out.samples_used += samples.size();
@@ -468,7 +477,7 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
   }
   const bool is_free = stated && stated->amplitude_Nm() == 0;
   if (!out.runs.empty()) {
-    if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity});
+    if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity, rough.of_angle});
   } else if (is_free && rough.coulomb_Nm && rough.both_directions && !rough.constant_speed) {
     out.runs = bin_sweep_by_speed(sweep, rough, gear_ratio);
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
