@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "joint/degrees.h"
@@ -127,6 +128,43 @@ std::optional<Measured> gear_twist(const Calibration& c) {
                   {twist->value < 0 ? Code{"cause.negative_twist"} : Code{"cause.elastic_gear"},
                    {{"twist_deg", joint::degrees_per_rad * twist->value},
                     {"half_width_deg", joint::degrees_per_rad * twist->half_width()}}}};
+}
+
+/// How far two recordings of the same joint put its gravity peak apart, beyond their intervals: the
+/// angle's zero moved between them, or the joint's base did.
+std::optional<Measured> angles_apart(const Calibration& c) {
+  using method::gravity::PeakSource;
+  constexpr double beyond_doubt = 1.25;  // half widths of the difference
+  if (!c.q_peak_rad || !c.rough.found) return std::nullopt;
+  struct Other {
+    const statistics::Estimate& q_peak_rad;
+    Code cause;
+  };
+  std::vector<Other> others;
+  if (c.precise.found) others.push_back({c.precise.q_peak_rad, "cause.angle_of_precise_sweep"});
+  if (c.run_gravity.found && !c.run_gravity.always_lifts) {
+    others.push_back({c.run_gravity.q_peak_rad, "cause.angle_of_runs"});
+  }
+  if (others.empty()) return std::nullopt;
+  const statistics::Estimate& rough = c.rough.q_peak_rad;
+  // Runs that take the motor's angle for the link's are off by up to the gear's twist.
+  const double twist = c.rough.twist_rad ? c.rough.twist_rad->value : 0.0;
+  Measured largest{0, {}};
+  for (const Other& other : others) {
+    const double apart = std::remainder(other.q_peak_rad.value - rough.value, 2 * std::numbers::pi);
+    const double unexplained =
+        std::max(0.0, std::abs(apart - twist / 2) - std::abs(twist) / 2);
+    const double within = std::hypot(other.q_peak_rad.half_width(), rough.half_width());
+    if (unexplained < beyond_doubt * within || unexplained < largest.value) continue;
+    largest = {unexplained,
+               {other.cause,
+                {{"rough_deg", joint::degrees_per_rad * rough.value},
+                 {"other_deg", joint::degrees_per_rad * (rough.value + apart)},
+                 {"apart_deg", joint::degrees_per_rad * apart},
+                 {"half_width_deg", joint::degrees_per_rad * within}}}};
+  }
+  largest.value *= joint::degrees_per_rad;
+  return largest;
 }
 
 std::optional<Measured> asymmetry(const Calibration& c) {
@@ -300,6 +338,8 @@ std::vector<Rule> gravity_rules() {
        "record.torque_at_loads",
        slope_out_of_proportion},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
+      {"angles_apart", "deg", 0.05, Verdict::doubtful, {Quantity::cog_angle}, "record.one_homing",
+       angles_apart},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
       // Over part of a turn, what such a torque has in common with gravity cannot be told from it:
       // as much as shows, at a right angle to gravity, turns the angle by a third of a degree.

@@ -126,6 +126,7 @@ const Messages& verdict_messages() {
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
             "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
             "not centred: it was taken off")},
+      {"rule.angles_apart", text("gravity peak apart between sweeps and runs")},
       {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
       {"rule.direction_asymmetry",
        text("Asymmetry of friction between the directions, the part that is certain")},
@@ -157,6 +158,16 @@ const Messages& verdict_messages() {
       {"cause.elastic_gear",
        text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
             "and the encoder sees the motor; the angle stated is the link's")},
+      {"cause.angle_of_precise_sweep",
+       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° in "
+            "the precise sweep, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would be within "
+            "their intervals: between them the angle's zero moved, as by a new homing, or the base "
+            "did")},
+      {"cause.angle_of_runs",
+       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° in "
+            "the runs at constant speed, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would "
+            "be within their intervals: between them the angle's zero moved, as by a new homing, or "
+            "the base did")},
       {"cause.negative_twist",
        text("beside gravity a small torque grows with the joint's angle, as of a spring or of hoses: "
             "as a twist of the gear it would be {twist_deg:.2f} ± {half_width_deg:.2f}°, against its "
@@ -444,6 +455,8 @@ const Messages& verdict_messages() {
             "{limit}: not shown")},
 
       // What to record next.
+      {"record.one_homing",
+       text("all recordings after one homing, with the base at rest")},
       {"record.sweep",
        text("slow sweep over the joint's range, across the gravity peak, in both directions")},
       {"record.oscillation",
