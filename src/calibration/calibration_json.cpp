@@ -163,6 +163,7 @@ Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio) {
           {"rivals", rivals},
           {"inertia_kgm2",
            is_found ? both_sides(*lag.inertia_kgm2, gear_ratio * gear_ratio) : Json(nullptr)},
+          {"change_s", interval(lag.change_s)},
           {"inertia_apart", is_found ? number(lag.inertia_apart) : Json(nullptr)},
           {"starts_and_stops", lag.transients},
           {"why_not", words_or_null(lag.why_not)},

@@ -64,6 +64,12 @@ std::optional<Measured> torque_of_angle(const Calibration& c) {
                    {{"amplitude_Nm", c.rough.of_angle->amplitude_Nm}, {"percent", percent}}}};
 }
 
+/// The same where it was not taken off.
+std::optional<Measured> torque_of_angle_left(const Calibration& c) {
+  if (!c.rough.found) return std::nullopt;
+  return c.rough.torque_of_angle_left_Nm > 0 ? torque_of_angle(c) : Measured{};
+}
+
 /// Where gravity changes too little over the sweep to show whether torque is logged in proportion:
 /// an offset beside a friction that differs between the directions is what a saturation leaves
 /// there. It takes more from the torque that lifts than from the one that lowers.
@@ -152,8 +158,7 @@ std::optional<Measured> angles_apart(const Calibration& c) {
   Measured largest{0, {}};
   for (const Other& other : others) {
     const double apart = std::remainder(other.q_peak_rad.value - rough.value, 2 * std::numbers::pi);
-    const double unexplained =
-        std::max(0.0, std::abs(apart - twist / 2) - std::abs(twist) / 2);
+    const double unexplained = std::max(0.0, std::abs(apart - twist / 2) - std::abs(twist) / 2);
     const double within = std::hypot(other.q_peak_rad.half_width(), rough.half_width());
     if (unexplained < beyond_doubt * within || unexplained < largest.value) continue;
     largest = {unexplained,
@@ -278,6 +283,59 @@ std::optional<Measured> periodic_in_time(const Calibration& c, bool is_slow) {
 
 std::optional<Measured> vibration(const Calibration& c) { return periodic_in_time(c, false); }
 
+/// Near a harmonic of an oscillation it does not average out over its cycles: what of its amplitude
+/// is left in the mean loop, in percent of friction.
+std::optional<Measured> vibration_in_loops(const Calibration& c) {
+  const double friction = c.hysteresis.midline_friction_Nm;
+  if (!(friction > 0) || c.hysteresis.oscillations.empty()) return std::nullopt;
+  Measured largest{0, {}};
+  for (const method::gravity::VibrationLine& line : c.rough.vibration) {
+    double left = 1;  // the least that one of the oscillations leaves
+    for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
+      const double order = std::max(1.0, std::round(line.frequency_Hz / o.frequency_Hz));
+      const double away_cycles =
+          std::abs(line.frequency_Hz / o.frequency_Hz - order) * std::max(1.0, o.steady_cycles);
+      left = std::min(left, 1 / std::max(1.0, std::numbers::pi * away_cycles));
+    }
+    const double percent = 100 * left * line.amplitude_Nm / friction;
+    if (percent < largest.value) continue;
+    largest = {percent,
+               {"cause.vibration_in_loops",
+                {{"amplitude_Nm", line.amplitude_Nm}, {"frequency_Hz", line.frequency_Hz}}}};
+  }
+  return largest;
+}
+
+/// How far apart loops and sweep put gravity, in percent of it, where they disagree: an offset, or
+/// torques that are not logged to the same scale.
+std::optional<Measured> scale_of_loops(const Calibration& c) {
+  using method::hysteresis::Estimator;
+  const method::hysteresis::SurrogateMass* loops = c.masses.find(Estimator::midline);
+  const method::hysteresis::SurrogateMass* sweep = c.masses.find(Estimator::sweep);
+  if (loops == nullptr || sweep == nullptr) return std::nullopt;
+  const double apart = loops->gravity_Nm.value - sweep->gravity_Nm.value;
+  const double within = std::hypot(loops->gravity_Nm.half_width(), sweep->gravity_Nm.half_width());
+  const double percent = 100 * apart / sweep->gravity_Nm.value;
+  return Measured{100 * std::max(0.0, std::abs(apart) - within) / sweep->gravity_Nm.value,
+                  {"cause.scale_of_loops", {{"percent", percent}}}};
+}
+
+/// What the curves of each direction are off by if another method that disagrees is right about
+/// gravity, in percent of friction.
+std::optional<Measured> gravity_in_curves(const Calibration& c) {
+  const double friction = largest_friction_Nm(c);
+  if (!(friction > 0) || c.cross_checks.checks.empty()) return std::nullopt;
+  double percent = 0;
+  for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
+    if (!check.counts() || !check.disagrees) continue;
+    percent = std::max(percent, std::abs(check.difference_percent));
+  }
+  const double gravity = c.rough.found ? c.rough.gravity_Nm.value : 0.0;
+  const double off_Nm = percent / 100 * gravity;
+  return Measured{100 * off_Nm / friction,
+                  {"cause.gravity_in_curves", {{"off_Nm", off_Nm}, {"percent", percent}}}};
+}
+
 std::optional<Measured> other_joint(const Calibration& c) { return periodic_in_time(c, true); }
 
 /// The same as a share of the friction.
@@ -338,7 +396,12 @@ std::vector<Rule> gravity_rules() {
        "record.torque_at_loads",
        slope_out_of_proportion},
       {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
-      {"angles_apart", "deg", 0.05, Verdict::doubtful, {Quantity::cog_angle}, "record.one_homing",
+      {"angles_apart",
+       "deg",
+       0.05,
+       Verdict::doubtful,
+       {Quantity::cog_angle},
+       "record.one_homing",
        angles_apart},
       {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
       // Over part of a turn, what such a torque has in common with gravity cannot be told from it:
@@ -352,6 +415,28 @@ std::vector<Rule> gravity_rules() {
        torque_of_angle},
       {"torque_of_angle_large", "%", 5, Verdict::doubtful, of_gravity, "record.sweep",
        torque_of_angle},
+      // In slow runs over other angles than the sweep's it is as wrong as it is large.
+      {"torque_of_angle_left",
+       "%",
+       0,
+       Verdict::doubtful,
+       {Quantity::viscous_curve},
+       "record.sweep",
+       torque_of_angle_left},
+      {"scale_of_loops",
+       "%",
+       2,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping},
+       "record.torque_measured",
+       scale_of_loops},
+      {"gravity_in_curves",
+       "%",
+       3,
+       Verdict::doubtful,
+       {Quantity::viscous_curve},
+       "record.sweep_and_oscillation",
+       gravity_in_curves},
       {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
       {"sweep_offset", "%", smallest_offset_percent, told, of_mass, "record.sweep", offset},
       {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
@@ -366,6 +451,13 @@ std::vector<Rule> gravity_rules() {
        true},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
+      {"vibration_in_loops",
+       "%",
+       0.5,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping},
+       "record.other_frequency",
+       vibration_in_loops},
       {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise},
       {"coloured_noise_in_friction",
        "%",

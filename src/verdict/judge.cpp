@@ -38,6 +38,7 @@ const Quantities curve{Quantity::coulomb_torque, Quantity::stribeck_speed,
 const Quantities slopes{Quantity::stribeck_speed, Quantity::viscous_coefficient,
                         Quantity::viscous_curve};
 const Quantities per_speed{Quantity::bristle_damping, Quantity::inertia};
+const Quantities stiffness{Quantity::bristle_stiffness};
 
 Quantities operator+(const Quantities& a, const Quantities& b) {
   Quantities all = a;
@@ -123,11 +124,13 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::static_torque, torque, doubtful},
       {CheckName::joint_moves, everything, doubtful},
       {CheckName::angle_unit, everything, doubtful},
-      {CheckName::clock_jitter, slopes + per_speed, doubtful},
+      {CheckName::motor_speed, everything, doubtful},
+      {CheckName::angle_jumps, gravity + bristle + Quantities{Quantity::viscous_curve}, doubtful},
+      {CheckName::clock_jitter, slopes + per_speed + stiffness, doubtful},
       {CheckName::clock_gaps, slopes + per_speed + Quantities{Quantity::break_away_torque},
        doubtful},
-      {CheckName::angle_interpolated, {Quantity::inertia, Quantity::bristle_damping}, doubtful},
-      {CheckName::speed_scale, slopes + per_speed, doubtful},
+      {CheckName::angle_interpolated, per_speed + stiffness, doubtful},
+      {CheckName::speed_scale, slopes + per_speed + stiffness, doubtful},
       {CheckName::run_directions, {Quantity::coulomb_torque}, none},
       {CheckName::run_directions, {Quantity::viscous_curve}, doubtful},
       {CheckName::run_common_angles, curve, doubtful},

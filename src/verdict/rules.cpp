@@ -99,6 +99,17 @@ std::optional<Measured> torque_lag(const Calibration& c) {
 }
 
 /// The shortest oscillation of a gear that starts and stops show to be elastic.
+/// A lag that is another late in the recordings than early: the channels' clocks differ.
+std::optional<Measured> lag_in_time(const Calibration& c) {
+  const std::optional<statistics::Estimate>& change = c.torque_lag.change_s;
+  if (!change) return std::nullopt;
+  const double ms = 1e3;
+  return Measured{
+      ms * std::abs(change->value),
+      {"cause.lag_in_time",
+       {{"change_ms", ms * change->value}, {"half_width_ms", ms * change->half_width()}}}};
+}
+
 std::optional<Measured> elastic_gear_of_starts(const Calibration& c) {
   if (!c.torque_lag.lag_s) return std::nullopt;
   if (c.torque_lag.shape != LagShape::elastic_gear) return Measured{0, {}};
@@ -389,6 +400,13 @@ const std::vector<Rule>& rules() {
        {Quantity::inertia},
        "record.slower_starts",
        elastic_gear_of_starts},
+      {"lag_in_time",
+       "ms",
+       0,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping, Quantity::inertia},
+       "record.one_clock",
+       lag_in_time},
       {"lag_in_damping",
        "%",
        30,
@@ -413,6 +431,13 @@ const std::vector<Rule>& rules() {
        "record.slower_starts",
        lag_in_inertia},
       {"runs_against_ramps", "%", 5, Verdict::doubtful, of_curve, "record.torque_measured",
+       runs_against_ramps},
+      {"runs_against_ramps_at_rest",
+       "%",
+       5,
+       Verdict::doubtful,
+       {Quantity::break_away_torque},
+       "record.torque_measured",
        runs_against_ramps},
       // No dry or greased contact of a joint sticks so much more than it slides.
       {"break_away_over_coulomb", "", 3, Verdict::doubtful, of_curve, "record.torque_measured",

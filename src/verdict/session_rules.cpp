@@ -106,6 +106,19 @@ std::optional<Measured> by_motor_angle(const Calibration& c) {
   return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
 }
 
+/// Friction that follows the joint's angle in lines slower than the motor turns, as worn spots do,
+/// in percent of Coulomb's.
+std::optional<Measured> along_angle(const Calibration& c) {
+  if (!c.rough.found || !c.rough.coulomb_Nm) return std::nullopt;
+  constexpr double of_motor = 0.9;  // periods to its turn
+  double squares = 0;
+  for (const method::gravity::RippleLine& line : c.rough.friction_of_angle.lines) {
+    if (line.periods_per_turn < of_motor) squares += line.amplitude_Nm * line.amplitude_Nm;
+  }
+  const double percent = 100 * std::sqrt(squares) / std::abs(c.rough.coulomb_Nm->value);
+  return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
+}
+
 std::optional<Measured> between_ramps(const Calibration& c) {
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   if (ramps.positions < 2) return std::nullopt;
@@ -261,6 +274,14 @@ std::vector<Rule> session_rules() {
       {"friction_by_load_slope", "%", of_slope, doubtful, slopes, no_load, by_load_on_slope, {}},
       {"friction_by_angle", "%", of_friction, doubtful, friction, no_load, by_angle, {}},
       {"friction_by_angle_slope", "%", 2 * of_slope, doubtful, slopes, no_load, by_angle, {}},
+      {"friction_along_angle",
+       "%",
+       3 * of_friction,
+       doubtful,
+       {Quantity::coulomb_torque, Quantity::stribeck_speed, Quantity::viscous_curve},
+       no_load,
+       along_angle,
+       {}},
       // Both are in the intervals of what loops and ramps show.
       {"friction_by_motor_angle",
        "%",
@@ -318,7 +339,7 @@ std::vector<Rule> session_rules() {
        "%",
        2 * of_friction,
        doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient},
+       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::viscous_curve},
        warm_up,
        offset_drift_on_friction,
        {}},

@@ -12,6 +12,8 @@ const Messages& check_messages() {
       {"check.link_side_torque", text("Gear friction in a joint-side torque")},
       {"check.joint_moves", text("The joint moves")},
       {"check.angle_unit", text("The angle's unit")},
+      {"check.motor_speed", text("The motor's speed")},
+      {"check.angle_jumps", text("Angle without jumps")},
       {"check.clock_jitter", text("Regular sampling")},
       {"check.angle_interpolated", text("Angle sampled as often as logged")},
       {"check.clock_gaps", text("No gaps in time")},
@@ -206,6 +208,24 @@ const Messages& check_messages() {
       {"angle_unit.gravity_not_found",
        text("gravity follows the cosine of the angle: in a wrong unit it is not found, or is "
             "wrong, and so is everything that depends on it")},
+      {"measure.fastest_motor", text("fastest mean speed of the motor over a stroke")},
+      {"motor_speed.plausible", text("the motor turns at speeds that motors have")},
+      {"motor_speed.too_fast",
+       text("with a gear ratio of {ratio:.6g} the motor would turn at {fastest_rad_s:.3g} rad/s, "
+            "{rpm:.2g} revolutions a minute: is the angle the motor's, or are degrees taken for "
+            "radians?")},
+      {"motor_speed.scale_wrong",
+       text("in an angle that is too large by the gear ratio, stiffness, inertia, Stribeck "
+            "velocity and viscous coefficient are wrong by that or its square")},
+      {"measure.largest_jump", text("largest jump of the angle from a sample to the next")},
+      {"angle_jumps.none", text("the angle moves without jumps")},
+      {"angle_jumps.found", text("the angle jumps by {jump_deg:+.3g}° at {t_s:.4g} s, as where an "
+                                 "encoder loses counts or "
+                                 "is homed anew; recordings with jumps: {recordings}")},
+      {"angle_jumps.zero_moved",
+       text(
+           "before and after a jump the same angle is not the same place of the joint: gravity and "
+           "its peak are a mixture, and so is a loop")},
       {"angle_unit.state_unit_and_side", text("state the true unit and side of the angle column")},
 
       // The clock.

@@ -126,6 +126,15 @@ const Messages& verdict_messages() {
        text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
             "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
             "not centred: it was taken off")},
+      {"rule.torque_of_angle_left", text("Torque of the angle that was not taken off")},
+      {"rule.scale_of_loops",
+       text("Gravity of the loops against the sweep's, the part that is certain")},
+      {"rule.gravity_in_curves", text("Gravity's disagreement, as a share of friction")},
+      {"rule.vibration_in_loops", text("Vibration that the loops' cycles do not average out")},
+      {"rule.friction_along_angle",
+       text("Friction along the joint's angle, slower than the motor turns")},
+      {"rule.runs_against_ramps_at_rest", text("Friction at rest, runs against ramps")},
+      {"rule.lag_in_time", text("Change of the lag from early to late in the recordings")},
       {"rule.angles_apart", text("gravity peak apart between sweeps and runs")},
       {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
       {"rule.direction_asymmetry",
@@ -158,20 +167,41 @@ const Messages& verdict_messages() {
       {"cause.elastic_gear",
        text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
             "and the encoder sees the motor; the angle stated is the link's")},
+      {"cause.vibration_in_loops",
+       text("the torque vibrates by {amplitude_Nm:.3g} N·m at {frequency_Hz:.2f} Hz, near a "
+            "multiple "
+            "of the oscillation's frequency: its cycles do not average that out, and it bends the "
+            "loops")},
+      {"cause.scale_of_loops",
+       text("the loops show {percent:+.2g} % more gravity than the sweep: their torque has an "
+            "offset "
+            "or another scale, and a stiffness of another scale is wrong by as much")},
+      {"cause.gravity_in_curves",
+       text("the methods disagree about gravity by {off_Nm:.3g} N·m, by which the friction of each "
+            "direction may be off; the mean of both is not")},
+      {"cause.lag_in_time",
+       text(
+           "the torque's lag behind the angle changes by {change_ms:+.2f} ± {half_width_ms:.2f} ms "
+           "from early to late in the recordings: the channels' clocks differ, and loops cannot be "
+           "put right by one lag")},
       {"cause.angle_of_precise_sweep",
-       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° in "
+       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° "
+            "in "
             "the precise sweep, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would be within "
             "their intervals: between them the angle's zero moved, as by a new homing, or the base "
             "did")},
       {"cause.angle_of_runs",
-       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° in "
-            "the runs at constant speed, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would "
-            "be within their intervals: between them the angle's zero moved, as by a new homing, or "
-            "the base did")},
-      {"cause.negative_twist",
-       text("beside gravity a small torque grows with the joint's angle, as of a spring or of hoses: "
-            "as a twist of the gear it would be {twist_deg:.2f} ± {half_width_deg:.2f}°, against its "
-            "load; the angle's interval holds it")},
+       text(
+           "the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° "
+           "in "
+           "the runs at constant speed, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would "
+           "be within their intervals: between them the angle's zero moved, as by a new homing, or "
+           "the base did")},
+      {"cause.negative_twist", text("beside gravity a small torque grows with the joint's angle, "
+                                    "as of a spring or of hoses: "
+                                    "as a twist of the gear it would be {twist_deg:.2f} ± "
+                                    "{half_width_deg:.2f}°, against its "
+                                    "load; the angle's interval holds it")},
       {"cause.asymmetry_of_runs",
        text("friction is larger by {percent:.1f} ± {half_width:.1f} % when the angle rises, and "
             "smaller by as much when it falls")},
@@ -455,8 +485,10 @@ const Messages& verdict_messages() {
             "{limit}: not shown")},
 
       // What to record next.
-      {"record.one_homing",
-       text("all recordings after one homing, with the base at rest")},
+      {"record.one_clock", text("torque and angle in one channel, on one clock")},
+      {"record.other_frequency",
+       text("the oscillation at a frequency of which no vibration is a multiple")},
+      {"record.one_homing", text("all recordings after one homing, with the base at rest")},
       {"record.sweep",
        text("slow sweep over the joint's range, across the gravity peak, in both directions")},
       {"record.oscillation",

@@ -15,6 +15,9 @@ DataCheck check_link_side_torque(const CheckedDataset& data);
 // motion_checks.cpp
 DataCheck check_joint_moves(const CheckedDataset& data);
 DataCheck check_angle_unit(const CheckedDataset& data);
+// angle_checks.cpp
+DataCheck check_motor_speed(const CheckedDataset& data);
+DataCheck check_angle_jumps(const CheckedDataset& data);
 // log_checks.cpp
 DataCheck check_clock_jitter(const CheckedDataset& data);
 DataCheck check_angle_interpolated(const CheckedDataset& data);

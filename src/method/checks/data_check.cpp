@@ -27,6 +27,8 @@ std::string to_string(CheckName name) {
                             "link_side_torque",
                             "joint_moves",
                             "angle_unit",
+                            "motor_speed",
+                            "angle_jumps",
                             "clock_jitter",
                             "clock_gaps",
                             "angle_interpolated",

@@ -24,6 +24,8 @@ enum class CheckName {
   link_side_torque,
   joint_moves,
   angle_unit,
+  motor_speed,
+  angle_jumps,
   clock_jitter,
   clock_gaps,
   angle_interpolated,

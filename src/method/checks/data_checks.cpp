@@ -11,6 +11,8 @@ DataChecksResult check_recordings(const joint::Dataset& dataset) {
       check_link_side_torque,
       check_joint_moves,
       check_angle_unit,
+      check_motor_speed,
+      check_angle_jumps,
       check_clock_jitter,
       check_clock_gaps,
       check_angle_interpolated,

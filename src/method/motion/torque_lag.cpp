@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -44,12 +45,14 @@ std::vector<double> torques_behind(const joint::Recording& r, double lag_s) {
 /// beforehand changes only the right-hand side: the coefficient of `lag` is then the remaining lag.
 class TransientRegression {
  public:
+  /// @param whole_s > 0: the last column is that of the lag times the time, in this unit.
   TransientRegression(const std::vector<Travel>& travels, const std::vector<TransientRow>& rows,
-                      const std::vector<double>& knots)
+                      const std::vector<double>& knots, double whole_s = 0)
       : travels_(travels), rows_(rows) {
     const auto columns =
         static_cast<Eigen::Index>(Force::bends) + static_cast<Eigen::Index>(knots.size());
-    x_.resize(static_cast<Eigen::Index>(rows.size()), forces_from + columns);
+    const bool over_time = whole_s > 0;
+    x_.resize(static_cast<Eigen::Index>(rows.size()), forces_from + columns + (over_time ? 1 : 0));
     Eigen::MatrixXd forces;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Travel& travel = travels[rows[i].travel];
@@ -65,8 +68,9 @@ class TransientRegression {
       x(inertia) = motion(1);
       x(lag) = -motion(2);
       x(curvature) = motion(3);
-      x.tail(forces.cols()) =
+      x.segment(forces_from, columns) =
           weights.row(0) * forces.middleRows(static_cast<Eigen::Index>(first), weights.cols());
+      if (over_time) x.tail<1>()(0) = x(lag) * travel.recording->t_s[rows[i].index] / whole_s;
     }
     norms_ = x_.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
     solved_ = statistics::OrthogonalColumns(x_ * norms_.cwiseInverse().asDiagonal());
@@ -153,6 +157,32 @@ Apart starts_and_stops_apart(const Transients& transients, const std::vector<dou
   return farthest;
 }
 
+double time_of(const TransientRow& row, const Transients& transients) {
+  return transients.travels[row.travel].recording->t_s[row.index];
+}
+
+/// By how much the lag changes from the first to the last of the starts and stops, by their
+/// recordings' clocks, if it changes evenly. None where it may be chance.
+std::optional<statistics::Estimate> change_of_lag(const Transients& transients,
+                                                  const std::vector<double>& knots, double lag_s) {
+  constexpr double beyond_doubt = 2;  // half widths
+  double first_s = std::numeric_limits<double>::infinity();
+  double last_s = -first_s;
+  for (const TransientRow& row : transients.rows) {
+    first_s = std::min(first_s, time_of(row, transients));
+    last_s = std::max(last_s, time_of(row, transients));
+  }
+  const double whole_s = last_s - first_s;
+  if (!(whole_s > 0)) return std::nullopt;
+  const TransientRegression regression(transients.travels, transients.rows, knots, whole_s);
+  const statistics::BlockRegression fit = regression.with_intervals(lag_s);
+  const Eigen::Index over_time = fit.coefficients.size() - 1;
+  const double change_s = fit.coefficients(over_time) / fit.coefficients(inertia);
+  const double half_width_s = half_width_of_ratio(fit, over_time, inertia);
+  if (!(std::abs(change_s) > beyond_doubt * half_width_s)) return std::nullopt;
+  return statistics::symmetric_estimate(change_s, half_width_s, {"interval.transients"});
+}
+
 }  // namespace
 
 const LagRival* TorqueLag::rival(LagShape of) const {
@@ -233,6 +263,7 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     return out;
   }
   const Apart apart = starts_and_stops_apart(transients, knots, lag_s, fit);
+  out.change_s = change_of_lag(transients, knots, lag_s);
   // Friction of a start is first the bristle's, and not that of its speed.
   constexpr double share_of_model = 0.003;
   const double inertia_half_width = std::hypot(fit.half_width(inertia), apart.inertia,
@@ -248,7 +279,9 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
   // Behind a filter, starts and stops look late by another share of its time constant than slow
   // loops do, by how short they are.
   constexpr double unlike_a_delay = 0.3;
-  const double lag_noise_s = std::hypot(half_width_of_ratio(fit, lag, inertia), apart.lag_s);
+  const double changes_s = out.change_s ? std::abs(out.change_s->value) : 0.0;
+  const double lag_noise_s =
+      std::hypot(half_width_of_ratio(fit, lag, inertia), apart.lag_s, changes_s);
   double shape_s = unlike_a_delay * std::abs(lag_s);
   const bool is_clear = std::abs(lag_s) > std::hypot(lag_noise_s, shape_s);
   const bool is_elastic = fit.coefficients(curvature) < -2 * fit.half_width(curvature);
@@ -264,6 +297,7 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
   double size_s = lag_s;
   double size_noise_s = lag_noise_s;
   if (out.shape == LagShape::filter) {
+    out.change_s.reset();  // its lag depends on how short the starts are
     inertia_here = filter->inertia_kgm2;
     inertia_noise =
         std::hypot(filter->inertia_half_width, apart.inertia, share_of_model * inertia_here);

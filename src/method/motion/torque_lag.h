@@ -41,6 +41,8 @@ struct TorqueLag {
   /// The lag over the time that a start takes. A delay leaves the inertia as it is; a filter that
   /// is not much faster than the starts takes from it, unless it is known as one.
   double lag_over_transients{};
+  /// Late in the recordings against early in them [s]. Absent: none is there beyond doubt.
+  std::optional<statistics::Estimate> change_s;
   std::size_t transients{};  ///< Number of starts and stops used.
   /// There are starts and stops enough, and still they do not show the inertia.
   bool hides_inertia{};
