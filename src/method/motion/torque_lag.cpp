@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "method/motion/lost_rows.h"
 #include "method/motion/transients.h"
 #include "statistics/block_regression.h"
 #include "statistics/linear_systems.h"
@@ -228,7 +229,15 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
                           double gear_ratio) {
   constexpr std::size_t fewest_transients = 6;
   TorqueLag out;
-  const Transients transients = find_transients(recordings, gear_ratio);
+  std::vector<joint::Recording> whole;
+  whole.reserve(recordings.size());
+  std::vector<const joint::Recording*> looked_at = recordings;
+  for (const joint::Recording*& r : looked_at) {
+    if (!has_lost_rows(*r)) continue;
+    whole.push_back(with_lost_rows(*r));
+    r = &whole.back();
+  }
+  const Transients transients = find_transients(looked_at, gear_ratio);
   const std::vector<TransientRow>& rows = transients.rows;
   out.transients = transients.count;
   if (transients.count < fewest_transients || rows.size() < fewest_rows) {
