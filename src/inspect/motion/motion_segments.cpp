@@ -61,6 +61,24 @@ class MotionCutter {
     return trace_.t_s[last] - trace_.t_s[first];
   }
 
+  /// Ramps that break away in turns leave the joint at rest for most of the time between.
+  [[nodiscard]] bool stands_mostly(const StrokeGroup& group) const {
+    constexpr std::size_t slices = 50;
+    constexpr double standing = 0.02;  // of the travel
+    constexpr std::size_t most_standing = slices / 2;
+    const std::size_t samples = group.last() - group.first() + 1;
+    if (samples < 4 * slices) return false;
+    std::size_t at_rest = 0;
+    for (std::size_t k = 0; k < slices; ++k) {
+      const auto slice = trace_.q_rad.begin() + static_cast<std::ptrdiff_t>(group.first());
+      const auto [low, high] =
+          std::minmax_element(slice + static_cast<std::ptrdiff_t>(k * samples / slices),
+                              slice + static_cast<std::ptrdiff_t>((k + 1) * samples / slices));
+      if (*high - *low < standing * group.travel_rad()) ++at_rest;
+    }
+    return at_rest > most_standing;
+  }
+
   [[nodiscard]] bool is_oscillation(const StrokeGroup& group) const {
     const std::size_t strokes = group.strokes.size();
     const double travel = group.travel_rad();
@@ -68,6 +86,7 @@ class MotionCutter {
     if (travel < smallest_travel_floors * floor_) return false;
     const double period_s = 2 * seconds(group.first(), group.last()) / static_cast<double>(strokes);
     if (group.is_steady && period_s > slow_period_s) return false;
+    if (stands_mostly(group)) return false;
     return strokes >= several_strokes ||
            (strokes >= few_strokes && travel <= small_beside_range * range_);
   }

@@ -80,6 +80,17 @@ class RoleChooser {
            s.travel_rad() >= half_as_wide * widest;
   }
 
+  /// Beside runs and a slow sweep, what speeds up and slows down for most of its way is the fastest
+  /// run, and no second sweep.
+  [[nodiscard]] bool is_fast_run(const motion::MotionSegment& s) const {
+    constexpr std::size_t fewest_runs = 4;
+    constexpr double faster = 4;
+    if (steady_.size() < fewest_runs) return false;
+    return std::any_of(steady_.begin(), steady_.end(), [&](const Candidate& c) {
+      return is_rough_sweep(*c.segment) && s.speed_rad_s > faster * c.segment->speed_rad_s;
+    });
+  }
+
   [[nodiscard]] bool is_precise_sweep(const motion::MotionSegment& s) const {
     if (s.travel_rad() > std::min(precise_share * sweep_rad_, narrowest_sweep_rad)) return false;
     if (stroke_s(s) < shortest_stroke_s) return false;
@@ -95,6 +106,7 @@ class RoleChooser {
         if (is_rough_sweep(s)) return joint::Role::rough_sweep;
         return is_precise_sweep(s) ? joint::Role::precise_sweep : joint::Role::constant_speed;
       case motion::MotionKind::slow_sweep:
+        if (is_fast_run(s)) return joint::Role::constant_speed;
         return s.travel_rad() <= std::min(precise_share * sweep_rad_, narrowest_sweep_rad)
                    ? joint::Role::precise_sweep
                    : joint::Role::rough_sweep;
