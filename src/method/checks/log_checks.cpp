@@ -73,14 +73,26 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
 
 namespace {
 
+constexpr std::size_t fewest_bends = 50;
+
+/// That of equidistant samples, a few of which may be missing. 1: they are not.
+std::size_t usual_distance(const std::vector<double>& apart) {
+  constexpr double regular = 0.95;
+  if (apart.size() < fewest_bends) return 1;
+  const double usual = statistics::median(apart);
+  const auto multiples = std::count_if(apart.begin(), apart.end(),
+                                       [&](double n) { return std::remainder(n, usual) == 0; });
+  const bool is_regular =
+      static_cast<double>(multiples) >= regular * static_cast<double>(apart.size());
+  return is_regular ? static_cast<std::size_t>(usual) : 1;
+}
+
 /// Number of samples between bends of the angle's course, where these are equidistant and the
 /// course is straight in between: by this factor the angle was sampled more slowly than logged. 1:
 /// it was not.
 std::size_t samples_between_bends(const joint::Recording& r) {
-  constexpr std::size_t fewest_bends = 50;
   constexpr double straight = 1e-3;  // of a large change of the slope
   constexpr double large = 0.995;    // quantile
-  constexpr double regular = 0.95;
   std::vector<double> change(r.size());
   const auto slope = [&](std::size_t i) {
     return (r.q_rad[i + 1] - r.q_rad[i]) / (r.t_s[i + 1] - r.t_s[i]);
@@ -103,13 +115,24 @@ std::size_t samples_between_bends(const joint::Recording& r) {
     if (before > 0) apart.push_back(static_cast<double>(i - before));
     before = i;
   }
-  if (apart.size() < fewest_bends) return 1;
-  const double usual = statistics::median(apart);
-  const auto multiples = std::count_if(apart.begin(), apart.end(),
-                                       [&](double n) { return std::remainder(n, usual) == 0; });
-  const bool is_regular =
-      static_cast<double>(multiples) >= regular * static_cast<double>(apart.size());
-  return is_regular ? static_cast<std::size_t>(usual) : 1;
+  return usual_distance(apart);
+}
+
+/// The same of an angle that is held: it changes by many steps of the encoder, and stands between.
+std::size_t samples_between_steps(const CheckedRecording& r) {
+  constexpr double many = 2.5;
+  const std::vector<double>& q = r.recording->q_rad;
+  std::vector<double> apart;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+    const double step = std::abs(q[i + 1] - q[i]);
+    if (step == 0) continue;
+    if (step > many * r.angle_step_rad && before > 0) {
+      apart.push_back(static_cast<double>(i - before));
+    }
+    before = i;
+  }
+  return usual_distance(apart);
 }
 
 }  // namespace
@@ -122,14 +145,21 @@ DataCheck check_angle_interpolated(const CheckedDataset& data) {
   check.unit = pure_number;
   check.at_most = most;
   double interval_s = 0;
+  bool is_held = false;
   for (const CheckedRecording& r : data.recordings) {
-    const auto samples = static_cast<double>(samples_between_bends(*r.recording));
-    if (take_if_worst(check, samples, r.recording->name)) interval_s = r.interval_s;
+    const std::size_t bends = samples_between_bends(*r.recording);
+    const std::size_t steps = samples_between_steps(r);
+    if (!take_if_worst(check, static_cast<double>(std::max(bends, steps)), r.recording->name)) {
+      continue;
+    }
+    interval_s = r.interval_s;
+    is_held = steps > bends;
   }
   if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
   if (*check.measured <= most) return passed_by_all(check, {"angle_interpolated.is_not"});
   check.state = CheckState::fails;
-  check.found = {"angle_interpolated.straight_between",
+  check.found = {is_held ? Code{"angle_interpolated.held_between"}
+                         : Code{"angle_interpolated.straight_between"},
                  {{"samples", static_cast<std::size_t>(*check.measured)},
                   {"interval_ms", 1e3 * interval_s * *check.measured}}};
   check.consequence = {"angle_interpolated.bends_acceleration"};
