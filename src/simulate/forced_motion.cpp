@@ -95,8 +95,10 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
   ForcedMotionSetup setup;
   setup.inertia_kgm2 = inertia;
   setup.angle_rad = n * e.centre_rad;
+  // Over the little way of a ramp it is the same.
+  const double of_angle_Nm = torque_of_angle_Nm(s, e.centre_rad);
   setup.applied_Nm = [&](double t, double motor_rad, double) {
-    return torque_at(t) - s.load.torque_Nm(motor_rad / n) / n;
+    return torque_at(t) - s.load.torque_Nm(motor_rad / n) / n - of_angle_Nm;
   };
   setup.duration_s = e.largest_torque_Nm / e.rate_Nm_s;
   setup.sample_s = 1 / e.sample_rate_Hz;

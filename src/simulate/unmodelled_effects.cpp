@@ -58,15 +58,22 @@ bool JointEffects::any() const {
   return gear_loss != 0 || load_friction != 0 || direction_asymmetry != 0 ||
          torque_offset_Nm != 0 || offset_drift_Nm != 0 || warm_up != 0 || friction_by_angle != 0 ||
          friction_by_motor_angle != 0 || viscous_exponent != 1 || gear_windup_rad != 0 ||
-         taken_off != 0 || second_harmonic != 0 || third_harmonic != 0;
+         spring_Nm_rad != 0 || twice_the_angle_Nm != 0 || taken_off != 0 || second_harmonic != 0 ||
+         third_harmonic != 0;
 }
 
 bool LogEffects::any() const {
   return torque_delay_s != 0 || torque_filter_Hz != 0 || torque_scale != 1 ||
-         saturation_per_Nm2 != 0 || dead_zone_Nm != 0 || torque_limit_Nm != 0 ||
-         vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 || outlier_percent != 0 ||
-         held_percent != 0 || dead_percent != 0 || speed_scale != 1 || wrap_rad != 0 ||
+         saturation_per_Nm2 != 0 || saturation_per_Nm != 0 || dead_zone_Nm != 0 ||
+         torque_limit_Nm != 0 || vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 ||
+         outlier_percent != 0 || held_percent != 0 || dead_percent != 0 || speed_scale != 1 ||
+         wrap_rad != 0 || jump_rad != 0 || homed_anew_rad != 0 || lost_percent != 0 ||
          mirrored_angle || mirrored_torque;
+}
+
+double torque_of_angle_Nm(const Scenario& s, double q_rad) {
+  const double away = q_rad - s.load.q_peak_rad();
+  return s.effects.spring_Nm_rad * away + s.effects.twice_the_angle_Nm * std::cos(2 * away);
 }
 
 void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& moved) {
@@ -88,8 +95,8 @@ void put_together(const Scenario& s, const SessionClock& clock, MovedJoint& move
     const double ddq = moved.ddq_rad_s2[i];
     r.torque_Nm[i] =
         s.motor_inertia_kgm2 * n * ddq + friction +
-        (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / n + e.torque_offset_Nm +
-        e.offset_drift_Nm * share -
+        (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / n + torque_of_angle_Nm(s, q) +
+        e.torque_offset_Nm + e.offset_drift_Nm * share -
         e.taken_off * friction * std::tanh(n * std::abs(r.dq_rad_s[i]) / e.taken_off_from_rad_s);
   }
 }
@@ -134,6 +141,20 @@ void hold(std::vector<double>& signal, double percent, statistics::RandomStream&
   }
 }
 
+void lose_rows(joint::Recording& r, double percent, statistics::RandomStream& random) {
+  std::vector<bool> is_lost(r.size());
+  for (std::size_t i = 1; i + 1 < r.size(); ++i) is_lost[i] = 100 * random.uniform() < percent;
+  for (std::vector<double>* signal :
+       {&r.t_s, &r.q_rad, &r.dq_rad_s, &r.torque_Nm, &r.z_rad, &r.dz_rad_s, &r.temperature_C}) {
+    if (signal->size() != is_lost.size()) continue;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < is_lost.size(); ++i) {
+      if (!is_lost[i]) (*signal)[kept++] = (*signal)[i];
+    }
+    signal->resize(kept);
+  }
+}
+
 /// Random numbers of the effects alone.
 statistics::RandomStream effects_stream(std::uint64_t seed, std::uint64_t stream) {
   constexpr std::uint64_t behind_those_of_noise = std::uint64_t{1} << 33U;
@@ -161,7 +182,7 @@ void add_torque_effects(joint::Recording& r, const LogEffects& e, double sample_
     add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);
   constexpr double edge = 0.1;  // of a dead zone
   for (double& value : torque) {
-    value *= 1 + e.saturation_per_Nm2 * value * value;
+    value *= 1 + e.saturation_per_Nm2 * value * value + e.saturation_per_Nm * std::abs(value);
     if (e.dead_zone_Nm > 0) {
       value += e.dead_zone_Nm * std::clamp(value / (edge * e.dead_zone_Nm), -1.0, 1.0);
     }
@@ -185,6 +206,12 @@ void add_log_effects(joint::Recording& r, const LogEffects& e, std::uint64_t see
   if (100 * random.uniform() < e.dead_percent)
     std::fill(torque.begin(), torque.end(), torque.front());
   for (double& speed : r.dq_rad_s) speed *= e.speed_scale;
+  const bool is_rough = r.role == joint::Role::rough_sweep;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (!is_rough) r.q_rad[i] += e.homed_anew_rad;
+    if (is_rough && i > r.size() / 3) r.q_rad[i] += e.jump_rad;
+  }
+  if (e.lost_percent > 0) lose_rows(r, e.lost_percent, random);
   if (e.wrap_rad > 0) {
     for (double& q : r.q_rad) q -= e.wrap_rad * std::round(q / e.wrap_rad);
   }

@@ -39,6 +39,8 @@ struct JointEffects {
   /// Twist of the gear under the largest gravity torque [rad, joint side]; the angle is the
   /// motor's.
   double gear_windup_rad{};
+  double spring_Nm_rad{};       ///< Of a hose or a spring about the gravity peak, motor side.
+  double twice_the_angle_Nm{};  ///< Of cos 2(q - q_peak), motor side.
   /// Share of the friction that the controller gives by itself and does not log, at speeds well
   /// beyond the one below, by the hyperbolic tangent.
   double taken_off{};
@@ -56,6 +58,7 @@ struct LogEffects {
   double torque_scale{1.0};   ///< Logged over true: a torque constant that is off.
   double saturation_per_Nm2{};  ///< T is logged as T (1 + this T^2), motor side: the drive's torque
                                 ///< constant falls with its current.
+  double saturation_per_Nm{};   ///< T is logged as T (1 + this |T|), motor side.
   double dead_zone_Nm{};        ///< Logged beyond T on either side of zero, motor side.
   double torque_limit_Nm{};     ///< Larger torques are logged as this, motor side; 0: none are.
   double vibration_Nm{};        ///< Amplitude of a torque periodic in time, motor side.
@@ -71,6 +74,9 @@ struct LogEffects {
   double dead_percent{};     ///< Of the recordings: the torque is stuck all along.
   double speed_scale{1.0};   ///< Logged over true.
   double wrap_rad{};         ///< The angle is logged modulo this, about zero; 0: as it is.
+  double jump_rad{};         ///< Of the angle in each rough sweep, after a third of it.
+  double homed_anew_rad{};   ///< Added to the angle of all but the rough sweeps.
+  double lost_percent{};     ///< Of the rows.
   bool mirrored_angle{};     ///< The angle counts the other way round.
   bool mirrored_torque{};    ///< The torque counts the other way round.
 
@@ -93,6 +99,9 @@ struct SessionClock {
 
 /// Turns friction into driving torque, eq. (8), with the joint's effects in it.
 void put_together(const Scenario& scenario, const SessionClock& clock, MovedJoint& moved);
+
+/// Torque that a spring, a hose or a linkage adds to gravity's, motor side.
+double torque_of_angle_Nm(const Scenario& scenario, double q_rad);
 
 /// What a break-away ramp meets: friction times this.
 /// @param direction of the torque, +1 or -1.

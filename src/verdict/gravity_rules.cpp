@@ -320,6 +320,34 @@ std::optional<Measured> scale_of_loops(const Calibration& c) {
                   {"cause.scale_of_loops", {{"percent", percent}}}};
 }
 
+/// A course of the torque over the joint's angle, slower than the motor turns, that no term
+/// describes: of a linkage, a worn rail, a hose that catches. In percent of friction.
+std::optional<Measured> course_of_angle(const Calibration& c) {
+  const double friction = largest_friction_Nm(c);
+  if (!c.rough.found || !(friction > 0)) return std::nullopt;
+  constexpr double of_motor = 0.9;  // periods to its turn
+  double amplitude_Nm = 0;
+  for (const method::gravity::RippleLine& line : c.rough.ripple.lines) {
+    if (line.periods_per_turn < of_motor) {
+      amplitude_Nm = std::max(amplitude_Nm, line.amplitude_Nm);
+    }
+  }
+  return Measured{100 * amplitude_Nm / friction,
+                  {"cause.course_of_angle",
+                   {{"amplitude_Nm", amplitude_Nm}, {"percent", 100 * amplitude_Nm / friction}}}};
+}
+
+/// An offset of the torque, which the curves of each direction contain, in percent of friction.
+std::optional<Measured> offset_in_curves(const Calibration& c) {
+  const std::optional<statistics::Estimate>& found = c.torque_balance.offset_Nm;
+  const double friction = largest_friction_Nm(c);
+  if (!(friction > 0) || !found) return std::nullopt;
+  const double shown_Nm = sure(*found) > 0 ? std::abs(found->value) : 0.0;
+  return Measured{100 * shown_Nm / friction,
+                  {"cause.offset_in_curves",
+                   {{"offset_Nm", found->value}, {"half_width_Nm", found->half_width()}}}};
+}
+
 /// What the curves of each direction are off by if another method that disagrees is right about
 /// gravity, in percent of friction.
 std::optional<Measured> gravity_in_curves(const Calibration& c) {
@@ -413,7 +441,8 @@ std::vector<Rule> gravity_rules() {
        {Quantity::cog_angle},
        "record.sweep",
        torque_of_angle},
-      {"torque_of_angle_large", "%", 5, Verdict::doubtful, of_gravity, "record.sweep",
+      // A spring that shows so much has as a rule as much that looks like gravity.
+      {"torque_of_angle_large", "%", 1, Verdict::doubtful, of_gravity, "record.sweep",
        torque_of_angle},
       // In slow runs over other angles than the sweep's it is as wrong as it is large.
       {"torque_of_angle_left",
@@ -430,9 +459,23 @@ std::vector<Rule> gravity_rules() {
        {Quantity::bristle_stiffness, Quantity::bristle_damping},
        "record.torque_measured",
        scale_of_loops},
+      {"course_of_angle",
+       "%",
+       1,
+       Verdict::doubtful,
+       {Quantity::viscous_curve},
+       "record.sweep",
+       course_of_angle},
+      {"offset_in_curves",
+       "%",
+       2,
+       Verdict::doubtful,
+       {Quantity::viscous_curve},
+       "record.sweep",
+       offset_in_curves},
       {"gravity_in_curves",
        "%",
-       3,
+       1.5,
        Verdict::doubtful,
        {Quantity::viscous_curve},
        "record.sweep_and_oscillation",

@@ -129,13 +129,16 @@ const Messages& verdict_messages() {
       {"rule.torque_of_angle_left", text("Torque of the angle that was not taken off")},
       {"rule.scale_of_loops",
        text("Gravity of the loops against the sweep's, the part that is certain")},
+      {"rule.course_of_angle",
+       text("Course of the torque over the joint's angle, as a share of friction")},
+      {"rule.offset_in_curves", text("Offset of the torque, as a share of friction")},
       {"rule.gravity_in_curves", text("Gravity's disagreement, as a share of friction")},
       {"rule.vibration_in_loops", text("Vibration that the loops' cycles do not average out")},
       {"rule.friction_along_angle",
        text("Friction along the joint's angle, slower than the motor turns")},
       {"rule.runs_against_ramps_at_rest", text("Friction at rest, runs against ramps")},
       {"rule.lag_in_time", text("Change of the lag from early to late in the recordings")},
-      {"rule.angles_apart", text("gravity peak apart between sweeps and runs")},
+      {"rule.angles_apart", text("Gravity peak of other recordings, against the rough sweep's")},
       {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
       {"rule.direction_asymmetry",
        text("Asymmetry of friction between the directions, the part that is certain")},
@@ -173,9 +176,17 @@ const Messages& verdict_messages() {
             "of the oscillation's frequency: its cycles do not average that out, and it bends the "
             "loops")},
       {"cause.scale_of_loops",
-       text("the loops show {percent:+.2g} % more gravity than the sweep: their torque has an "
-            "offset "
-            "or another scale, and a stiffness of another scale is wrong by as much")},
+       text(
+           "the loops put gravity {percent:+.2g} % beside the sweep: their torque has an offset or "
+           "another scale, and of another scale the stiffness would be wrong by as much")},
+      {"cause.course_of_angle",
+       text("beside gravity the torque takes a course over the joint's angle that no term "
+            "describes, "
+            "of ±{amplitude_Nm:.3g} N·m or {percent:.2g} % of the friction, slower than the motor "
+            "turns: as of a linkage, a hose that catches or a worn place")},
+      {"cause.offset_in_curves",
+       text("the curves of each direction contain the torque's offset of {offset_Nm:+.3g} ± "
+            "{half_width_Nm:.2g} N·m, one more and the other less; the mean of both does not")},
       {"cause.gravity_in_curves",
        text("the methods disagree about gravity by {off_Nm:.3g} N·m, by which the friction of each "
             "direction may be off; the mean of both is not")},

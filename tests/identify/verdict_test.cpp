@@ -283,6 +283,34 @@ TEST(Findings, AnotherJointThatMovesStandsBeforeTheShiftOfThePeakThatItMakes) {
   EXPECT_EQ(place_of("verdict.check", c), 1U);
 }
 
+TEST(Findings, SweepsAndRunsThatPutThePeakApartMakeTheAngleDoubtful) {
+  calibration::Calibration c = sound_joint();
+  ASSERT_TRUE(c.run_gravity.found && !c.run_gravity.always_lifts);
+  EXPECT_FALSE(place_of("cause.angle_of_runs", c));
+  const double half_width =
+      std::hypot(c.run_gravity.q_peak_rad.half_width(), c.rough.q_peak_rad.half_width());
+  const double by = std::max(2 * half_width, 0.002);
+  for (double* const end : {&c.run_gravity.q_peak_rad.value, &c.run_gravity.q_peak_rad.low,
+                            &c.run_gravity.q_peak_rad.high}) {
+    *end = c.rough.q_peak_rad.value + (*end - c.run_gravity.q_peak_rad.value) + by;
+  }
+  EXPECT_TRUE(place_of("cause.angle_of_runs", c));
+  EXPECT_EQ(verdict::judge(c).find(joint::Quantity::cog_angle)->verdict,
+            calibration::Verdict::doubtful);
+}
+
+TEST(Findings, AVibrationAtAMultipleOfTheLoopsFrequencyIsInTheLoops) {
+  calibration::Calibration c = sound_joint();
+  method::gravity::VibrationLine line;
+  line.amplitude_Nm = 0.006 * c.hysteresis.midline_friction_Nm;
+  const double loop_Hz = c.hysteresis.oscillations.front().frequency_Hz;
+  for (const double order : {3.0, 3.5}) {
+    line.frequency_Hz = order * loop_Hz;
+    c.rough.vibration = {line};
+    EXPECT_EQ(place_of("cause.vibration_in_loops", c).has_value(), order == 3.0) << order;
+  }
+}
+
 TEST(Findings, AFewPeriodsAlongTheSweepAreNoneOfTheMotor) {
   calibration::Calibration c = sound_joint();
   c.rough.friction_by_angle_Nm = 0.1 * c.rough.coulomb_Nm->value;

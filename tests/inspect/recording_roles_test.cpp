@@ -59,6 +59,20 @@ TEST(RecordingRoles, TheWidestSlowOneBesideRunsIsTheSweep) {
   EXPECT_EQ(roles[1], joint::Role::constant_speed);
 }
 
+TEST(RecordingRoles, TheFastestRunBesideASlowSweepIsNoSecondSweep) {
+  std::vector<inspect::motion::MotionSegment> segments{
+      run(0, 0.05, 2.5), run(200, 0.2, 1.0), run(300, 0.4, 1.0), run(400, 0.6, 1.2)};
+  inspect::motion::MotionSegment fast = run(500, 1.5, 1.2, 3);
+  fast.kind = inspect::motion::MotionKind::slow_sweep;  // it speeds up and slows down all along
+  fast.is_steady = false;
+  segments.push_back(fast);
+  EXPECT_EQ(roles_of(segments).back(), joint::Role::constant_speed);
+  inspect::motion::MotionSegment slow = fast;
+  slow.speed_rad_s = 0.1;
+  segments.back() = slow;
+  EXPECT_EQ(roles_of(segments).back(), joint::Role::rough_sweep);
+}
+
 TEST(RecordingRoles, TheSlowestByFarNarrowOneIsThePreciseSweep) {
   const auto roles = roles_of({run(0, 0.035, 2.4), run(200, 0.002, 0.035), run(300, 0.01, 0.05),
                                run(400, 0.02, 0.1), run(500, 1.0, 1.0)});

@@ -42,6 +42,63 @@ TEST(Strokes, OfRestAreNone) {
   EXPECT_TRUE(method::motion::find_strokes({}, 1e-6).empty());
 }
 
+/// The noisy paper joint's log with something done to it, as one of the checks sees it.
+template <typename Change>
+method::checks::DataCheck checked(
+    method::checks::DataCheck (*check)(const method::checks::CheckedDataset&), Change change) {
+  joint::Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(2));
+  change(d);
+  return check(method::checks::look_at(d));
+}
+
+TEST(AngleChecks, AJumpThatStaysIsFoundAndTheMotionOfAJointIsNone) {
+  using method::checks::CheckState;
+  const auto jump = [](double degrees) {
+    return [degrees](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        if (r.role != joint::Role::rough_sweep) continue;
+        for (std::size_t i = r.size() / 3; i < r.size(); ++i) r.q_rad[i] += degrees * pi / 180;
+      }
+    };
+  };
+  const auto check = method::checks::check_angle_jumps;
+  EXPECT_EQ(checked(check, jump(0)).state, CheckState::passed);
+  const method::checks::DataCheck found = checked(check, jump(-0.3));
+  EXPECT_EQ(found.state, CheckState::fails);
+  EXPECT_NEAR(*found.measured, 0.3 * pi / 180, 1e-3);
+}
+
+TEST(AngleChecks, AMotorThatWouldTurnAbsurdlyFastIsFound) {
+  using method::checks::CheckState;
+  const auto at_ratio = [](double ratio) {
+    return [ratio](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        for (double& q : r.q_rad) q *= ratio;
+      }
+    };
+  };
+  const auto check = method::checks::check_motor_speed;
+  EXPECT_EQ(checked(check, at_ratio(1)).state, CheckState::passed);
+  EXPECT_EQ(checked(check, at_ratio(100)).state, CheckState::fails);
+}
+
+TEST(AngleChecks, AnAngleHeldForSomeSamplesIsOfASlowerChannel) {
+  using method::checks::CheckState;
+  const auto held = [](std::size_t samples) {
+    return [samples](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        if (r.role != joint::Role::oscillation) continue;
+        for (std::size_t i = 0; i < r.size(); ++i) r.q_rad[i] = r.q_rad[i - i % samples];
+      }
+    };
+  };
+  const auto check = method::checks::check_angle_interpolated;
+  EXPECT_EQ(checked(check, held(1)).state, CheckState::passed);
+  const method::checks::DataCheck found = checked(check, held(5));
+  EXPECT_EQ(found.state, CheckState::fails);
+  EXPECT_EQ(found.measured, 5);
+}
+
 TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   const auto names = [](double factor, const char* word) {
     return wording::words(method::checks::likely_cause_of_scale(factor, 1e-3, 100)).find(word) !=

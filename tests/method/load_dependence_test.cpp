@@ -144,6 +144,20 @@ TEST(LoadDependence, ATorqueThatSaturatesIsToldFromFrictionByLoad) {
   }
 }
 
+TEST(LoadDependence, ATorqueThatGrowsByItsMagnitudeIsToldFromFrictionByLoad) {
+  using method::viscous::OutOfProportion;
+  constexpr double at_gravity = 0.02;
+  const auto grown = [](double torque) {
+    return torque * (1 + at_gravity * std::abs(torque) / gravity_Nm);
+  };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto bent = identify_strokes(0, coulomb_Nm, seed, grown).load.out_of_proportion;
+    ASSERT_TRUE(bent) << seed;
+    EXPECT_EQ(bent->form, OutOfProportion::saturation);
+    EXPECT_NEAR(bent->share.value, at_gravity, 0.006) << seed;
+  }
+}
+
 TEST(LoadDependence, FrictionThatChangesWithTheAngleIsNoTorqueOutOfProportion) {
   using method::viscous::OutOfProportion;
   constexpr double at_gravity = 0.03;

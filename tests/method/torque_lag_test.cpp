@@ -45,6 +45,45 @@ TEST(TorqueLag, IsFoundEitherWayAndZeroWhereThereIsNone) {
   }
 }
 
+TEST(TorqueLag, AndInertiaAreThoseOfAWholeLogWhereRowsWereLost) {
+  const method::motion::TorqueLag whole = lag_in(travels({}));
+  ASSERT_TRUE(whole.inertia_kgm2);
+  for (const double percent : {0.05, 0.5, 5.0}) {
+    const method::motion::TorqueLag found = lag_in(travels({.lost_percent = percent}));
+    ASSERT_TRUE(found.inertia_kgm2) << percent;
+    EXPECT_NEAR(found.inertia_kgm2->value, whole.inertia_kgm2->value,
+                whole.inertia_kgm2->half_width())
+        << percent;
+    expect_holds(found, 0);
+  }
+}
+
+TEST(TorqueLag, ThatGrowsWithTheClockIsToldToChange) {
+  EXPECT_FALSE(lag_in(travels({})).change_s);
+  EXPECT_FALSE(lag_in(travels({.torque_delay_s = 3e-3})).change_s);
+  // Two channels, one on a clock of its own: late by a share of the time.
+  constexpr double share = 3e-5;
+  std::vector<joint::Recording> recordings = travels({});
+  double before_s = 0;
+  for (joint::Recording& r : recordings) {
+    const double whole_s = r.t_s.back() - r.t_s.front();
+    const double interval_s = r.t_s[1] - r.t_s[0];
+    const std::vector<double> torque = r.torque_Nm;
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      r.t_s[i] += before_s;
+      const double late = share * r.t_s[i] / interval_s;
+      const double at = std::max(0.0, static_cast<double>(i) - late);
+      const auto below = static_cast<std::size_t>(at);
+      r.torque_Nm[i] = std::lerp(torque[below], torque[std::min(below + 1, torque.size() - 1)],
+                                 at - static_cast<double>(below));
+    }
+    before_s += whole_s;
+  }
+  const method::motion::TorqueLag found = lag_in(recordings);
+  ASSERT_TRUE(found.change_s);
+  EXPECT_GT(found.change_s->low, 0);
+}
+
 TEST(TorqueLag, OfAFilterIsMostOfItsTimeConstant) {
   const double time_constant_s = 1 / (2 * std::numbers::pi * 50);
   const method::motion::TorqueLag found = lag_in(travels({.torque_filter_Hz = 50}));

@@ -99,6 +99,23 @@ TEST(MisfitStudy, ABristleDampingThatFallsWithSpeedIsNotTakenForStiffness) {
   }
 }
 
+TEST(MisfitStudy, ATorqueOrAJumpOfTheAngleLeavesNothingWrongAndUsable) {
+  for (const char* const disturbance :
+       test::some_of<const char*>({"spring", "angle_jumps", "homed_anew", "twice_the_angle",
+                                   "torque_grows_out_of_proportion"},
+                                  2)) {
+    for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
+      // Over part of a turn less than this does not show, and moves gravity by what matters.
+      constexpr double least_shown = 0.01;
+      if (c.size > 0 && c.size < least_shown) continue;
+      for (const study::MisfitQuantity& q : c.quantities) {
+        EXPECT_EQ(q.wrong_usable, 0U)
+            << disturbance << " " << c.size << " " << to_string(q.quantity);
+      }
+    }
+  }
+}
+
 TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
   for (const char* const disturbance :
        test::some_of<const char*>({"torque_saturates", "friction_taken_off"}, 2)) {
