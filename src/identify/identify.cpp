@@ -251,7 +251,8 @@ constexpr Step papers_chain[] = {
      }},
     {"",
      [](Progress& p) {
-       p.c.run_gravity = method::gravity::identify_run_gravity(p.runs.recordings(), p.n, p.c.rough.of_angle);
+       p.c.run_gravity =
+           method::gravity::identify_run_gravity(p.runs.recordings(), p.n, p.c.rough.of_angle);
      }},
     {"",
      [](Progress& p) {

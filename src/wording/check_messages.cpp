@@ -234,9 +234,9 @@ const Messages& check_messages() {
       {"angle_interpolated.straight_between", text("the angle bends once in {samples} samples and "
                                                    "is straight between: it comes from a channel "
                                                    "of one sample in {interval_ms:.3g} ms")},
-      {"angle_interpolated.held_between",
-       text("the angle changes once in {samples} samples and stands between: it comes from a channel "
-            "of one sample in {interval_ms:.3g} ms")},
+      {"angle_interpolated.held_between", text("the angle changes once in {samples} samples and "
+                                               "stands between: it comes from a channel "
+                                               "of one sample in {interval_ms:.3g} ms")},
       {"angle_interpolated.bends_acceleration",
        text("acceleration read from it is wrong, and with it inertia and what the loops show")},
       {"angle_interpolated.log_each_sample",

@@ -60,8 +60,8 @@ TEST(RecordingRoles, TheWidestSlowOneBesideRunsIsTheSweep) {
 }
 
 TEST(RecordingRoles, TheFastestRunBesideASlowSweepIsNoSecondSweep) {
-  std::vector<inspect::motion::MotionSegment> segments{
-      run(0, 0.05, 2.5), run(200, 0.2, 1.0), run(300, 0.4, 1.0), run(400, 0.6, 1.2)};
+  std::vector<inspect::motion::MotionSegment> segments{run(0, 0.05, 2.5), run(200, 0.2, 1.0),
+                                                       run(300, 0.4, 1.0), run(400, 0.6, 1.2)};
   inspect::motion::MotionSegment fast = run(500, 1.5, 1.2, 3);
   fast.kind = inspect::motion::MotionKind::slow_sweep;  // it speeds up and slows down all along
   fast.is_steady = false;

@@ -16,8 +16,8 @@ double torque_Nm(const std::optional<TorqueOfAngle>& of_angle, double q_rad) {
 }
 
 void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cells,
-              double gear_ratio, const Ripple& ripple,
-              const std::optional<TorqueOfAngle>& of_angle, std::vector<GravityRow>& rows) {
+              double gear_ratio, const Ripple& ripple, const std::optional<TorqueOfAngle>& of_angle,
+              std::vector<GravityRow>& rows) {
   std::vector<GravityRow> sums(GravityCells::count, GravityRow{number, 0, 0, 0, 0});
   std::vector<double> counts(GravityCells::count, 0.0);
   const double middle = cells.middle_rad();
@@ -28,8 +28,8 @@ void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cel
     const double half = std::sin((q - middle) / 2);
     sums[cell].cosine += -2 * half * half;
     sums[cell].sine += std::sin(q - middle);
-    sums[cell].torque_Nm += run.recording->torque_Nm[i] - ripple.torque_Nm(gear_ratio * q) -
-                            torque_Nm(of_angle, q);
+    sums[cell].torque_Nm +=
+        run.recording->torque_Nm[i] - ripple.torque_Nm(gear_ratio * q) - torque_Nm(of_angle, q);
     counts[cell] += 1;
   }
   GravityRow mean{number, 0, 0, 0, 0};

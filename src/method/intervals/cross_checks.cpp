@@ -142,8 +142,7 @@ statistics::Estimate widened(const CrossCheck& recommended, const std::vector<Cr
   }
   if (reach == 0) return ours;
   return statistics::symmetric_estimate(
-      ours.value, reach,
-      {"interval.widened_by_methods", {{"interval", ours.method}}});
+      ours.value, reach, {"interval.widened_by_methods", {{"interval", ours.method}}});
 }
 
 }  // namespace

@@ -263,9 +263,9 @@ std::optional<TorqueProportion> share_by_magnitude(const std::vector<Row>& rows,
   const statistics::BlockRegression plain = with_columns(all, {});
   const double gravity = std::hypot(plain.coefficients(0), plain.coefficients(1));
   const Eigen::ArrayXd along = all.columns.leftCols<2>() * plain.coefficients.head<2>() / gravity;
-  const Eigen::ArrayXd across = (all.columns.col(1) * plain.coefficients(0) -
-                                 all.columns.col(0) * plain.coefficients(1)) /
-                                gravity;
+  const Eigen::ArrayXd across =
+      (all.columns.col(1) * plain.coefficients(0) - all.columns.col(0) * plain.coefficients(1)) /
+      gravity;
   const Eigen::VectorXd twist = 2 * along * across;
   const Eigen::VectorXd even = along.square() - across.square();
   const Eigen::VectorXd load = all.columns.col(3).array() * along.abs();
@@ -276,7 +276,8 @@ std::optional<TorqueProportion> share_by_magnitude(const std::vector<Row>& rows,
   const auto is_worse = [&](const std::vector<Eigen::VectorXd>& further, double by) {
     return with_columns(all, further).residuals.squaredNorm() > by * left;
   };
-  const bool wins = is_worse({twist, load}, about_as_well) && is_worse({twist, even}, about_as_well) &&
+  const bool wins = is_worse({twist, load}, about_as_well) &&
+                    is_worse({twist, even}, about_as_well) &&
                     is_worse({twist, torque.cube().matrix()}, 1) &&
                     is_worse({twist, load, even}, 1 / about_as_well);
   const Eigen::Index last = square.coefficients.size() - 1;

@@ -123,9 +123,9 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
 }
 
 /// T less the sweep's gravity, so that the scatter is of friction and noise alone. What else the
-/// sweep has found that varies with the angle is subtracted from the run. The sweep's ripple, at the same motor angles, is subtracted from the run where that reduces the scatter.
-/// Friction that changes with the motor's angle is subtracted too: a slow run crosses only part of
-/// its period.
+/// sweep has found that varies with the angle is subtracted from the run. The sweep's ripple, at
+/// the same motor angles, is subtracted from the run where that reduces the scatter. Friction that
+/// changes with the motor's angle is subtracted too: a slow run crosses only part of its period.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
 /// @param taken_off_Nm of the recording's torque, for the inertia (SteadyRuns).
 /// @param samples receives those of the plateau that count.
@@ -133,9 +133,9 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
                           const gravity::CogSweepResult& sweep,
-                          const FrictionOfAngle& friction_of_angle,
-                          double torque_step_Nm, const std::vector<double>& taken_off_Nm,
-                          PlateauSamples& samples, std::vector<double>& blocks_Nm) {
+                          const FrictionOfAngle& friction_of_angle, double torque_step_Nm,
+                          const std::vector<double>& taken_off_Nm, PlateauSamples& samples,
+                          std::vector<double>& blocks_Nm) {
   const std::vector<double> of_angle = friction_of_angle.torque_Nm(r, plateau);
   const gravity::Ripple& ripple = sweep.ripple;
   const auto torque_at = [&](std::size_t i) {
