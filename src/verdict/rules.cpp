@@ -239,6 +239,18 @@ std::optional<Measured> runs_against_loops(const Calibration& c) {
       {"cause.runs_against_loops", {{"runs_Nm", runs->value}, {"loops_Nm", loops->value}}}};
 }
 
+/// Friction at rest of the loops beside that of the ramps: torques of another scale in the loops'
+/// log, and a stiffness of that scale.
+std::optional<Measured> loops_against_ramps(const Calibration& c) {
+  const std::optional<statistics::Estimate> loops = rest_friction_of_loops(c);
+  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
+  if (!loops || !ramps) return std::nullopt;
+  const double apart = certainly_apart(std::abs(loops->value - ramps->value), *loops, *ramps);
+  return Measured{
+      100 * apart / ramps->value,
+      {"cause.loops_against_ramps", {{"loops_Nm", loops->value}, {"ramps_Nm", ramps->value}}}};
+}
+
 /// Inertia of the loops alone, although starts and stops should show it.
 std::optional<Measured> inertia_of_loops(const Calibration& c) {
   if (!has_inertia_of(InertiaSource::loops, c)) return std::nullopt;
@@ -446,6 +458,13 @@ const std::vector<Rule>& rules() {
       // LuGre's.
       {"runs_against_loops", "%", 10, Verdict::doubtful, of_curve, "record.ramps",
        runs_against_loops},
+      {"loops_against_ramps",
+       "%",
+       4,
+       Verdict::doubtful,
+       {Quantity::bristle_stiffness, Quantity::bristle_damping},
+       "record.torque_measured",
+       loops_against_ramps},
       {"inertia_of_loops",
        "",
        0,

@@ -133,6 +133,7 @@ const Messages& verdict_messages() {
        text("Course of the torque over the joint's angle, as a share of friction")},
       {"rule.offset_in_curves", text("Offset of the torque, as a share of friction")},
       {"rule.gravity_in_curves", text("Gravity's disagreement, as a share of friction")},
+      {"rule.loops_against_ramps", text("Friction at rest, loops against ramps")},
       {"rule.vibration_in_loops", text("Vibration that the loops' cycles do not average out")},
       {"rule.friction_along_angle",
        text("Friction along the joint's angle, slower than the motor turns")},
@@ -170,6 +171,11 @@ const Messages& verdict_messages() {
       {"cause.elastic_gear",
        text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
             "and the encoder sees the motor; the angle stated is the link's")},
+      {"cause.loops_against_ramps",
+       text("friction at rest is {loops_Nm:.3g} N·m by the loops and {ramps_Nm:.3g} N·m by the "
+            "ramps: "
+            "their torques are of another scale, or the contact is another one than the loops' "
+            "model has")},
       {"cause.vibration_in_loops",
        text("the torque vibrates by {amplitude_Nm:.3g} N·m at {frequency_Hz:.2f} Hz, near a "
             "multiple "

@@ -3,6 +3,7 @@
 #include "inspect/survey/manifest_proposal.h"
 
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -99,6 +100,7 @@ TEST(ManifestProposal, AnEffortOfUnknownKindWithATorqueConstantIsACurrent) {
   EXPECT_EQ(proposed_manifest(scratch, log, options).drive.kind(), joint::EffortKind::joint_torque);
   EXPECT_FALSE(proposed_manifest(scratch, log, options).effort_is_confirmed);
   options.torque_constant_Nm_A = 0.35;
+  options.gear_ratio = 100;
   const joint::Manifest manifest = proposed_manifest(scratch, log, options);
   EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
   EXPECT_EQ(manifest.drive.torque_constant_Nm_A(), 0.35);
@@ -167,6 +169,54 @@ TEST(ManifestProposal, StatedColumnsStandBeforeNames) {
   const inspect::survey::ManifestProposal proposal = propose(scratch, two, options);
   EXPECT_EQ(proposal.joint, "1");
   EXPECT_TRUE(proposal.moves_too.empty());
+}
+
+TEST(ManifestProposal, AStatedColumnKeepsTheUnitOfItsName) {
+  const test::ScratchDirectory scratch;
+  const std::string log = scratch.write("log.csv", sweep("time_ms,joint_deg,motor_current_mA"));
+  inspect::survey::ProposalOptions options;
+  options.columns.names = {{"angle", "joint_deg"}, {"effort", "motor_current_mA"}};
+  options.torque_constant_Nm_A = 0.35;
+  options.gear_ratio = 100;
+  const ingest::manifest::ManifestFile manifest =
+      ingest::manifest::parse_manifest(propose(scratch, log, options).text, "m.toml");
+  const ingest::manifest::ColumnEntries& columns = manifest.recordings.front().columns;
+  EXPECT_EQ(columns.angle->unit, "deg");
+  EXPECT_EQ(columns.effort->unit, "mA");
+  // Its name holds no joint, but a unit that none knows.
+  const std::string percent = scratch.write("percent.csv", sweep("time_ms,q_deg,torque_percent"));
+  options.columns.names = {{"effort", "torque_percent"}};
+  options.torque_constant_Nm_A.reset();
+  const std::string text = propose(scratch, percent, options).text;
+  EXPECT_NE(text.find("effort = { name = \"torque_percent\""), std::string::npos) << text;
+  EXPECT_NE(text.find("confirmed = false"), std::string::npos) << text;
+}
+
+TEST(ManifestProposal, APlaceCountsTheFilesColumns) {
+  const test::ScratchDirectory scratch;
+  std::string rows = "phase,time_ms,q_deg,tau_Nm,tau2_Nm\n";
+  std::istringstream numbers(sweep("a,b,c"));
+  std::string row;
+  std::getline(numbers, row);
+  while (std::getline(numbers, row)) rows += "slow," + row + ",1\n";
+  const std::string log = scratch.write("log.csv", rows);
+  inspect::survey::ProposalOptions options;
+  options.columns.names = {{"effort", "#4"}};
+  const std::string text = propose(scratch, log, options).text;
+  EXPECT_NE(text.find("effort = { name = \"tau_Nm\""), std::string::npos) << text;
+}
+
+TEST(ManifestProposal, ATorqueConstantWithoutAGearRatioLeavesTheTorqueUnconfirmed) {
+  const test::ScratchDirectory scratch;
+  const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,i_A"));
+  inspect::survey::ProposalOptions options;
+  options.torque_constant_Nm_A = 0.35;
+  for (const bool is_known : {false, true}) {
+    if (is_known) options.gear_ratio = 100;
+    const std::string text = propose(scratch, log, options).text;
+    EXPECT_NE(text.find("side = \"motor\""), std::string::npos) << text;
+    EXPECT_EQ(text.find("confirmed = false") == std::string::npos, is_known) << text;
+  }
 }
 
 TEST(ManifestProposal, StatedColumnsAreParsed) {

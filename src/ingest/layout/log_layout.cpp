@@ -202,7 +202,8 @@ LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
   if (logger != nullptr) layout.logger = logger->name;
   for (std::size_t k = 0; k < header.size(); ++k) {
     auto meaning = logger != nullptr ? by_logger(header[k], *logger) : by_words(header[k]);
-    if (logger == nullptr && has_foreign_unit(header[k])) {
+    const bool says_foreign = header[k].unit.empty() && says_foreign_unit(header[k].name);
+    if (logger == nullptr && (says_foreign || has_foreign_unit(header[k]))) {
       // In that unit it cannot be read: the name without its brackets may still tell what it is.
       meaning = by_words({header[k].name, header[k].name, ""});
       if (meaning) layout.foreign.push_back({k, meaning->quantity});

@@ -110,6 +110,9 @@ std::optional<std::string> joint_in_name(std::string_view name, std::string_view
 /// digits; in small letters.
 std::vector<std::string> words_of_name(std::string_view name);
 
+/// "torque_percent", "pos_inc": a share of a rated value, or counts; in no unit that is known.
+bool says_foreign_unit(std::string_view name);
+
 /// The quantity is that of the first word that names one and does not contradict the unit; of a
 /// name without such a word that of the unit alone. "target", "goal", "cmd" and the like make it a
 /// set point; "error", "enable", "limit" and the like make it none of these. What other words there

@@ -41,6 +41,8 @@ constexpr std::array quantity_words = {QuantityWord{"time", time},
                                        QuantityWord{"stamp", time},
                                        QuantityWord{"t", time},
                                        QuantityWord{"zeit", time},
+                                       QuantityWord{"czas", time},
+                                       QuantityWord{"temps", time},
                                        QuantityWord{"elapsed", time},
                                        QuantityWord{"qd", angular_speed},
                                        QuantityWord{"dq", angular_speed},
@@ -51,6 +53,11 @@ constexpr std::array quantity_words = {QuantityWord{"time", time},
                                        QuantityWord{"omega", angular_speed},
                                        QuantityWord{"dtheta", angular_speed},
                                        QuantityWord{"qdot", angular_speed},
+                                       QuantityWord{"geschwindigkeit", angular_speed},
+                                       QuantityWord{"drehzahl", angular_speed},
+                                       QuantityWord{"prędkość", angular_speed},
+                                       QuantityWord{"predkosc", angular_speed},
+                                       QuantityWord{"vitesse", angular_speed},
                                        QuantityWord{"q", angle},
                                        QuantityWord{"angle", angle},
                                        QuantityWord{"pos", angle},
@@ -59,24 +66,34 @@ constexpr std::array quantity_words = {QuantityWord{"time", time},
                                        QuantityWord{"theta", angle},
                                        QuantityWord{"phi", angle},
                                        QuantityWord{"winkel", angle},
+                                       QuantityWord{"kąt", angle},
+                                       QuantityWord{"kat", angle},
                                        QuantityWord{"tau", torque},
                                        QuantityWord{"torque", torque},
                                        QuantityWord{"torques", torque},
                                        QuantityWord{"effort", torque},
                                        QuantityWord{"moment", torque},
                                        QuantityWord{"trq", torque},
+                                       QuantityWord{"drehmoment", torque},
+                                       QuantityWord{"couple", torque},
                                        QuantityWord{"i", current},
                                        QuantityWord{"iq", current},
                                        QuantityWord{"current", current},
                                        QuantityWord{"cur", current},
                                        QuantityWord{"curr", current},
                                        QuantityWord{"amps", current},
+                                       QuantityWord{"strom", current},
+                                       QuantityWord{"prąd", current},
+                                       QuantityWord{"prad", current},
+                                       QuantityWord{"courant", current},
                                        QuantityWord{"temp", temperature},
                                        QuantityWord{"temperature", temperature}};
 
-constexpr std::array target_words = {"target", "goal",    "cmd",  "command",   "commanded",
-                                     "des",    "desired", "ref",  "reference", "setpoint",
-                                     "set",    "d",       "plan", "planned"};
+constexpr std::array target_words = {
+    "target",    "goal",      "cmd",     "command", "commanded", "des",     "desired",   "ref",
+    "reference", "setpoint",  "set",     "d",       "plan",      "planned", "demand",    "demanded",
+    "req",       "requested", "request", "nominal", "nom",       "sim",     "simulated", "model",
+    "soll",      "sollwert",  "zadany",  "zadana",  "zadane",    "zad",     "consigne"};
 // Of no joint, and of no signal that is looked for.
 constexpr std::array other_words = {
     "error",        "err",    "enable", "enabled", "flag",    "status", "state",   "mode",
@@ -86,10 +103,11 @@ constexpr std::array other_words = {
     "rate",         "period", "bus",    "cov",     "residual"};
 // Said of any joint.
 constexpr std::array empty_words = {
-    "actual",  "act",      "measured", "meas",  "mes",       "motor",    "joint", "axis",
-    "j",       "m",        "raw",      "est",   "estimated", "filtered", "filt",  "encoder",
-    "enc",     "drive",    "actuator", "robot", "data",      "value",    "ist",   "angular",
-    "present", "feedback", "fb",       "link",  "sensor"};
+    "actual", "act",         "measured",    "meas",        "mes",      "motor",     "joint",
+    "axis",   "j",           "m",           "raw",         "est",      "estimated", "filtered",
+    "filt",   "encoder",     "enc",         "drive",       "actuator", "robot",     "data",
+    "value",  "ist",         "angular",     "present",     "feedback", "fb",        "link",
+    "sensor", "rzeczywisty", "rzeczywista", "rzeczywiste", "silnika",  "przegubu",  "istwert"};
 
 template <typename List>
 bool holds(const List& list, const std::string& word) {
@@ -116,7 +134,44 @@ std::optional<log::Quantity> quantity_of_word(const std::string& word) {
   return it->quantity;
 }
 
+/// "sollstrom" is "soll" and "strom"; "current" beside a position, a speed or a torque is what is
+/// now, and no electric one.
+std::vector<std::string> words_that_tell(std::string_view name) {
+  std::vector<std::string> words;
+  bool has_other = false;
+  for (const std::string& word : words_of_name(name)) {
+    bool is_cut = false;
+    for (const std::string_view first : {"soll", "ist"}) {
+      const bool begins = word.size() > first.size() && word.starts_with(first);
+      const std::string rest = begins ? word.substr(first.size()) : "";
+      if (!begins || !quantity_of_word(rest)) continue;
+      words.emplace_back(first);
+      words.push_back(rest);
+      is_cut = true;
+    }
+    if (!is_cut) words.push_back(word);
+    const auto quantity = quantity_of_word(words.back());
+    has_other = has_other || quantity == angle || quantity == angular_speed || quantity == torque;
+  }
+  if (!has_other) return words;
+  std::erase_if(words, [](const std::string& word) {
+    return word == "current" || word == "cur" || word == "curr";
+  });
+  return words;
+}
+
+/// Names of what no unit of the list is: shares of a rated value, counts.
+constexpr std::array foreign_words = {"percent",    "pct", "permille", "promille",
+                                      "prozent",    "inc", "incs",     "increments",
+                                      "inkremente", "lsb", "ticks"};
+
 }  // namespace
+
+bool says_foreign_unit(std::string_view name) {
+  const std::vector<std::string> words = words_of_name(name);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return holds(foreign_words, word); });
+}
 
 std::vector<std::string> words_of_name(std::string_view name) {
   std::vector<std::string> words;
@@ -143,7 +198,7 @@ std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string
   bool is_told = false;
   std::string number;
   std::string others;
-  for (const std::string& word : words_of_name(name)) {
+  for (const std::string& word : words_that_tell(name)) {
     if (holds(other_words, word)) return std::nullopt;
     const auto quantity = quantity_of_word(word);
     if (quantity && (!of_unit || quantity == of_unit) && !is_told) {
@@ -153,7 +208,7 @@ std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string
       meaning.is_target = true;
     } else if (is_digit(word.front())) {
       number = word;
-    } else if (!quantity && !holds(empty_words, word)) {
+    } else if (!quantity && !holds(empty_words, word) && !holds(foreign_words, word)) {
       others += (others.empty() ? "" : "_") + word;
     }
   }

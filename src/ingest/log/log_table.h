@@ -16,7 +16,8 @@ namespace tribolog::ingest::log {
 struct ColumnHeader {
   std::string full;
   std::string name;
-  std::string unit;  ///< Empty: none stated.
+  std::string unit;     ///< Empty: none stated.
+  std::size_t place{};  ///< Of the column in a text file, from 1; 0: not of one.
 };
 
 struct LogTable;

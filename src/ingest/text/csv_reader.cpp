@@ -144,6 +144,7 @@ RowLayout lay_out(const Header& header, const std::vector<log::WantedColumn>& co
     layout.readings.push_back(wanted.reading);
     log::LogColumn column;
     column.header = read_header_field(layout.header[index].text);
+    column.header.place = index + 1;
     if (column.header.unit.empty() && !header.units.empty()) {
       column.header.unit = header.units[index];
     }

@@ -229,8 +229,10 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const bool is_current = proposal.kind == joint::EffortKind::motor_current;
   const bool is_taken_as_current = is_current && meaning.quantity != ingest::log::Quantity::current;
   if (is_taken_as_current) proposal.unit = "A";
+  // The constant is the motor's: on which side it acts, only the ratio tells.
+  const bool lacks_gear = is_current && options.torque_constant_Nm_A && !options.gear_ratio;
   const joint::Side likely = proposal.kind == joint::EffortKind::motor_torque ||
-                                     (is_current && options.gear_ratio.has_value())
+                                     (is_current && (options.gear_ratio || lacks_gear))
                                  ? joint::Side::motor
                                  : joint::Side::joint;
   const joint::Side side =
@@ -276,7 +278,11 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   }
   const bool is_stated =
       options.effort_kind || is_taken_as_current || (is_current && meaning.unit_is_stated);
-  if (!is_stated) {
+  if (lacks_gear && !options.effort_side) {
+    proposal.lines.emplace_back(
+        "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "
+        "true, or no such line, once it is stated");
+  } else if (!is_stated) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "
         "looked at");

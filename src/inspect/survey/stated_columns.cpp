@@ -38,8 +38,18 @@ std::optional<std::size_t> column_named(const std::string& name,
   std::size_t place = 0;
   if (name.size() < 2 || name.front() != '#') return std::nullopt;
   const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), place);
-  const bool is_place = error == std::errc{} && end == name.data() + name.size();
-  return is_place && place >= 1 && place <= header.size() ? std::optional(place - 1) : std::nullopt;
+  const bool is_place = error == std::errc{} && end == name.data() + name.size() && place >= 1;
+  if (!is_place) return std::nullopt;
+  // Columns of text are none of these, and count in the file.
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    if (header[k].place == place) return k;
+  }
+  const bool are_placed = !header.empty() && header.front().place > 0;
+  return !are_placed && place <= header.size() ? std::optional(place - 1) : std::nullopt;
+}
+
+bool is_effort(Quantity quantity) {
+  return quantity == Quantity::torque || quantity == Quantity::current;
 }
 
 /// As the log has it; of an effort in ampere, a current.
@@ -52,17 +62,17 @@ ColumnMeaning meaning_of(std::size_t column, const Key& key,
   }
   meaning.column = column;
   meaning.quantity = key.quantity;
-  const bool is_effort = key.quantity == Quantity::torque;
-  if (is_effort && ingest::log::find_si_factor(Quantity::current, header.unit)) {
+  // "motor_current_mA" says its unit in its name.
+  std::string unit = header.unit;
+  for (const ColumnMeaning& by_name : ingest::layout::guess_layout({header}).columns) {
+    if (unit.empty() && by_name.unit_is_stated) unit = by_name.unit;
+  }
+  if (is_effort(key.quantity) && ingest::log::find_si_factor(Quantity::current, unit)) {
     meaning.quantity = Quantity::current;
   }
-  meaning.unit_is_stated = ingest::log::find_si_factor(meaning.quantity, header.unit).has_value();
-  meaning.unit = meaning.unit_is_stated ? header.unit : key.unit;
+  meaning.unit_is_stated = ingest::log::find_si_factor(meaning.quantity, unit).has_value();
+  meaning.unit = meaning.unit_is_stated ? unit : key.unit;
   return meaning;
-}
-
-bool is_effort(Quantity quantity) {
-  return quantity == Quantity::torque || quantity == Quantity::current;
 }
 
 void put(ColumnMeaning meaning, ingest::layout::LogLayout& layout) {
@@ -108,6 +118,9 @@ std::vector<std::string> put_stated(const StatedColumns& stated,
     meanings.push_back(meaning_of(*column, key_of(word), header[*column], layout));
     if (meanings.back().quantity == Quantity::angle) joint = meanings.back().joint;
   }
+  // Of the only joint, whatever else its name holds.
+  const std::vector<std::string> joints = layout.joints();
+  if (!joint && joints.size() == 1) joint = joints.front();
   for (ColumnMeaning& meaning : meanings) {
     if (joint && meaning.quantity != Quantity::time) meaning.joint = *joint;
     put(std::move(meaning), layout);

@@ -184,6 +184,12 @@ class SlowLines {
       if (periods < fewest_periods || periods > most_periods || lines_.size() == most_lines) {
         continue;
       }
+      // Two that differ by less than a period over the sweep would be fitted against each other.
+      const auto is_near = [&](const RippleLine* other) {
+        return std::abs(other->periods_per_turn - line.periods_per_turn) * range <
+               2 * std::numbers::pi;
+      };
+      if (std::any_of(lines_.begin(), lines_.end(), is_near)) continue;
       lines_.push_back(&line);
     }
     if (lines_.empty()) return;

@@ -2,6 +2,8 @@
 
 #include "ingest/layout/log_layout.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "ingest/text/csv_dialect.h"
@@ -23,6 +25,37 @@ TEST(NamePattern, FindsTheJoint) {
   EXPECT_FALSE(ingest::layout::joint_in_name("actual_q_", "actual_q_{}"));
   EXPECT_FALSE(ingest::layout::joint_in_name("actual_qd_0", "actual_q_{}"));
   EXPECT_FALSE(ingest::layout::joint_in_name("", "{}"));
+}
+
+TEST(LogLayout, ASetPointIsNoMeasurementInOtherLanguagesEither) {
+  using enum ingest::log::Quantity;
+  for (const auto& [target, actual] :
+       {std::pair{"Sollstrom_A", "Iststrom_A"}, std::pair{"Soll Strom [A]", "Ist Strom [A]"},
+        std::pair{"prad_zadany_A", "prad_rzeczywisty_A"},
+        std::pair{"demand current [A]", "actual current [A]"},
+        std::pair{"nominal_current_A", "current_A"}, std::pair{"req_current_A", "current_A"},
+        std::pair{"sim_current_A", "meas_current_A"}}) {
+    const ingest::layout::LogLayout l = layout_of({"t_s", "q_deg", target, actual});
+    ASSERT_NE(l.find(current, ""), nullptr) << target;
+    EXPECT_EQ(l.find(current, "")->column, 3U) << target;
+  }
+}
+
+TEST(LogLayout, WhatIsCurrentNowIsNoElectricCurrent) {
+  using enum ingest::log::Quantity;
+  const ingest::layout::LogLayout l =
+      layout_of({"t_s", "current_position_deg", "cur_vel", "motor_current"});
+  ASSERT_NE(l.find(angle, ""), nullptr);
+  EXPECT_EQ(l.find(angle, "")->column, 1U);
+  ASSERT_NE(l.find(angular_speed, ""), nullptr);
+  ASSERT_NE(l.find(current, ""), nullptr);
+  EXPECT_EQ(l.find(current, "")->column, 3U);
+}
+
+TEST(LogLayout, SharesAndCountsAreInNoUnit) {
+  const ingest::layout::LogLayout l = layout_of({"t_s", "q_deg", "torque_percent", "pos_inc"});
+  EXPECT_EQ(l.columns.size(), 2U);
+  EXPECT_EQ(l.foreign.size(), 2U);
 }
 
 TEST(LogLayout, KnowsUrsRealTimeLog) {
