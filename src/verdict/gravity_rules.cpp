@@ -315,9 +315,9 @@ std::optional<Measured> scale_of_loops(const Calibration& c) {
   if (loops == nullptr || sweep == nullptr) return std::nullopt;
   const double apart = loops->gravity_Nm.value - sweep->gravity_Nm.value;
   const double within = std::hypot(loops->gravity_Nm.half_width(), sweep->gravity_Nm.half_width());
-  const double percent = 100 * apart / sweep->gravity_Nm.value;
-  return Measured{100 * std::max(0.0, std::abs(apart) - within) / sweep->gravity_Nm.value,
-                  {"cause.scale_of_loops", {{"percent", percent}}}};
+  const double percent_per_Nm = 100 / sweep->gravity_Nm.value;
+  return Measured{percent_per_Nm * std::max(0.0, std::abs(apart) - within),
+                  {"cause.scale_of_loops", {{"percent", percent_per_Nm * apart}}}};
 }
 
 /// A course of the torque over the joint's angle, slower than the motor turns, that no term

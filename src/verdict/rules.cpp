@@ -98,7 +98,6 @@ std::optional<Measured> torque_lag(const Calibration& c) {
        {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
 }
 
-/// The shortest oscillation of a gear that starts and stops show to be elastic.
 /// A lag that is another late in the recordings than early: the channels' clocks differ.
 std::optional<Measured> lag_in_time(const Calibration& c) {
   const std::optional<statistics::Estimate>& change = c.torque_lag.change_s;
@@ -110,6 +109,7 @@ std::optional<Measured> lag_in_time(const Calibration& c) {
        {{"change_ms", ms * change->value}, {"half_width_ms", ms * change->half_width()}}}};
 }
 
+/// The shortest oscillation of a gear that starts and stops show to be elastic.
 std::optional<Measured> elastic_gear_of_starts(const Calibration& c) {
   if (!c.torque_lag.lag_s) return std::nullopt;
   if (c.torque_lag.shape != LagShape::elastic_gear) return Measured{0, {}};

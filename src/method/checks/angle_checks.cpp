@@ -6,7 +6,6 @@
 
 #include "joint/degrees.h"
 #include "method/checks/check_list.h"
-#include "statistics/order_statistics.h"
 
 namespace tribolog::method::checks {
 
