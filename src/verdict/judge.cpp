@@ -221,10 +221,12 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
                          {"record.eight_positions"});
     }
   }
-  const Sources sources{c.manifest.drive.kind() == joint::EffortKind::target_torque,
-                        !c.viscous.runs.empty() && !c.viscous.from_sweep,
-                        c.selection.recommended == Estimator::sweep,
-                        c.break_away.mean_Nm.has_value()};
+  const bool loops_show_level =
+      c.lugre && c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
+  const Sources sources{
+      c.manifest.drive.kind() == joint::EffortKind::target_torque,
+      !c.viscous.runs.empty() && !c.viscous.from_sweep, c.selection.recommended == Estimator::sweep,
+      c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
   apply_data_checks(c.data_checks, sources, all);
   doubt_masses_off_the_peak(c, all);
   apply_truth_check(c.truth_check, c.selection.recommended, all);

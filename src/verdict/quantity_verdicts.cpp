@@ -133,20 +133,13 @@ std::optional<statistics::Estimate> level_of_loops(const calibration::Calibratio
   return statistics::symmetric_estimate(contest.find(*contest.winner)->static_Nm, 0, {});
 }
 
-/// Of ramps in one direction, where gravity is taken off or there is none.
-std::optional<statistics::Estimate> of_one_direction(
-    const method::hysteresis::BreakAwayResult& ramps) {
-  if (ramps.mean_Nm || !ramps.gravity) return std::nullopt;
-  return ramps.rising_Nm ? ramps.rising_Nm : ramps.falling_Nm;
-}
-
 /// From ramps if any broke away, else from the loop's level.
 calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                                         const std::optional<statistics::Estimate>& loop_level_Nm,
                                         const Statement& why) {
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
-  const auto one_direction = loop_level_Nm ? std::nullopt : of_one_direction(ramps);
+  const auto one_direction = loop_level_Nm ? std::nullopt : ramps.of_one_direction_Nm();
   const auto estimate = from_ramps      ? with_loops(ramps.mean_Nm, level_of_loops(c))
                         : one_direction ? one_direction
                                         : loop_level_Nm;

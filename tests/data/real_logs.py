@@ -41,6 +41,11 @@ sets = {
         "coulomb_torque": (0.103, 0.103, "by hand, all moving samples"),
         "viscous_coefficient": (0.0032, 0.0032, "by hand, all moving samples"),
         "inertia": (0.0004, 0.0004, "by hand, all moving samples")}),
+    "lugre_servo": ("LuGre servo, torque ramps, no gravity", {
+        "inertia": (1.995e-4, 1.995e-4, "by hand"),
+        "break_away_torque": (0.0255, 0.031, "ramps by hand, at 0.1 to 2 rad/s"),
+        "coulomb_torque": (0.0272, 0.0342, "by hand, by direction"),
+        "viscous_coefficient": (2.47e-4, 2.47e-4, "by hand")}),
     "moteus_dynamometer": ("moteus, gearless motor, one direction", {
         "coulomb_torque": (0.024, 0.049, "by hand, quadratic to straight")}),
     "openarm_joint4": ("OpenArm, joint 4, rests and slips at 12 Hz", {

@@ -137,6 +137,34 @@ TEST(RealLog, MoteusCoulombTorqueIsNotNegativeAndNotUsable) {
   EXPECT_NE(coulomb.verdict, calibration::Verdict::usable);
 }
 
+TEST(RealLog, LuGreServoShowsInertiaAndFrictionWithoutGravity) {
+  TRIBOLOG_NEEDS_REAL_LOG("lugre_servo/LuGre_J_1.txt");
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("lugre_servo.toml", dataset);
+  // By hand: 1.995e-4 kg·m², 2.47e-4 N·m·s/rad.
+  const calibration::QuantityVerdict& inertia = verdict_on(c, joint::Quantity::inertia);
+  EXPECT_EQ(inertia.verdict, calibration::Verdict::usable);
+  ASSERT_TRUE(inertia.estimate);
+  EXPECT_NEAR(inertia.estimate->value / 1.995e-4, 1, 0.02);
+  const calibration::QuantityVerdict& viscous = verdict_on(c, joint::Quantity::viscous_coefficient);
+  ASSERT_TRUE(viscous.estimate);
+  EXPECT_LT(viscous.estimate->low, 2.47e-4);
+  EXPECT_GT(viscous.estimate->high, 2.47e-4);
+  // The ramps show what the sine, five steps of the encoder wide, does not.
+  const calibration::QuantityVerdict& break_away =
+      verdict_on(c, joint::Quantity::break_away_torque);
+  EXPECT_EQ(break_away.verdict, calibration::Verdict::doubtful);
+  ASSERT_TRUE(break_away.estimate);
+  EXPECT_LT(break_away.estimate->low, 0.0255);
+  EXPECT_GT(break_away.estimate->high, 0.031);
+  EXPECT_EQ(verdict_on(c, joint::Quantity::bristle_stiffness).verdict,
+            calibration::Verdict::not_identifiable);
+  // A torque of zero before and behind the motion is a command, and none that was held.
+  const method::checks::DataCheck* held = c.data_checks.find(CheckName::torque_held);
+  ASSERT_NE(held, nullptr);
+  EXPECT_NE(held->state, method::checks::CheckState::fails);
+}
+
 TEST(RealLog, NothingIsUsableOfAJointThatSlipsNorOfOneThatAllOthersMove) {
   for (const auto& [manifest, log] :
        {std::pair{"openarm_joint4.toml", "openarm_joint4/fid_4.npz"},

@@ -99,6 +99,30 @@ TEST(AngleChecks, AnAngleHeldForSomeSamplesIsOfASlowerChannel) {
   EXPECT_EQ(found.measured, 5);
 }
 
+TEST(TorqueChecks, ATorqueIsHeldWhereTheJointMovesAndNotWhereItsEncoderFlickers) {
+  using method::checks::CheckState;
+  // The sweep's torque stands for 60 samples at a time, of a joint that moves on or stays where it
+  // is but for the encoder's last step.
+  const auto held = [](bool joint_moves) {
+    return [joint_moves](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        if (r.role != joint::Role::rough_sweep) continue;
+        for (std::size_t i = 300; i + 60 < r.size(); i += 300) {
+          for (std::size_t k = i; k < i + 60; ++k) r.torque_Nm[k] = r.torque_Nm[i - 1];
+          if (joint_moves) continue;
+          const double step_rad = 2 * pi / 131072 / d.manifest.drive.gear_ratio();
+          for (std::size_t k = i - 20; k < i + 80; ++k) {
+            r.q_rad[k] = r.q_rad[i - 21] + (k % 7 == 0 ? step_rad : 0);
+          }
+        }
+      }
+    };
+  };
+  const auto check = method::checks::check_torque_held;
+  EXPECT_EQ(checked(check, held(true)).state, CheckState::fails);
+  EXPECT_EQ(checked(check, held(false)).state, CheckState::passed);
+}
+
 TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   const auto names = [](double factor, const char* word) {
     return wording::words(method::checks::likely_cause_of_scale(factor, 1e-3, 100)).find(word) !=

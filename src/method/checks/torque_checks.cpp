@@ -70,7 +70,19 @@ namespace {
 
 constexpr std::size_t shortest_held = 25;     // samples
 constexpr std::size_t longest_by_chance = 3;  // of nine tenths of all stretches of equal values
-constexpr std::size_t fewest_angles = 3;      // met meanwhile: the joint moves
+constexpr double fewest_steps = 3;            // of the angle, passed meanwhile: the joint moves
+
+/// Does the joint move from sample @p first up to @p last? A flicker of the encoder is none.
+bool moves(const std::vector<double>& q_rad, std::size_t first, std::size_t last) {
+  double low = q_rad[first], high = low, step = 0;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double change = std::abs(q_rad[i] - q_rad[i - 1]);
+    if (change > 0 && (step == 0 || change < step)) step = change;
+    low = std::min(low, q_rad[i]);
+    high = std::max(high, q_rad[i]);
+  }
+  return step > 0 && high - low > (fewest_steps - 0.5) * step;
+}
 
 /// Samples held, of a recording whose torque changes at nearly every other one; nothing of one
 /// whose torque is too coarse, or sampled too slowly, for that to show.
@@ -85,9 +97,7 @@ std::optional<std::size_t> held_samples(const joint::Recording& r) {
     lengths.push_back(last - first);
     const bool may_be_clipped = t[first] == *low || t[first] == *high;
     if (last - first < shortest_held || may_be_clipped) continue;
-    std::size_t angles = 1;
-    for (std::size_t i = first + 1; i < last; ++i) angles += r.q_rad[i] != r.q_rad[i - 1] ? 1 : 0;
-    if (angles >= fewest_angles) held += last - first;
+    if (moves(r.q_rad, first, last)) held += last - first;
   }
   if (lengths.size() < 2) return std::nullopt;
   const auto most = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 9 / 10);

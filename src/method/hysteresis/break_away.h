@@ -106,6 +106,12 @@ struct BreakAwayResult {
   /// Mean of the two directions, in which gravity cancels where it was not subtracted.
   std::optional<statistics::Estimate> mean_Nm;
 
+  /// Of ramps that broke away in one direction alone, where gravity is taken off or there is none.
+  [[nodiscard]] std::optional<statistics::Estimate> of_one_direction_Nm() const {
+    if (mean_Nm || !gravity) return std::nullopt;
+    return rising_Nm ? rising_Nm : falling_Nm;
+  }
+
   /// A driving torque at q_rad less the gravity taken off, in the ramp's direction [N·m].
   [[nodiscard]] double torque_along(bool is_rising, double torque_Nm, double q_rad) const {
     const double rest_Nm = torque_Nm - (gravity ? gravity->torque_Nm(q_rad) : 0.0);
