@@ -10,9 +10,9 @@ const Messages& hysteresis_messages() {
       {"loop.bristle_recorded", text("recorded")},
       {"loop.bristle_fitted", text("LuGre model fitted to the loop")},
       {"loop.no_oscillation",
-       text("no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
-            "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate "
-            "mass")},
+       text("no oscillation was recorded; a sine of about ten cycles, with an amplitude of a few "
+            "times the pre-sliding range, would give hysteresis and bristle stiffness, and at the "
+            "gravity peak the surrogate mass, too")},
       {"loop.presliding_not_resolved",
        text("hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
             "{step_rad:.3g} rad leaves {steps:.1f} steps in the {travel_rad:.2g} rad of "

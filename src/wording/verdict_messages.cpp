@@ -104,10 +104,9 @@ const Messages& verdict_messages() {
             "exp(−(ω/ωs)^{exponent:.2g}): how much of it is Coulomb friction and how much is "
             "viscous depends on the assumed law, not on the data")},
       {"cause.five_describe_better",
-       text(
-           "Waiboer's law describes held-out speeds better, to {five_Nm:.3g} N·m against "
-           "{stribeck_Nm:.3g} N·m: its viscous friction is no straight line, and it has no Coulomb "
-           "torque")},
+       text("Waiboer's law describes held-out speeds better, to {five_Nm:.3g} N·m against "
+            "{rival_Nm:.3g} N·m: its viscous friction is no straight line, and it has no Coulomb "
+            "torque")},
       {"cause.too_few_speeds_for_a_dip",
        text(
            "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "
@@ -509,8 +508,9 @@ const Messages& verdict_messages() {
       {"record.sweep",
        text("slow sweep over the joint's range, across the gravity peak, in both directions")},
       {"record.oscillation",
-       text("ten cycles of a micro-oscillation about the gravity peak, at eight positions spread "
-            "over one turn of the motor, resolved into at least fifty encoder steps")},
+       text("ten cycles of a micro-oscillation, about the gravity peak if there is one, at eight "
+            "positions spread over one turn of the motor, resolved into at least fifty encoder "
+            "steps")},
       {"record.runs",
        text("ten to twenty constant speeds, from the slowest smooth one to the fastest allowed, in "
             "both directions over the same angles")},

@@ -166,6 +166,13 @@ const Messages& viscous_messages() {
        text("no asymmetry between the directions shows: half the difference between forward and "
             "backward is {half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of "
             "the gravity torque within its interval could account for {gravity_error_Nm:.2g} N·m")},
+      {"direction_asymmetry.found_without_gravity",
+       text("friction is not the same in both directions, or the torque signal has an offset: half "
+            "the difference between forward and backward is {half_difference_Nm:.3g} ± "
+            "{half_width_Nm:.2g} N·m")},
+      {"direction_asymmetry.does_not_show_without_gravity",
+       text("no asymmetry between the directions shows: half the difference between forward and "
+            "backward is {half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m")},
 
       // Does friction depend on the load?
       {"load_dependence.no_sweep_in_both_directions",

@@ -150,6 +150,13 @@ TEST(RealLog, LuGreServoShowsInertiaAndFrictionWithoutGravity) {
   ASSERT_TRUE(viscous.estimate);
   EXPECT_LT(viscous.estimate->low, 2.47e-4);
   EXPECT_GT(viscous.estimate->high, 2.47e-4);
+  // By hand 27.2 and 34.2 mN·m by direction. A straight line describes the speeds about as well as
+  // Waiboer's law, which has no Coulomb torque.
+  const calibration::QuantityVerdict& coulomb = verdict_on(c, joint::Quantity::coulomb_torque);
+  EXPECT_EQ(coulomb.verdict, calibration::Verdict::doubtful);
+  ASSERT_TRUE(coulomb.estimate);
+  EXPECT_GT(coulomb.estimate->value, 0.0272);
+  EXPECT_LT(coulomb.estimate->value, 0.0342);
   // The ramps show what the sine, five steps of the encoder wide, does not.
   const calibration::QuantityVerdict& break_away =
       verdict_on(c, joint::Quantity::break_away_torque);

@@ -204,6 +204,12 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
       {{"half_difference_Nm", out.mean_Nm.value},
        {"half_width_Nm", out.mean_Nm.half_width()},
        {"gravity_error_Nm", out.gravity_could_explain_Nm}}};
+  if (mass->gravity_Nm.value == 0 && out.gravity_could_explain_Nm == 0) {
+    out.sentence = {
+        out.found ? Code{"direction_asymmetry.found_without_gravity"}
+                  : Code{"direction_asymmetry.does_not_show_without_gravity"},
+        {{"half_difference_Nm", out.mean_Nm.value}, {"half_width_Nm", out.mean_Nm.half_width()}}};
+  }
   return out;
 }
 

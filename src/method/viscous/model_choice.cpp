@@ -337,13 +337,17 @@ void follow_waiboer(const CurveModelChoice& choice, const std::vector<CurveSampl
   constexpr double clearly_better = 0.5;  // of the error at held-out speeds
   if (!choice.carries_five || !law.fitted || is_clearly_better(law, choice.chosen, samples)) return;
   const CurveModelTrial& five = *choice.find(CurveLaw::waiboer);
-  const CurveModelTrial& stribeck = *choice.find(CurveLaw::stribeck);
-  const bool is_alone = !stribeck.excluded_because.empty() ||
-                        five.held_out_rms_Nm < clearly_better * stribeck.held_out_rms_Nm;
+  const CurveModelTrial* rival = nullptr;
+  for (const CurveModelTrial& t : choice.ladder) {
+    if (t.model.law == CurveLaw::waiboer || !t.excluded_because.empty()) continue;
+    if (rival == nullptr || t.held_out_rms_Nm < rival->held_out_rms_Nm) rival = &t;
+  }
+  const bool is_alone =
+      rival == nullptr || five.held_out_rms_Nm < clearly_better * rival->held_out_rms_Nm;
   if (!is_alone) {
     // Speeds chose it, if not clearly: what the two split differently is not known.
     law.doubt({"cause.five_describe_better",
-               {{"five_Nm", five.held_out_rms_Nm}, {"stribeck_Nm", stribeck.held_out_rms_Nm}}});
+               {{"five_Nm", five.held_out_rms_Nm}, {"rival_Nm", rival->held_out_rms_Nm}}});
     return;
   }
   law.coulomb_Nm = {{}, {"curve_model.no_coulomb_torque"}};
@@ -356,9 +360,10 @@ void follow_waiboer(const CurveModelChoice& choice, const std::vector<CurveSampl
     }
     if (p.name == "stribeck_speed_rad_s") law.stribeck_speed_rad_s = {p.estimate, {}};
   }
-  // Its own exponent is told in place of the other law's.
-  std::erase_if(law.findings,
-                [](const Statement& one) { return one.is("curve_model.viscous_not_linear"); });
+  // Its own exponent and dip are told in place of the other law's.
+  std::erase_if(law.findings, [](const Statement& one) {
+    return one.is("curve_model.viscous_not_linear") || one.is("cause.stribeck_not_shown");
+  });
   law.findings.push_back(law.coulomb_Nm.why_not);
   law.findings.push_back(law.viscous_Nms_rad.why_not);
 }
