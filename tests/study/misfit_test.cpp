@@ -116,6 +116,17 @@ TEST(MisfitStudy, ATorqueOrAJumpOfTheAngleLeavesNothingWrongAndUsable) {
   }
 }
 
+// What shows as an offset of the torque may be a torque of twice the angle, which adds to gravity
+// in the sweep and in the loops.
+TEST(MisfitStudy, ATorqueThatPassesForAnOffsetIsInTheIntervalOfGravity) {
+  study::MisfitOptions options = on_the_arm("twice_the_angle");
+  options.joints = {"direct_drive"};
+  for (const study::MisfitCase& c : study::run_misfit_study(options)) {
+    EXPECT_EQ(quantity(c, joint::Quantity::gravity_torque).wrong_usable, 0U) << c.size;
+    EXPECT_EQ(quantity(c, joint::Quantity::surrogate_mass).wrong_usable, 0U) << c.size;
+  }
+}
+
 TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
   for (const char* const disturbance :
        test::some_of<const char*>({"torque_saturates", "friction_taken_off"}, 2)) {

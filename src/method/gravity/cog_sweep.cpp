@@ -273,27 +273,6 @@ class SlowLines {
   std::vector<RippleLine*> lines_;
 };
 
-/// Whether the offset found may equally be a torque of the angle that is not found: with a term of
-/// twice the angle in the fit it may vanish. Over less than half a turn the two look alike, and
-/// shift gravity in opposite senses.
-bool may_be_of_angle(const motion::Sweep& sweep, double middle,
-                     const std::vector<std::size_t>& blocks, const CogSweepResult& out) {
-  if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed ||
-      out.highest_rad - out.lowest_rad < least_range_for_second_rad) {
-    return false;
-  }
-  // One that chance gives is held as it is.
-  if (std::abs(out.torque_offset_Nm->value) <= surely_shown * out.torque_offset_Nm->half_width()) {
-    return false;
-  }
-  SweepDesign second = design_of_angle(sweep, middle, true, false);
-  const SweepGravityFit fit = fit_amplitude_and_angle(sweep, second, middle, blocks);
-  Eigen::VectorXd gradient = offset_gradient(second, sweep.samples);
-  const double offset = gradient.dot(fit.regression.coefficients);
-  gradient(0) = -1;
-  return std::abs(offset) <= surely_shown * fit.regression.half_width_along(gradient);
-}
-
 /// Finds ripple and vibration in the residual, and fits without them.
 /// @param rivals receives the fit with them, where they are the shape of something else.
 SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio, double middle,
@@ -339,6 +318,49 @@ struct Lever {
     on_angle = Eigen::Vector2d(-on_gravity(1), on_gravity(0)) / fit.gravity_Nm.value;
   }
 };
+
+/// A torque of twice the angle in place of an offset.
+struct InPlaceOfOffset {
+  double amplitude_Nm{};
+  double on_gravity_Nm{};  ///< What it adds to the gravity of a fit that takes it for the offset.
+};
+
+/// Whether the offset found may equally be a torque of the angle that is not found: with a term of
+/// twice the angle in the fit it may vanish. Over less than half a turn the two look alike, and
+/// shift gravity in opposite senses.
+std::optional<InPlaceOfOffset> torque_in_place_of_offset(const motion::Sweep& sweep,
+                                                         const SweepDesign& design, double middle,
+                                                         const SweepGravityFit& fit,
+                                                         const std::vector<std::size_t>& blocks,
+                                                         const CogSweepResult& out) {
+  if (out.of_angle || !out.torque_offset_Nm || !out.constant_speed ||
+      out.highest_rad - out.lowest_rad < least_range_for_second_rad) {
+    return std::nullopt;
+  }
+  // One that chance gives is held as it is.
+  if (std::abs(out.torque_offset_Nm->value) <= surely_shown * out.torque_offset_Nm->half_width()) {
+    return std::nullopt;
+  }
+  SweepDesign second = design_of_angle(sweep, middle, true, false);
+  const SweepGravityFit rival = fit_amplitude_and_angle(sweep, second, middle, blocks);
+  Eigen::VectorXd gradient = offset_gradient(second, sweep.samples);
+  const double offset = gradient.dot(rival.regression.coefficients);
+  gradient(0) = -1;
+  if (std::abs(offset) > surely_shown * rival.regression.half_width_along(gradient)) {
+    return std::nullopt;
+  }
+  // Even about the peak: what is odd shifts neither the offset nor gravity.
+  Eigen::VectorXd twice(static_cast<Eigen::Index>(sweep.samples.size()));
+  for (Eigen::Index i = 0; i < twice.size(); ++i) {
+    twice(i) = std::cos(2 * (sweep.q_rad(static_cast<std::size_t>(i)) - fit.q_peak_rad.value));
+  }
+  const Eigen::VectorXd effect = effect_on_coefficients(design, twice);
+  const double on_offset = offset_gradient(design, sweep.samples).dot(effect);
+  if (on_offset == 0) return std::nullopt;
+  const double amplitude = std::abs(out.torque_offset_Nm->value / on_offset);
+  const Lever lever(fit, middle);
+  return InPlaceOfOffset{amplitude, amplitude * std::abs(lever.on_gravity.dot(effect.head<2>()))};
+}
 
 statistics::Estimate widened(const statistics::Estimate& e, double by, Code why) {
   return statistics::symmetric_estimate(e.value, std::hypot(e.half_width(), by),
@@ -699,11 +721,13 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   read_strokes(samples, fit, out);
   read_offset(design, samples, fit, out);
 
-  if (!amplitude_known && may_be_of_angle(sweep, middle, blocks, out)) {
-    out.offset_may_be_of_angle = true;
-    const double offset = std::abs(out.torque_offset_Nm->value);
+  const auto in_place_of_offset =
+      amplitude_known ? std::nullopt
+                      : torque_in_place_of_offset(sweep, design, middle, fit, blocks, out);
+  if (in_place_of_offset) {
+    out.offset_of_angle_Nm = in_place_of_offset->amplitude_Nm;
     out.gravity_Nm = statistics::symmetric_estimate(
-        out.gravity_Nm.value, out.gravity_Nm.half_width() + offset,
+        out.gravity_Nm.value, out.gravity_Nm.half_width() + in_place_of_offset->on_gravity_Nm,
         {"interval.widened_by_torque_of_angle", {{"interval", out.gravity_Nm.method}}});
   }
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated

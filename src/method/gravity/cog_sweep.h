@@ -74,8 +74,9 @@ struct CogSweepResult {
   /// The same with its interval, where both directions were recorded: an offset of the torque, or
   /// half the difference of the friction in the two directions.
   std::optional<statistics::Estimate> torque_offset_Nm;
-  /// It may equally be a torque of the angle that is too small to show: intervals include both.
-  bool offset_may_be_of_angle{};
+  /// Amplitude of a torque of twice the angle that would pass for the offset, where the sweep does
+  /// not exclude one: intervals include both. 0: it is an offset.
+  double offset_of_angle_Nm{};
   /// Change of the offset from the start to the end of a recording.
   std::optional<statistics::Estimate> offset_drift_Nm;
   double residual_Nm{};  ///< Standard deviation of the fit's residuals.

@@ -30,7 +30,7 @@ struct SweepOffset {
   double friction_Nm{};  ///< Of the sweep.
   double drift_Nm{};     ///< Within the sweep; 0 where none shows.
   bool is_known{};
-  bool may_be_none{};
+  double or_of_angle_Nm{};  ///< Amplitude of a torque of twice the angle, if it may be one; else 0.
   const std::optional<gravity::TorqueOfAngle>& of_angle;
 
   explicit SweepOffset(const gravity::CogSweepResult& rough) : of_angle(rough.of_angle) {
@@ -43,7 +43,7 @@ struct SweepOffset {
     if (of_angle) half_width_Nm = std::max(half_width_Nm, rough.gravity_Nm.half_width());
     friction_Nm = rough.coulomb_Nm->value;
     if (rough.offset_drift_Nm) drift_Nm = beyond_interval(*rough.offset_drift_Nm);
-    may_be_none = rough.offset_may_be_of_angle;
+    or_of_angle_Nm = rough.offset_of_angle_Nm;
     is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
   }
 
@@ -64,9 +64,11 @@ struct SweepOffset {
     // From the sweep to the loop it may drift on as far as it did within the sweep, and as far
     // again.
     constexpr double as_far_again = 2;
+    // If there is none, it was wrongly subtracted, and what passes for it acts on the loop, too.
+    const double if_of_angle =
+        or_of_angle_Nm > 0 ? share * std::abs(value_Nm) + or_of_angle_Nm : 0.0;
     return {share * value_Nm, share,
-            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm) +
-                (may_be_none ? share * std::abs(value_Nm) : 0)};
+            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm) + if_of_angle};
   }
 };
 
