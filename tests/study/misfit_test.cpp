@@ -103,7 +103,7 @@ TEST(MisfitStudy, ATorqueOrAJumpOfTheAngleLeavesNothingWrongAndUsable) {
   for (const char* const disturbance :
        test::some_of<const char*>({"spring", "angle_jumps", "homed_anew", "twice_the_angle",
                                    "torque_grows_out_of_proportion"},
-                                  2)) {
+                                  4)) {
     for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
       // Over part of a turn less than this does not show, and moves gravity by what matters.
       constexpr double least_shown = 0.01;
