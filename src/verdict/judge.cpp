@@ -130,6 +130,7 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::clock_gaps, slopes + per_speed + Quantities{Quantity::break_away_torque},
        doubtful},
       {CheckName::angle_interpolated, per_speed + stiffness, doubtful},
+      {CheckName::torque_interpolated, per_speed, doubtful},
       {CheckName::speed_scale, slopes + per_speed + stiffness, doubtful},
       {CheckName::run_directions, {Quantity::coulomb_torque}, none},
       {CheckName::run_directions, {Quantity::viscous_curve}, doubtful},

@@ -16,6 +16,7 @@ const Messages& check_messages() {
       {"check.angle_jumps", text("Angle without jumps")},
       {"check.clock_jitter", text("Regular sampling")},
       {"check.angle_interpolated", text("Angle sampled as often as logged")},
+      {"check.torque_interpolated", text("Torque sampled as often as logged")},
       {"check.clock_gaps", text("No gaps in time")},
       {"check.speed_scale", text("Logged speed against the angle")},
       {"check.speed_noise", text("Noise of the logged speed")},
@@ -239,6 +240,18 @@ const Messages& check_messages() {
                                                "of one sample in {interval_ms:.3g} ms")},
       {"angle_interpolated.bends_acceleration",
        text("acceleration read from it is wrong, and with it inertia and what the loops show")},
+      {"measure.samples_between_torque_bends",
+       text("samples from one bend of the torque to the next")},
+      {"torque_interpolated.is_not", text("the torque was sampled as often as it is logged")},
+      {"torque_interpolated.straight_between",
+       text("the torque bends once in {samples} samples and is straight between: it comes from a "
+            "channel of one sample in {interval_ms:.3g} ms")},
+      {"torque_interpolated.held_between",
+       text("the torque changes once in {samples} samples and stands between: it comes from a "
+            "channel of one sample in {interval_ms:.3g} ms")},
+      {"torque_interpolated.is_late", text("it is late against the angle, and what changes faster "
+                                           "than it was sampled is not in it: "
+                                           "damping and inertia suffer first")},
       {"angle_interpolated.log_each_sample",
        text("log the angle at the torque's rate, or the torque at the angle's")},
       {"clock.interval_scatters",

@@ -123,6 +123,41 @@ TEST(TorqueChecks, ATorqueIsHeldWhereTheJointMovesAndNotWhereItsEncoderFlickers)
   EXPECT_EQ(checked(check, held(false)).state, CheckState::passed);
 }
 
+TEST(TorqueChecks, ATorqueSampledMoreSlowlyThanItIsLoggedIsFound) {
+  using method::checks::CheckState;
+  const auto sampled_each = [](std::size_t samples, bool held) {
+    return [samples, held](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        const std::vector<double> torque = r.torque_Nm;
+        for (std::size_t i = 0; i < r.size(); ++i) {
+          const std::size_t at = i - i % samples;
+          const std::size_t next = std::min(at + samples, r.size() - 1);
+          const double share =
+              held ? 0.0 : static_cast<double>(i % samples) / static_cast<double>(samples);
+          r.torque_Nm[i] = torque[at] + share * (torque[next] - torque[at]);
+        }
+      }
+    };
+  };
+  const auto check = method::checks::check_torque_interpolated;
+  for (const bool held : {true, false}) {
+    EXPECT_EQ(checked(check, sampled_each(1, held)).state, CheckState::passed);
+    EXPECT_EQ(checked(check, sampled_each(3, held)).state, CheckState::warns) << held;
+    const method::checks::DataCheck found = checked(check, sampled_each(10, held));
+    EXPECT_EQ(found.state, CheckState::fails) << held;
+    EXPECT_EQ(found.measured, 10) << held;
+  }
+  // The bends of a triangle are all alike: it is a command.
+  const auto triangle = [](joint::Dataset& d) {
+    for (joint::Recording& r : d.recordings) {
+      for (std::size_t i = 0; i < r.size(); ++i) {
+        r.torque_Nm[i] = std::abs(static_cast<double>(i % 40) - 20);
+      }
+    }
+  };
+  EXPECT_EQ(checked(check, triangle).state, CheckState::passed);
+}
+
 TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   const auto names = [](double factor, const char* word) {
     return wording::words(method::checks::likely_cause_of_scale(factor, 1e-3, 100)).find(word) !=

@@ -20,8 +20,10 @@ DataCheck check_motor_speed(const CheckedDataset& data);
 DataCheck check_angle_jumps(const CheckedDataset& data);
 // log_checks.cpp
 DataCheck check_clock_jitter(const CheckedDataset& data);
-DataCheck check_angle_interpolated(const CheckedDataset& data);
 DataCheck check_clock_gaps(const CheckedDataset& data);
+// slow_channels.cpp
+DataCheck check_angle_interpolated(const CheckedDataset& data);
+DataCheck check_torque_interpolated(const CheckedDataset& data);
 // speed_checks.cpp
 DataCheck check_speed_scale(const CheckedDataset& data);
 DataCheck check_speed_noise(const CheckedDataset& data);

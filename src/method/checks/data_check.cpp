@@ -32,6 +32,7 @@ std::string to_string(CheckName name) {
                             "clock_jitter",
                             "clock_gaps",
                             "angle_interpolated",
+                            "torque_interpolated",
                             "speed_scale",
                             "speed_noise",
                             "sweep_directions",

@@ -29,6 +29,7 @@ enum class CheckName {
   clock_jitter,
   clock_gaps,
   angle_interpolated,
+  torque_interpolated,
   speed_scale,
   speed_noise,
   sweep_directions,

@@ -16,6 +16,7 @@ DataChecksResult check_recordings(const joint::Dataset& dataset) {
       check_clock_jitter,
       check_clock_gaps,
       check_angle_interpolated,
+      check_torque_interpolated,
       check_speed_scale,
       check_speed_noise,
       check_sweep_directions,

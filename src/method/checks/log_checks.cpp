@@ -5,7 +5,6 @@
 #include <string>
 
 #include "method/checks/check_list.h"
-#include "statistics/order_statistics.h"
 
 namespace tribolog::method::checks {
 
@@ -68,102 +67,6 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
   if (check.state == CheckState::passed) return check;
   check.consequence = {"clock.speeds_wrong"};
   check.experiment = {"clock.log_time_of_sampling"};
-  return check;
-}
-
-namespace {
-
-constexpr std::size_t fewest_bends = 50;
-
-/// That of equidistant samples, a few of which may be missing. 1: they are not.
-std::size_t usual_distance(const std::vector<double>& apart) {
-  constexpr double regular = 0.95;
-  if (apart.size() < fewest_bends) return 1;
-  const double usual = statistics::median(apart);
-  const auto multiples = std::count_if(apart.begin(), apart.end(),
-                                       [&](double n) { return std::remainder(n, usual) == 0; });
-  const bool is_regular =
-      static_cast<double>(multiples) >= regular * static_cast<double>(apart.size());
-  return is_regular ? static_cast<std::size_t>(usual) : 1;
-}
-
-/// Number of samples between bends of the angle's course, where these are equidistant and the
-/// course is straight in between: by this factor the angle was sampled more slowly than logged. 1:
-/// it was not.
-std::size_t samples_between_bends(const joint::Recording& r) {
-  constexpr double straight = 1e-3;  // of a large change of the slope
-  constexpr double large = 0.995;    // quantile
-  std::vector<double> change(r.size());
-  const auto slope = [&](std::size_t i) {
-    return (r.q_rad[i + 1] - r.q_rad[i]) / (r.t_s[i + 1] - r.t_s[i]);
-  };
-  for (std::size_t i = 1; i + 1 < r.size(); ++i) change[i] = std::abs(slope(i) - slope(i - 1));
-  std::vector<double> sorted;
-  for (const double c : change) {
-    if (std::isfinite(c)) sorted.push_back(c);
-  }
-  if (sorted.size() < fewest_bends) return 1;
-  const auto at =
-      sorted.begin() + static_cast<std::ptrdiff_t>(large * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  const double least = straight * *at;
-  if (!(least > 0)) return 1;
-  std::vector<double> apart;
-  std::size_t before = 0;
-  for (std::size_t i = 1; i + 1 < r.size(); ++i) {
-    if (!(change[i] > least)) continue;
-    if (before > 0) apart.push_back(static_cast<double>(i - before));
-    before = i;
-  }
-  return usual_distance(apart);
-}
-
-/// The same of an angle that is held: it changes by many steps of the encoder, and stands between.
-std::size_t samples_between_steps(const CheckedRecording& r) {
-  constexpr double many = 2.5;
-  const std::vector<double>& q = r.recording->q_rad;
-  std::vector<double> apart;
-  std::size_t before = 0;
-  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-    const double step = std::abs(q[i + 1] - q[i]);
-    if (step == 0) continue;
-    if (step > many * r.angle_step_rad && before > 0) {
-      apart.push_back(static_cast<double>(i - before));
-    }
-    before = i;
-  }
-  return usual_distance(apart);
-}
-
-}  // namespace
-
-DataCheck check_angle_interpolated(const CheckedDataset& data) {
-  constexpr double most = 2;
-  DataCheck check;
-  check.name = CheckName::angle_interpolated;
-  check.measure = {"measure.samples_between_bends"};
-  check.unit = pure_number;
-  check.at_most = most;
-  double interval_s = 0;
-  bool is_held = false;
-  for (const CheckedRecording& r : data.recordings) {
-    const std::size_t bends = samples_between_bends(*r.recording);
-    const std::size_t steps = samples_between_steps(r);
-    if (!take_if_worst(check, static_cast<double>(std::max(bends, steps)), r.recording->name)) {
-      continue;
-    }
-    interval_s = r.interval_s;
-    is_held = steps > bends;
-  }
-  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
-  if (*check.measured <= most) return passed_by_all(check, {"angle_interpolated.is_not"});
-  check.state = CheckState::fails;
-  check.found = {is_held ? Code{"angle_interpolated.held_between"}
-                         : Code{"angle_interpolated.straight_between"},
-                 {{"samples", static_cast<std::size_t>(*check.measured)},
-                  {"interval_ms", 1e3 * interval_s * *check.measured}}};
-  check.consequence = {"angle_interpolated.bends_acceleration"};
-  check.experiment = {"angle_interpolated.log_each_sample"};
   return check;
 }
 
