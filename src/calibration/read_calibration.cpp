@@ -1,5 +1,6 @@
 #include "calibration/read_calibration.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
