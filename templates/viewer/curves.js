@@ -22,7 +22,8 @@ const paintCurves = (plot, pen) => {
     const middle = from + runs.w.slice(from, to).filter((w) => w < 0).length;
     trace(plot, pen, runs.w, runs.value, from, middle);
     trace(plot, pen, runs.w, runs.value, middle, to);
-    paintDots(plot, pen, runs.value.map((value, i) => (i >= from && i < to ? value : null)), style.colour, 3);
+    // Where both coincide, the second's dots lie within the first's.
+    paintDots(plot, pen, runs.value.map((value, i) => (i >= from && i < to ? value : null)), style.colour, k ? 2.5 : 4.5);
   });
 };
 const curveControls = () => {
