@@ -42,7 +42,7 @@
 <section id="curves" aria-labelledby="curves-title">
 <h2 id="curves-title">Curves <a class="self" href="#curves" aria-label="Link to this section">#</a></h2>
 {{#REVIEW}}<div id="review" class="review" role="region" aria-labelledby="review-title" hidden>
-<h3 id="review-title">Both calibrations' loops laid over each other</h3>
+<h3 id="review-title">Both calibrations laid over each other</h3>
 </div>{{/REVIEW}}
 {{>FIGURE}}
 {{#CURVES_MISSING_IF}}<p><bdi>{{CURVES_MISSING}}</bdi></p>{{/CURVES_MISSING_IF}}

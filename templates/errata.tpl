@@ -36,5 +36,5 @@
 </div>
 <h3 id="pair-means">What the paper's table does not say</h3>
 <p>The six printed masses differ by {{SINGLE_SPREAD}} kg. The means of opposite points, (A + B)/2, (C + D)/2 and (E + F)/2 of the same table, are {{PAIR_MASSES}} kg: they differ by only {{PAIR_SPREAD}} kg. In a steady loop opposite points lie on either side of the true value, so the choice among A to F depends on the start-up stroke; the pair means and the mid-line do not.</p>
-<p>Table 2 recomputed, with the masses of this dataset beside it, is in <a href="#table-paper-2">section 3.4</a>.</p>
+<p>Table 2 recomputed, with the masses of this dataset beside it, is in <a href="#table-paper-2">section 3.3</a>.</p>
 </section>

@@ -17,7 +17,7 @@
 <h1>Fleet sheet</h1>
 <p class="subtitle">Every joint's results compared with those of the others and with its own past.</p>
 {{#FACTS}}<dl class="identity">
-{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
+{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT:x-dates}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
 </header>
 <main id="content" class="page-body">
@@ -30,7 +30,7 @@
 <h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="unit"><bdi>{{ROBOT}}</bdi></span></h3>
 {{#QUANTITY}}<div class="outlying"><svg class="spark"><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>
 <p><b>{{NAME}}</b> {{VALUE}}{{#VERDICT_IF}} ({{VERDICT}}){{/VERDICT_IF}}{{#OTHERS_WORDS_IF}}<small>{{OTHERS_WORDS}}</small>{{/OTHERS_WORDS_IF}}{{#HISTORY_WORDS_IF}}<small>{{HISTORY_WORDS}}</small>{{/HISTORY_WORDS_IF}}</p></div>
-{{/QUANTITY}}<p class="from">{{MEASURED}} · <code>{{#LINK}}{{ID}}{{/LINK}}{{#NO_LINK}}tribolog archive report {{ID}} -o {{ID}}.html{{/NO_LINK}}</code></p>
+{{/QUANTITY}}<p class="from">{{MEASURED}} · <code>{{#LINK}}{{ID}}{{/LINK}}{{#NO_LINK}}tribolog archive report {{ID}} -o {{ID}}.html{{/NO_LINK}}</code>{{#TREND}} <a href="{{HREF}}">Trends of this robot</a>{{/TREND}}</p>
 </article>
 {{/CARD}}</div>
 {{#MORE_IF}}<p>{{MORE}}</p>{{/MORE_IF}}
@@ -46,9 +46,9 @@
 </section>
 <section id="robots" aria-labelledby="robots-title">
 <h2 id="robots-title">Robots, furthest off first</h2>
-<p>A joint's name leads to its report where one lies beside this page or in its folder <code>reports</code>. To write one: <code>tribolog archive report ID -o ID.html</code>, with the ID given below the joint's name; to write all: <code>--reports reports</code>.</p>
-{{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi></h3>
-<table class="fleet"><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
+<p>A joint's name leads to its report where one lies beside this page or in its folder <code>reports</code>. To write one: <code>tribolog archive report ID -o ID.html</code>, with the ID given below the joint's name; to write all: <code>--reports reports</code>. A robot's trends, where <code>--trends trends</code> has written them, are behind its name.</p>
+{{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi>{{#TREND}} <a class="trend" href="{{HREF}}">Trends</a>{{/TREND}}</h3>
+<table class="fleet"><caption class="spoken">Latest results of {{ROBOT}}</caption><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
 {{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}{{#DECISION_IF}} <br>{{DECISION}}{{/DECISION_IF}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>
 {{/JOINT}}</tbody></table></section>
 {{/ROBOT_SECTION}}</section>

@@ -41,14 +41,17 @@
 {{#ENTRY}}<li class="{{STATE}}"><a href="#{{ITEM_ID}}" title="{{TITLE}}">{{NUMBER}} <span aria-hidden="true">{{TICK}}</span><span class="spoken">{{SPOKEN}}</span></a></li>
 {{/ENTRY}}</ul>
 {{/KIND}}
-<h3 id="how-to-read">How to read the checks</h3>
+<details class="fold" id="how-to-read"><summary>How to read the checks</summary>
 <p>A check of kind <b>print</b> compares what the paper prints, a number, a sign or an order, with what is computed for its joint: these alone show that the paper is reproduced, and each printed number is counted once. A check of kind <b>independent</b> compares the program with another way to the same: the equation written out, a closed form, another solver, a balance of the log. What is so by definition, or was taken from print, is told below the checks and counted with neither. “Allowed” is the largest difference that counts as agreement; it follows from the digits printed or from the cause that is stated.</p>
 <p>The paper prints no parameter of its joint. What is simulated here is a joint whose six torques agree with table 2; which numbers are printed, reconstructed or chosen is stated <a href="#scenario">at the end</a>. Whether the checks of print can fail is shown by <code>tribolog paper --wrong-joints</code>.</p>
+</details>
 </section>
 {{#PAPER_SECTION}}<section id="{{SECTION_ID}}" class="stage" aria-labelledby="{{SECTION_ID}}-title">
 <h2 id="{{SECTION_ID}}-title"><span class="number">{{NUMBER}}</span> {{TITLE}} <a class="self" href="#{{SECTION_ID}}" aria-label="Link to this section">#</a></h2>
 {{>ITEM}}
+{{#SELECTION}}<details class="folded"><summary>Curves, masses, errors and choice on this joint</summary>
 {{>TABLE}}
+</details>{{/SELECTION}}
 </section>
 {{/PAPER_SECTION}}
 {{#WRONG_JOINTS}}<section id="wrong-joints" class="stage" aria-labelledby="wrong-joints-title">
@@ -57,7 +60,10 @@
 {{>TABLE}}
 </section>
 {{/WRONG_JOINTS}}
+<details class="folded"><summary>Errata of the paper</summary>
 {{>ERRATA}}
+</details>
+<details class="folded"><summary>The joint that is simulated</summary>
 <section id="scenario" class="stage" aria-labelledby="scenario-title">
 <h2 id="scenario-title">The joint that is simulated <a class="self" href="#scenario" aria-label="Link to this section">#</a></h2>
 <p>The two files that this page is computed from, as built into the program and found in <code>examples/paper</code>.</p>
@@ -66,7 +72,11 @@
 </details>
 {{/SOURCE_FILE}}
 </section>
+</details>
+<details class="folded"><summary>Provenance</summary>
 {{>PROVENANCE}}
+</details>
+<p class="on-paper">Checks that hold, further tables, the errata and the simulated joint are folded in the file, and are not printed unless they are unfolded first.</p>
 </main>
 </div>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all checks as JSON are embedded in this file, in the element <code>tribolog-paper</code></p></footer>

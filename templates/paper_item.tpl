@@ -3,12 +3,10 @@
 {{#HEADING_IF}}<h3>{{HEADING}} <a class="self" href="#{{ITEM_ID}}" aria-label="Link to this item">#</a></h3>{{/HEADING_IF}}
 {{>EQUATION}}
 {{>FIGURE}}
+{{>TABLE}}
 {{#REMARK_IF}}<p class="remark partial">{{REMARK:x-symbols}}</p>{{/REMARK_IF}}
 {{#FOLD}}<details class="fold"><summary>{{WHAT}}</summary>
-{{>CHECKS}}
+{{>DETAILS}}
 </details>{{/FOLD}}
-{{>CHECKS}}
-{{#TOLD}}<ul class="told" aria-label="Told, not checked">
-{{#ENTRY}}<li>{{TEXT:x-symbols}}</li>
-{{/ENTRY}}</ul>
-{{/TOLD}}</div>
+{{>DETAILS}}
+</div>

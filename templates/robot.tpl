@@ -17,7 +17,7 @@
 <h1><bdi>{{TITLE}}</bdi></h1>
 <p class="subtitle">Each joint's verdict, key numbers and pictures; its name leads to its report.</p>
 {{#FACTS}}<dl class="identity">
-{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
+{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT:x-dates}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
 </header>
 <main id="content" class="page-body">

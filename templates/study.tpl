@@ -42,9 +42,12 @@
 <h2 id="{{SECTION_ID}}-title">{{TITLE}} <a class="self" href="#{{SECTION_ID}}" aria-label="Link to this section">#</a></h2>
 <p>{{NOTE_TEXT}}</p>
 {{>FIGURE}}
+{{#TABLES}}<details class="fold"><summary>Bias, scatter and coverage as tables</summary>
 {{>TABLE}}
+</details>{{/TABLES}}
 </section>
 {{/FACTOR}}
+<details class="folded"><summary>How it was done</summary>
 <section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How it was done <a class="self" href="#how" aria-label="Link to this section">#</a></h2>
 <p>Each run adds its own noise to the ideal recordings of the scenario, and ripple with its own phases; the recordings go through the whole identification, and every number is compared with the scenario. Run by run the random numbers are the same at all levels, so that levels differ by their factor and not by chance. The number of threads makes no difference.</p>
@@ -56,6 +59,8 @@
 <p>The same scenario, seed and program give the same numbers again. Made {{CREATED}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
+</details>
+<p class="on-paper">Tables of each factor, and how the study was done, are folded in the file, and are not printed unless they are unfolded first.</p>
 </main>
 </div>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-study</code></p></footer>

@@ -30,10 +30,10 @@
 {{>VERDICT}}
 {{#JOINT}}<section id="{{JOINT_ID}}" aria-labelledby="{{JOINT_ID}}-title">
 <h2 id="{{JOINT_ID}}-title"><bdi>{{JOINT_TITLE}}</bdi> <a class="self" href="#{{JOINT_ID}}" aria-label="Link to this section">#</a></h2>
-<p><bdi>{{JOINT_WORDS}}</bdi></p>
+<p><bdi>{{JOINT_WORDS:x-dates}}</bdi></p>
 {{>TREND}}
 {{#NOTES}}<ul>
-{{#NOTE}}<li><bdi>{{TEXT}}</bdi></li>
+{{#NOTE}}<li><bdi>{{TEXT:x-dates}}</bdi></li>
 {{/NOTE}}</ul>{{/NOTES}}
 {{>FIGURE}}
 <details><summary>How a change is distinguished from scatter</summary>

@@ -56,10 +56,11 @@ inline void draw_backing(figure::DrawList& list, const figure::PixelBox& box, in
 }
 
 constexpr int directions = 16;
-constexpr std::array<double, 6> distances{10, 22, 40, 64, 96, 140};  // point to box, in units
+constexpr std::array<double, 7> distances{10, 22, 40, 64, 96, 140, 190};  // point to box, in units
 constexpr double leader_from = 18;  // a box farther away than this is tied to its point
 constexpr double far_cost = 0.012;  // per unit of distance
 constexpr double data_cost = 6.0;   // for a box wholly on data
+constexpr double touch_cost = 2.0;  // for one that hides the least of a curve
 constexpr double clash_cost = 100.0;
 constexpr int rounds = 4;
 
@@ -117,7 +118,8 @@ class Placer {
   [[nodiscard]] double cost(std::size_t i, const figure::PixelBox& box) const {
     const Label& label = labels_[i];
     const double away = distance_to(box, label.point) / unit_;
-    double sum = far_cost * away + data_cost * taken_.share_taken(box.grown(2 * unit_));
+    const double share = taken_.share_taken(box.grown(2 * unit_));
+    double sum = far_cost * away + data_cost * share + (share > 0 ? touch_cost : 0);
     if (away < 5) sum += clash_cost / 2;  // on its own point
     if (marks_.touched_by(box.grown(unit_))) sum += clash_cost / 2;
     for (std::size_t j = 0; j < labels_.size(); ++j) {
@@ -199,7 +201,8 @@ void draw_point_labels(figure::DrawList& list, const PanelFrame& frame, const fi
 
 namespace {
 
-constexpr int places_along = 12;
+constexpr int places_along = 100;
+constexpr double curve_cost = 2.0;  // more than the way along the whole line
 constexpr double mark_cost = 40.0;
 constexpr double text_cost = 50.0;
 
@@ -243,7 +246,8 @@ void draw_reference_texts(figure::DrawList& list, const PanelFrame& frame,
       top = std::clamp(top, room.top, std::max(room.top, room.bottom - line.height()));
       Candidate one{start_for(line, left, top), {}, handicap};
       one.box = text::box_of_line(line, one.start, true);
-      one.cost += 10.0 * taken.share_taken(one.box.grown(3));
+      const double share = taken.share_taken(one.box.grown(3));
+      one.cost += 10.0 * share + (share > 0 ? curve_cost : 0);
       for (const figure::PixelBox& other : placed)
         one.cost += figure::overlap_area(one.box, other) > 0 ? text_cost : 0;
       if (marks.touched_by(one.box.grown(3 * style.unit))) one.cost += mark_cost;

@@ -1,5 +1,6 @@
 #include "calibration/read_calibration.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -242,12 +243,18 @@ RecordedFriction friction_of(const ReadJson& top) {
   RecordedFriction made;
   made.estimator = chosen.get<std::string>();
   made.from_sweep = member(viscous, "from_sweep") != false;
+  const ReadJson& band = member(member(member(top, "intervals"), "curve_bands"), made.estimator);
+  const std::vector<double> low = numbers_of(member(band, "low_Nm"));
+  const std::vector<double> high = numbers_of(member(band, "high_Nm"));
+  const bool has_band = low.size() == friction.size() && high.size() == friction.size();
   for (std::size_t k = 0; k < friction.size(); ++k) {
     const double speed = number_or_nan(member(runs[k], "speed_rad_s"));
     if (!std::isfinite(speed) || !std::isfinite(friction[k])) continue;
     made.speed_rad_s.push_back(speed);
     made.friction_Nm.push_back(friction[k]);
     made.half_width_Nm.push_back(number_or_nan(member(runs[k], "torque_half_width_Nm")));
+    made.half_band_Nm.push_back(has_band ? std::max(high[k] - friction[k], friction[k] - low[k])
+                                         : std::numeric_limits<double>::quiet_NaN());
   }
   return made;
 }

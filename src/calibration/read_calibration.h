@@ -22,6 +22,9 @@ struct RecordedFriction {
   std::vector<double> speed_rad_s;  ///< With the sign of the direction, like the friction.
   std::vector<double> friction_Nm;
   std::vector<double> half_width_Nm;  ///< Of the torque, 95 %; NaN: not recorded.
+  /// Of the friction, 95 %, with the error of the gravity that was subtracted, which all points
+  /// have in common; NaN: no resamples are recorded.
+  std::vector<double> half_band_Nm{};
 };
 
 /// One oscillation's steady loop.

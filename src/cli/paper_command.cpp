@@ -199,6 +199,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
     figures::take_english_data(english, paper.figures);
   }
 
+  paper::page::fit_to_page(paper.figures);
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, paper.figures, console);
   paper.provenance.drawing = api::software_that_drew(drawn);
   const std::vector<paper::page::PaperTally> tallies = paper::page::tally_of(paper, drawn);

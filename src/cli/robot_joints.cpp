@@ -71,13 +71,18 @@ std::vector<std::string> joints_to_do(const DatasetChoice& choice) {
   return Dataset::joints_in(choice.manifest);
 }
 
-std::vector<std::string> file_names_of(const std::vector<std::string>& joints) {
+std::string as_file_name(const std::string& name) {
   constexpr std::size_t longest = 60;
+  std::string plain;
+  for (const char c : name.substr(0, longest)) plain += is_plain(c) ? c : '_';
+  return plain;
+}
+
+std::vector<std::string> file_names_of(const std::vector<std::string>& joints) {
   std::set<std::string> taken{"index"};
   std::vector<std::string> names;
   for (const std::string& joint : joints) {
-    std::string name;
-    for (const char c : joint.substr(0, longest)) name += is_plain(c) ? c : '_';
+    const std::string name = as_file_name(joint);
     std::string free = name;
     for (int k = 2; !taken.insert(free).second; ++k) free = fmt::format("{}_{}", name, k);
     names.push_back(free);

@@ -31,6 +31,9 @@ struct IdentifiedJoint {
 /// one that was asked for by name.
 std::vector<std::string> joints_to_do(const DatasetChoice& choice);
 
+/// What a file system might not take is an underscore, and what is too long is cut off.
+std::string as_file_name(const std::string& name);
+
 /// Names of files for the joints: what a file system might not take is an underscore.
 std::vector<std::string> file_names_of(const std::vector<std::string>& joints);
 

@@ -31,7 +31,7 @@ struct Look {
 std::vector<Look> looks_of(const history::Comparison& c) {
   std::vector<std::string> dates;
   for (const calibration::Entry* e : {&c.first, &c.second}) {
-    dates.push_back(date_of(e->facts.measured_at));
+    dates.push_back(wording::date_of(e->facts.measured_at));
   }
   if (dates[0] == dates[1]) {
     dates = {tr("first of {date}", {{"date", dates[0]}}),

@@ -29,8 +29,4 @@ wording::AxisScale quantity_axis(const std::string& unit, double largest) {
   return {1.0, unit};
 }
 
-std::string date_of(const std::string& utc) {
-  return utc.substr(0, std::string("2026-01-31").size());
-}
-
 }  // namespace tribolog::figures

@@ -13,7 +13,4 @@ double day_of(const std::string& utc);
 /// Angles in degrees, torques and what is made of them with a prefix, all else as it is.
 wording::AxisScale quantity_axis(const std::string& unit, double largest);
 
-/// The day alone.
-std::string date_of(const std::string& utc);
-
 }  // namespace tribolog::figures

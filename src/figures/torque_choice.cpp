@@ -170,7 +170,9 @@ void add_loop(render::figure::Panel& panel, const calibration::Calibration& cali
 }
 
 /// A dimension line with an arrow head at each end.
-void add_dimension(render::figure::Panel& panel, double from, double to, double level,
+/// @param width of the loop: of an arrow that is short against it the text stands at the end `to`,
+/// which lies inside.
+void add_dimension(render::figure::Panel& panel, double from, double to, double level, double width,
                    render::figure::Colour colour, const std::string& text) {
   const double middle = (from + to) / 2;
   for (const double end : {from, to}) {
@@ -178,7 +180,9 @@ void add_dimension(render::figure::Panel& panel, double from, double to, double 
     half.direction_arrows_at = {1.0};
     add_visible(panel, std::move(half));
   }
-  add_visible(panel, render::figure::PointLabel{middle, level, text, render::figure::palette::black,
+  constexpr double long_share = 0.4;  // about as long as the text
+  const double at = std::abs(to - from) < long_share * width ? to : middle;
+  add_visible(panel, render::figure::PointLabel{at, level, text, render::figure::palette::black,
                                                 render::figure::Marker::none});
 }
 
@@ -237,7 +241,8 @@ render::figure::Panel whole_loop(const calibration::Calibration& calibration, Lo
                                    "q_{" + name + "}", style.colour,
                                    render::figure::LineStyle::dot});
   const wording::Extent torques = wording::extent_of(view.trace->torque_Nm);
-  add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()), style.colour,
+  add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()),
+                view.angle.factor * wording::extent_of(view.trace->q_rad).span(), style.colour,
                 tr("eq. (14): {angle} = {shift}",
                    {{"angle", "q_{" + name + "} − q_{peak}"},
                     {"shift", wording::significant(x - peak, 3) + " " + view.angle.unit}}));
@@ -276,8 +281,7 @@ render::figure::Panel around_midline(const calibration::Calibration& calibration
   add_loop(panel, calibration, view, torque, false);
   panel.reference_lines.push_back(
       {render::figure::ReferenceLine::Direction::horizontal, torque(middle),
-       tr("mean of the mid-line {torque}",
-          {{"torque", wording::with_interval(*choice.midline, torque)}}),
+       tr("mean of the mid-line {torque}", {{"torque", wording::rounded(*choice.midline, torque)}}),
        peak_colour, render::figure::LineStyle::dash});
   add_reading(panel, choice.chosen, false, view, torque);
   add_reading(panel, choice.other, false, view, torque);

@@ -102,13 +102,15 @@ void mark_changes(const history::QuantityTrend& trend, bool with_text,
   };
   for (const history::FoundChange& change : trend.changes) {
     const std::string& visible = change.is_slow ? change.alarm : change.from;
-    add_line(visible, tr("visible from {date}", {{"date", date_of(visible)}}), colour::vermilion);
+    add_line(visible, tr("visible from {date}", {{"date", wording::date_of(visible)}}),
+             colour::vermilion);
     if (change.is_slow) continue;
     if (change.alarm != change.from) {
-      add_line(change.alarm, tr("alarm {date}", {{"date", date_of(change.alarm)}}), colour::grey);
+      add_line(change.alarm, tr("alarm {date}", {{"date", wording::date_of(change.alarm)}}),
+               colour::grey);
     }
     if (!change.back.empty()) {
-      add_line(change.back, tr("back from {date}", {{"date", date_of(change.back)}}),
+      add_line(change.back, tr("back from {date}", {{"date", wording::date_of(change.back)}}),
                colour::green);
     }
   }
@@ -309,8 +311,8 @@ using wording::AxisScale;
 
 std::string drift_words(const history::FoundChange& change, const std::string& size) {
   const std::initializer_list<StatedValue> values{{"change", size},
-                                                  {"first_date", date_of(change.from)},
-                                                  {"visible_date", date_of(change.alarm)}};
+                                                  {"first_date", wording::date_of(change.from)},
+                                                  {"visible_date", wording::date_of(change.alarm)}};
   return change.direction > 0
              ? tr("slowly risen by {change} since {first_date}, visible from {visible_date}",
                   values)
@@ -320,9 +322,9 @@ std::string drift_words(const history::FoundChange& change, const std::string& s
 
 std::string shift_words(const history::FoundChange& change, const std::string& size) {
   const std::initializer_list<StatedValue> values{{"change", size},
-                                                  {"visible_date", date_of(change.from)},
-                                                  {"alarm_date", date_of(change.alarm)},
-                                                  {"back_date", date_of(change.back)}};
+                                                  {"visible_date", wording::date_of(change.from)},
+                                                  {"alarm_date", wording::date_of(change.alarm)},
+                                                  {"back_date", wording::date_of(change.back)}};
   if (change.back.empty()) {
     return change.direction > 0
                ? tr("risen by {change}, visible from {visible_date}, alarm {alarm_date}", values)
@@ -357,7 +359,7 @@ std::string finding(const history::QuantityTrend& trend, const wording::AxisScal
   }
   if (trend.state == history::TrendState::apart) {
     std::vector<std::string> dates;
-    for (const history::FoundApart& one : trend.apart) dates.push_back(date_of(one.at));
+    for (const history::FoundApart& one : trend.apart) dates.push_back(wording::date_of(one.at));
     return tr("{quantity}: no lasting change visible; far from the others on {dates}.",
               {{"quantity", name_of(trend)}, {"dates", wording::listed(dates)}});
   }
@@ -430,8 +432,8 @@ ReportFigure figure_of(const history::QuantityTrend& trend, std::string id) {
   out.how_to_read = how_to_read(trend);
   out.alt = tr("{quantity} over time from {first_date} to {last_date}.",
                {{"quantity", name_of(trend)},
-                {"first_date", date_of(trend.points.front().measured_at)},
-                {"last_date", date_of(trend.points.back().measured_at)}}) +
+                {"first_date", wording::date_of(trend.points.front().measured_at)},
+                {"last_date", wording::date_of(trend.points.back().measured_at)}}) +
             " " + out.caption;
   return out;
 }

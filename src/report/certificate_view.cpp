@@ -12,6 +12,7 @@
 
 #include "report/view_parts.h"
 #include "wording/axis_scale.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/words.h"
@@ -144,12 +145,6 @@ std::string or_not_stated(const std::string& text) {
   return text.empty() ? tr("not stated") : text;
 }
 
-/// "2026-11-22T10:05:00Z" -> "2026-11-22"
-std::string day_of(const std::string& utc) {
-  constexpr std::size_t day = 10;
-  return utc.substr(0, std::min(utc.size(), day));
-}
-
 /// Where the torque's scale comes from.
 std::string torque_scale_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
@@ -262,7 +257,7 @@ std::vector<Fact> certificate_facts(const calibration::Calibration& c,
   facts.add(tr("Received"), stated.received_on);
   facts.add(tr("Measured"), m.measured_on);
   facts.add(tr("Place"), stated.place);
-  facts.add(tr("Issued"), day_of(provenance.created_utc));
+  facts.add(tr("Issued"), wording::date_of(provenance.created_utc));
   facts.add(tr("Operator"), m.operator_name);
   facts.add(tr("Conditions"), conditions_in_words(m));
   facts.add(tr("Traceability"), traceability_in_words(m));

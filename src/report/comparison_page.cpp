@@ -349,7 +349,7 @@ std::string comparison_page(
   const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values, PageKind::comparison);
-  if (std::string loops = compared_loops_json(comparison, first, second); !loops.empty()) {
+  if (std::string loops = compared_curves_json(comparison, first, second); !loops.empty()) {
     allow_script(values, PageKind::comparison);
     values.add_section("REVIEW");
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", std::move(loops));

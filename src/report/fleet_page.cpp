@@ -11,6 +11,7 @@
 #include "report/page_style.h"
 #include "report/sparkline.h"
 #include "report/view_parts.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/words.h"
@@ -30,7 +31,8 @@ void fill_cell(const history::FleetCell& cell, const history::Fleet& fleet,
                TemplateValues& values) {
   const history::FleetColumn& column = fleet.columns[cell.column];
   const statistics::Estimate& latest = cell.results.back().estimate;
-  values.set("NAME", or_dash(column_name(column)));
+  const std::string name = or_dash(column_name(column));
+  values.set("NAME", column.unit.empty() ? name : name + " [" + column.unit + "]");
   values.set("VALUE", wording::round_by_interval(latest, {1.0, column.unit}).estimate);
   if (cell.furthest() > fleet.limit) {
     values.set_optional("KIND", "out");
@@ -44,7 +46,7 @@ void fill_joint(const history::FleetJoint& joint, const history::Fleet& fleet,
                 const FleetLinks& links, TemplateValues& values) {
   fill_link(links, joint.latest.id, or_dash(joint.latest.facts.of.joint), values);
   values.set("ID", joint.latest.id.substr(0, calibration::shown_digits));
-  values.set("DAY", or_dash(joint.latest.facts.measured_at.substr(0, 10)));
+  values.set("DAY", or_dash(wording::date_of(joint.latest.facts.measured_at)));
   if (joint.decision) {
     values.set_optional("DECISION", wording::words_for("archived_decision",
                                                        calibration::to_string(*joint.decision)));
@@ -64,6 +66,7 @@ void fill_joint(const history::FleetJoint& joint, const history::Fleet& fleet,
 void fill_robot(const history::FleetRobot& robot, const history::Fleet& fleet,
                 const FleetLinks& links, TemplateValues& values) {
   values.set("ROBOT", robot_name(robot.robot, robot.serial));
+  fill_trend_link(links, robot, values);
   for (const history::FleetColumn& column : fleet.columns) {
     TemplateValues& head = values.add_section("HEAD");
     head.set("WORDS", or_dash(column_name(column)));
@@ -76,12 +79,11 @@ void fill_robot(const history::FleetRobot& robot, const history::Fleet& fleet,
 
 std::vector<Fact> facts_of(const history::Fleet& fleet, const std::string& archive,
                            std::size_t outliers) {
-  constexpr std::size_t day = 10;
   std::string from;
   std::string to;
   for (const history::FleetRobot& robot : fleet.robots) {
     for (const history::FleetJoint& joint : robot.joints) {
-      const std::string at = joint.latest.facts.measured_at.substr(0, day);
+      const std::string at = wording::date_of(joint.latest.facts.measured_at);
       if (from.empty() || at < from) from = at;
       to = std::max(to, at);
     }
@@ -144,6 +146,11 @@ std::string FleetLinks::href(const std::string& id) const {
   return file == found.end() ? "" : link_to(file->second);
 }
 
+std::string FleetLinks::trend_href(const history::FleetRobot& robot) const {
+  const auto file = trends.find({robot.robot, robot.serial});
+  return file == trends.end() ? "" : link_to(file->second);
+}
+
 std::string column_name(const history::FleetColumn& column) {
   const std::string bare = calibration::without_side(column.words);
   return bare != column.words ? wording::words_for("quantity_without_side", column.name, bare)
@@ -169,6 +176,12 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
   TemplateValues& link = values.add_section(href.empty() ? "NO_LINK" : "LINK");
   if (!href.empty()) link.set("HREF", href);
   link.set("TEXT", text);
+}
+
+void fill_trend_link(const FleetLinks& links, const history::FleetRobot& robot,
+                     TemplateValues& values) {
+  const std::string href = links.trend_href(robot);
+  if (!href.empty()) values.add_section("TREND").set("HREF", href);
 }
 
 std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,

@@ -16,6 +16,10 @@ void fill_sparkline(const history::FleetCell& cell, const history::Fleet& fleet,
 void fill_link(const FleetLinks& links, const std::string& id, const std::string& text,
                TemplateValues& values);
 
+/// The section TREND with its HREF, where the robot has a page of trends.
+void fill_trend_link(const FleetLinks& links, const history::FleetRobot& robot,
+                     TemplateValues& values);
+
 /// The section OUTLIERS with its cards; nothing where there is no outlier.
 void fill_outliers(const history::Fleet& fleet, const FleetLinks& links, TemplateValues& values);
 

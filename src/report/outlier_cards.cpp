@@ -7,6 +7,7 @@
 #include "report/fleet_values.h"
 #include "report/sparkline.h"
 #include "report/view_parts.h"
+#include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/words.h"
@@ -99,8 +100,9 @@ void fill_card(const OutlyingJoint& outlying, const history::Fleet& fleet, const
   const history::FleetJoint& joint = *outlying.joint;
   fill_link(links, joint.latest.id, or_dash(joint.latest.facts.of.joint), values);
   values.set("ROBOT", robot_name(outlying.robot->robot, outlying.robot->serial));
+  fill_trend_link(links, *outlying.robot, values);
   values.set("ID", joint.latest.id.substr(0, calibration::shown_digits));
-  values.set("MEASURED", or_dash(joint.latest.facts.measured_at));
+  values.set("MEASURED", or_dash(wording::date_of(joint.latest.facts.measured_at)));
   std::vector<const history::FleetCell*> cells;
   for (const history::FleetCell& cell : joint.cells) {
     if (cell.furthest() > fleet.limit) cells.push_back(&cell);

@@ -4,6 +4,7 @@
 
 #include "report/key_pictures.h"
 #include "report/view_parts.h"
+#include "wording/number_text.h"
 #include "wording/tr.h"
 
 namespace tribolog::report {
@@ -151,8 +152,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.boundary = boundary_facts(c);
   view.certificate = certificate_facts(c, provenance);
   if (since_last) {
-    constexpr std::size_t day = 10;
-    view.last_day = since_last->first.facts.measured_at.substr(0, day);
+    view.last_day = wording::date_of(since_last->first.facts.measured_at);
     view.last_id = since_last->first.id.substr(0, calibration::shown_digits);
   }
   view.data_checks = data_check_rows(c.data_checks);

@@ -14,6 +14,9 @@
 //   runs         one entry per run of constant speed: w speed, T torque, f reference friction, band
 //                half width of the reference in %; null where there is none
 //   candidates   one per surrogate mass: f friction and e quality error of each run, T, and texts
+//   curves       of compared calibrations alone: label, style and the stretch [from, to) of runs
+//                that is its friction curve, by speed; `value` and `half` of runs are the friction
+//                and its half width, `value_texts` both as text; no candidates then
 //   laws         absent where none was tried: w speeds > 0; list: one per law with its friction f
 //   at
 //                them, mean of the directions, the error at speeds held out as text, and whether it
@@ -37,12 +40,12 @@ inline constexpr std::size_t most_loop_samples = 2000;
 /// Its texts, and what the viewer says itself (`says`), are in the language of the words.
 std::string review_json(const calibration::Calibration& calibration);
 
-/// The steady loops that the archive keeps of two calibrations, to be laid over each other, in the
-/// same form. Time is not kept: t is the phase in degrees from the loop's largest angle. `shown`
-/// says which are seen at first, `label` replaces the loop's number and name.
-/// Empty unless both have a loop.
-std::string compared_loops_json(const history::Comparison& comparison,
-                                const calibration::RecordedCurves& first,
-                                const calibration::RecordedCurves& second);
+/// The steady loops and friction curves that the archive keeps of two calibrations, to be laid over
+/// each other, in the same form. Time is not kept: t is the phase in degrees from the loop's
+/// largest angle. `shown` says which are seen at first, `label` replaces the loop's number and
+/// name. Loops, or curves, are there where both have them. Empty: neither are.
+std::string compared_curves_json(const history::Comparison& comparison,
+                                 const calibration::RecordedCurves& first,
+                                 const calibration::RecordedCurves& second);
 
 }  // namespace tribolog::report

@@ -8,6 +8,7 @@
 #include "report/element_values.h"
 #include "report/template_engine.h"
 #include "report/view_parts.h"
+#include "wording/number_text.h"
 
 namespace tribolog::report {
 namespace {
@@ -19,10 +20,11 @@ constexpr std::string_view closing = "<!-- end of sign-off -->\n";
 
 /// "2026-11-22T10:05:00Z" -> "2026-11-22 10:05 UTC"
 std::string readable(const std::string& utc) {
-  constexpr std::size_t day = 10;
-  constexpr std::size_t minute = 16;
-  if (utc.size() < minute) return or_dash(utc);
-  return utc.substr(0, day) + " " + utc.substr(day + 1, minute - day - 1) + " UTC";
+  const std::string date = wording::date_of(utc);
+  const std::size_t time = date.size() + 1;
+  constexpr std::size_t minutes = std::string_view("10:05").size();
+  if (utc.size() < time + minutes) return or_dash(utc);
+  return date + " " + utc.substr(time, minutes) + " UTC";
 }
 
 void fill(const SignOff& decision, TemplateValues& values) {

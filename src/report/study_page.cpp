@@ -260,7 +260,8 @@ std::string study_page(const StudyReport& report, const std::vector<figures::Rep
     for (std::size_t i = 0; i < figures.size(); ++i) {
       if (figures[i].stage == factor.key) fill_figure(cards[i], section);
     }
-    for (const Table& table : tables_of(study, factor)) fill_table(table, "TABLE", section);
+    TemplateValues& tables = section.add_section("TABLES");
+    for (const Table& table : tables_of(study, factor)) fill_table(table, "TABLE", tables);
   }
   values.set_checked_by_modifier("RESULT_JSON", study_json(report));
   return expand_template("study.tpl", values, language);

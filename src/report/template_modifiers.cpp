@@ -1,5 +1,6 @@
 #include "report/template_modifiers.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <ctemplate/template_emitter.h>
@@ -67,6 +68,14 @@ class OwnScript : public ctemplate::TemplateModifier {
   }
 };
 
+class Dates : public ctemplate::TemplateModifier {
+ public:
+  void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
+              ctemplate::ExpandEmitter* out, const std::string&) const override {
+    out->Emit(html_with_dates({in, length}));
+  }
+};
+
 class Symbols : public ctemplate::TemplateModifier {
  public:
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
@@ -109,6 +118,23 @@ std::size_t index_bytes(std::string_view text) {
   return has_ending ? 0 : end - 1;
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Bytes of the date that stands there, as "2026-01-31", and is no part of a longer name; 0: none.
+std::size_t date_bytes(std::string_view text, std::size_t at) {
+  constexpr std::string_view form = "0000-00-00";
+  const std::string_view date = text.substr(at, form.size());
+  const bool is_date = date.size() == form.size() &&
+                       std::equal(date.begin(), date.end(), form.begin(), [](char c, char wanted) {
+                         return wanted == '0' ? is_digit(c) : c == wanted;
+                       });
+  const auto belongs = [&](std::size_t beside) {
+    return beside < text.size() && (joins_words(text[beside]) || text[beside] == '-');
+  };
+  const bool is_part = (at > 0 && belongs(at - 1)) || belongs(at + form.size());
+  return is_date && !is_part ? form.size() : 0;
+}
+
 void append_escaped(std::string& html, char c) {
   switch (c) {
     case '&':
@@ -133,6 +159,26 @@ void append_escaped(std::string& html, char c) {
 
 }  // namespace
 
+namespace {
+
+/// A line breaks at none of its hyphens.
+void append_date(std::string& html, std::string_view date) {
+  html.append("<span class=\"date\">").append(date).append("</span>");
+}
+
+}  // namespace
+
+std::string html_with_dates(std::string_view text) {
+  std::string html;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t date = date_bytes(text, i);
+    if (date > 0) append_date(html, text.substr(i, date));
+    if (date == 0) append_escaped(html, text[i]);
+    i += std::max<std::size_t>(date, 1);
+  }
+  return html;
+}
+
 std::string html_with_symbols(std::string_view text) {
   // Behind the quotes of English and of Polish stands a name, as of a log's column.
   const auto stands_quoted = [text](std::size_t at) {
@@ -141,6 +187,11 @@ std::string html_with_symbols(std::string_view text) {
   };
   std::string html;
   for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t date = date_bytes(text, i); date > 0) {
+      append_date(html, text.substr(i, date));
+      i += date;
+      continue;
+    }
     const bool word_starts = i == 0 || (!joins_words(text[i - 1]) && !stands_quoted(i));
     const std::size_t symbol = word_starts ? symbol_bytes(text.substr(i)) : 0;
     const std::size_t index = symbol > 0 ? index_bytes(text.substr(i + symbol)) : 0;
@@ -182,12 +233,14 @@ void register_template_modifiers() {
   static const ScriptJson json;
   static const OwnStyle css;
   static const OwnScript script;
+  static const Dates dates;
   static const Symbols symbols;
   static const bool once = ctemplate::AddXssSafeModifier("x-png", &png) &&
                            ctemplate::AddXssSafeModifier("x-csv", &csv) &&
                            ctemplate::AddXssSafeModifier("x-json", &json) &&
                            ctemplate::AddXssSafeModifier("x-css", &css) &&
                            ctemplate::AddXssSafeModifier("x-script", &script) &&
+                           ctemplate::AddXssSafeModifier("x-dates", &dates) &&
                            ctemplate::AddXssSafeModifier("x-symbols", &symbols);
   static_cast<void>(once);
 }

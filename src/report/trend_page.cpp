@@ -30,14 +30,13 @@ using history::LeftOut;
 using history::QuantityTrend;
 using history::TemperatureUse;
 using history::TrendState;
+using wording::date_of;
 using wording::tr;
 using wording::tr_count;
 
 constexpr history::LeftOut all_left_out[] = {
     history::LeftOut::before_baseline, history::LeftOut::not_usable, history::LeftOut::other_gear,
     history::LeftOut::other_payload, history::LeftOut::no_temperature};
-
-std::string day(const std::string& utc) { return utc.substr(0, std::string("2026-01-31").size()); }
 
 std::string size_of(const history::FoundChange& c, const std::string& unit) {
   if (c.percent) {
@@ -56,8 +55,8 @@ std::string name_of(const history::QuantityTrend& q) {
 std::string drift_words(const history::QuantityTrend& q, const history::FoundChange& c) {
   const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
                                                   {"change", size_of(c, q.unit)},
-                                                  {"first_date", day(c.from)},
-                                                  {"visible_date", day(c.alarm)}};
+                                                  {"first_date", date_of(c.from)},
+                                                  {"visible_date", date_of(c.alarm)}};
   return c.direction > 0
              ? tr("{quantity} has slowly risen by {change} since {first_date}, visible "
                   "from {visible_date}",
@@ -71,9 +70,9 @@ std::string drift_words(const history::QuantityTrend& q, const history::FoundCha
 std::string past_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
   const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
                                                   {"change", size_of(c, q.unit)},
-                                                  {"visible_date", day(c.from)},
-                                                  {"alarm_date", day(c.alarm)},
-                                                  {"back_date", day(c.back)}};
+                                                  {"visible_date", date_of(c.from)},
+                                                  {"alarm_date", date_of(c.alarm)},
+                                                  {"back_date", date_of(c.back)}};
   return c.direction > 0
              ? tr("{quantity} had risen by {change}, visible from {visible_date} (alarm "
                   "on {alarm_date}), and came back to where it was on {back_date}",
@@ -86,8 +85,8 @@ std::string past_change_words(const history::QuantityTrend& q, const history::Fo
 std::string standing_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
   const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
                                                   {"change", size_of(c, q.unit)},
-                                                  {"visible_date", day(c.from)},
-                                                  {"alarm_date", day(c.alarm)}};
+                                                  {"visible_date", date_of(c.from)},
+                                                  {"alarm_date", date_of(c.alarm)}};
   return c.direction > 0
              ? tr("{quantity} has risen by {change}, visible from {visible_date} (alarm "
                   "on {alarm_date})",
@@ -139,7 +138,7 @@ std::string apart_words(const history::QuantityTrend& q, const history::FoundApa
       one.percent ? wording::with_unit(wording::significant(std::abs(*one.percent), 2), "%")
                   : wording::with_unit(wording::significant(std::abs(one.size) * scale.factor, 2),
                                        scale.unit);
-  const std::initializer_list<StatedValue> values{{"size", size}, {"date", day(one.at)}};
+  const std::initializer_list<StatedValue> values{{"size", size}, {"date", date_of(one.at)}};
   return one.size > 0 ? tr("{size} above its reference on {date}", values)
                       : tr("{size} below its reference on {date}", values);
 }
@@ -159,19 +158,19 @@ std::string apart_sentence(const history::QuantityTrend& q) {
 std::string state_text(const history::QuantityTrend& q) {
   if (q.state == history::TrendState::apart) {
     std::vector<std::string> dates;
-    for (const history::FoundApart& one : q.apart) dates.push_back(day(one.at));
+    for (const history::FoundApart& one : q.apart) dates.push_back(date_of(one.at));
     return tr("far from the others on {dates}", {{"dates", wording::listed(dates)}});
   }
   if (q.changes.empty()) return wording::words(history::statement_of(q.state));
   const history::FoundChange& last = q.changes.back();
   if (last.is_slow) {
-    return tr("slow drift, visible from {visible_date}", {{"visible_date", day(last.alarm)}});
+    return tr("slow drift, visible from {visible_date}", {{"visible_date", date_of(last.alarm)}});
   }
   if (q.state == history::TrendState::recovered) {
     return tr("changed from {first_date}, back where it was from {back_date}",
-              {{"first_date", day(last.from)}, {"back_date", day(last.back)}});
+              {{"first_date", date_of(last.from)}, {"back_date", date_of(last.back)}});
   }
-  return tr("changed from {first_date}", {{"first_date", day(last.from)}});
+  return tr("changed from {first_date}", {{"first_date", date_of(last.from)}});
 }
 
 /// "3 (before the baseline)"
@@ -279,8 +278,8 @@ std::string joint_words(const history::JointTrend& t) {
                   {{"robot", robot_of(t)},
                    {"joint", or_dash(t.of.joint)},
                    {"calibrations", t.calibrations},
-                   {"first_date", day(t.first_at)},
-                   {"last_date", day(t.last_at)}});
+                   {"first_date", date_of(t.first_at)},
+                   {"last_date", date_of(t.last_at)}});
 }
 
 std::vector<std::string> change_sentences(const history::JointTrend& t) {

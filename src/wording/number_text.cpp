@@ -89,6 +89,10 @@ std::string rounded(const statistics::Estimate& estimate, const AxisScale& scale
   return joined(fixed(value, decimals_for(half, 1)), scale.unit);
 }
 
+std::string date_of(const std::string& utc) {
+  return utc.substr(0, std::string_view("2026-01-31").size());
+}
+
 std::string counted(std::size_t count, const std::string& singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
 }

@@ -32,6 +32,9 @@ std::string with_interval(const statistics::Estimate& estimate, const AxisScale&
 /// The value alone, rounded to where its interval begins: "3.883 N·m".
 std::string rounded(const statistics::Estimate& estimate, const AxisScale& scale);
 
+/// The day alone: "2026-01-31" of "2026-01-31T12:00:00Z". A shorter text stays as it is.
+std::string date_of(const std::string& utc);
+
 /// "1 run", "20 runs"
 std::string counted(std::size_t count, const std::string& singular);
 

@@ -67,9 +67,8 @@ const paintRuns = (plot, pen) => {
   if (reference && !isLine) paintDots(plot, pen, reference, ink, 1.5);
 };
 const runMarks = (plot) => {
-  const candidate = chosen();
-  const ys = candidate && candidate[plot.y];
-  if (!ys || !hasRun(state.run) || !isNumber(ys[state.run])) return [];
+  const ys = curves ? runs.value : (chosen() || {})[plot.y];
+  if (!ys || !isOfShownCurve(state.run) || !hasRun(state.run) || !isNumber(ys[state.run])) return [];
   const x = plot.px(runs.w[state.run]);
   const y = plot.py(ys[state.run]);
   return isInside(plot, x, y) ? [draw("circle", { class: "now", cx: x, cy: y, r: 6 })] : [];

@@ -112,7 +112,7 @@ const showRun = () => {
     return "";
   }
   const parts = [`${quantities.w.words} ${withUnit(significant(runs.w[i], 4), "w")}`,
-                 `T ${runs.torque_texts[i]}`];
+                 curves ? `Tf ${runs.value_texts[i]}` : `T ${runs.torque_texts[i]}`];
   if (candidate && candidate.f) parts.push(`Tf (${candidate.words}) ${valueText(candidate.f[i], "f")}`);
   if (runs.f) parts.push(t("reference {0}", valueText(runs.f[i], "f")));
   if (candidate && candidate.e) parts.push(t("error {0} %", significant(candidate.e[i], 3)));
@@ -133,10 +133,12 @@ const step = (plot, by) => {
 const readAt = (plot, x, y) => {
   if (!plot.isLoop) {
     let best = -1;
-    runs.w.forEach((w, i) => {
-      if (best < 0 || Math.abs(plot.px(w) - x) < Math.abs(plot.px(runs.w[best]) - x)) best = i;
+    // Of curves over each other the height counts too.
+    const away = (i) => Math.hypot(plot.px(runs.w[i]) - x, curves ? plot.py(runs.value[i]) - y : 0);
+    runs.w.forEach((_, i) => {
+      if (isOfShownCurve(i) && (best < 0 || away(i) < away(best))) best = i;
     });
-    return setRun(best);
+    return best < 0 ? undefined : setRun(best);
   }
   for (const mark of plot.marks.querySelectorAll(".point")) {
     const dot = mark.querySelector(".dot");

@@ -48,6 +48,18 @@ const buildCandidates = () => {
   stage.append(runLine);
 };
 
+const buildCurves = () => {
+  addRange("w", [runs.w]);
+  const ends = [-1, 1].map((sign) => runs.value.map((value, i) => value + sign * (runs.half[i] || 0)));
+  addRange("f", ends, 0);
+  const plot = addPlot("w", "f", false, paintCurves);
+  plot.classList.add("wide");
+  if (loops.length) stage.append(curveControls(), plot);
+  else buildPanel(plot, curveControls());
+  stage.append(runLine);
+  showRun();
+};
+
 const hasCurves = runs && candidates.some((one) => one.f);
 const helpText = make("p", { id: "review-help" },
   t("Drag to move, Shift-drag for a box, click to read.") + " " +
@@ -60,6 +72,7 @@ const helpText = make("p", { id: "review-help" },
 root.append(stage);
 if (loops.length) buildLoops();
 if (hasCurves) buildCandidates();
+if (curves) buildCurves();
 if (loops.length) {
   root.append(make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
     playControl(), sliderText));

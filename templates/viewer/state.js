@@ -7,7 +7,7 @@
 const root = document.getElementById("review");
 const source = document.getElementById("tribolog-loops");
 const data = JSON.parse(source.textContent);
-const { loops, runs, candidates, quantities, laws } = data;
+const { loops, runs, candidates, curves, quantities, laws } = data;
 // A text in the page's language, with the parts in its places {0}, {1}.
 const says = data.says || {};
 const t = (text, ...parts) => (says[text] || text).replace(/\{(\d)\}/g, (_, k) => parts[k]);
@@ -25,6 +25,8 @@ const state = {
   run: -1,
   // The laws drawn over the chosen curve.
   laws: laws ? laws.list.map((law) => law.chosen) : [],
+  // Of compared calibrations.
+  curves: (curves || []).map(() => true),
   // The other candidates' curves.
   others: true,
   closeUp: false,

@@ -58,6 +58,15 @@ test("diff.html, light, 390 px: axe-core finds no violation", () =>
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   }));
 
+for (const name of ["regenerated.html", "fleet.html"]) {
+  test(`${name}, light, 390 px, unfolded: axe-core finds no violation`, () =>
+    withReport(name, { width: 390 }, async (page) => {
+      await page.evaluate(() => document.querySelectorAll("details").forEach((one) => { one.open = true; }));
+      assert.deepEqual(await violationsOf(page, "html"), []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    }));
+}
+
 test("a fault would be found", () =>
   withReport("noisy.html", {}, async (page) => {
     await page.evaluate(() => document.querySelector("#review .view").removeAttribute("aria-label"));

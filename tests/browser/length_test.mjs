@@ -1,7 +1,7 @@
 // The report is read in two minutes: few words in sight, few sheets, page one alone on the first.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { rmSync } from "node:fs";
+import { rmSync, statSync } from "node:fs";
 import { test } from "node:test";
 import { inSight, sheetsOf } from "./length.mjs";
 import { everyCase, reportPath, withReport } from "./open_report.mjs";
@@ -15,7 +15,7 @@ function hasPoppler() {
   }
 }
 
-for (const name of ["paper.html", "noisy.html", "polish.html"]) {
+for (const name of ["paper.html", "noisy.html", "polish.html", "regenerated.html"]) {
   test(`${name}: at most 3,000 words in sight, and 12 printed pages`,
     { skip: !hasPoppler() && "poppler-utils is not installed" },
     () => withReport(name, {}, async (page) => {
@@ -26,6 +26,11 @@ for (const name of ["paper.html", "noisy.html", "polish.html"]) {
       assert.ok(sheets <= 12, sheets);
     }));
 }
+
+test("the paper's page has all 22 figures in less than 2 MB", () => withReport("regenerated.html", {}, async (page) => {
+  assert.equal(await page.locator("figure:has(img)").count(), 22);
+  assert.ok(statSync(reportPath("regenerated.html")).size < 2e6);
+}));
 
 test("the plan goes to the robot on two sheets", { skip: !hasPoppler() && "poppler-utils is not installed" },
   () => withReport("plan.html", {}, async (page) => assert.equal(await sheetsOf(page, "plan.html"), 2)));

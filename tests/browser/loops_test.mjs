@@ -229,7 +229,7 @@ test("two calibrations' loops are laid over each other, told apart by colour and
     const ink = async (loop) => (await settled(page), inkOf(page, "T-q", loop.style.colour));
     assert.deepEqual([a.style.line, b.style.line], ["solid", "dash"]);
     assert.ok(await ink(a) > 100 && await ink(b) > 100);
-    await page.getByLabel(b.label).uncheck();
+    await page.getByLabel(b.label).first().uncheck();
     assert.equal(await ink(b), 0);
     assert.ok(await ink(a) > 100);
     await page.getByLabel("Read and scrub").selectOption({ label: b.label });
@@ -242,6 +242,31 @@ test("two calibrations' loops are laid over each other, told apart by colour and
     }
     assert.equal((await listOf(page, "review-instant")).Phase, "0.0 °");
     assert.equal(b.q[0], Math.max(...b.q));
+  }));
+
+test("two calibrations' friction curves are laid over each other; a click reads the nearer one", () =>
+  withReport("diff.html", {}, async (page) => {
+    const { runs, curves: [a, b] } = await dataOf(page);
+    const ink = async ({ style }) => (await settled(page), inkOf(page, "f-w", style.colour));
+    assert.ok(await ink(a) > 100 && await ink(b) > 100);
+    await focusPlot(page, "f-w");
+    const readAt = async (i) => {
+      const plot = await plotOf(page, "f-w");
+      const at = screenOf(plot, runs.w[i], runs.value[i]);
+      await page.mouse.click(at.x, at.y);
+      return page.locator("#review-run").textContent();
+    };
+    // Both have the same speeds: the height tells them apart.
+    for (let k = 0; k < 9; ++k) await page.keyboard.press("+");
+    await page.keyboard.press("Home");
+    const last = b.to - 1;
+    await page.getByRole("group", { name: "friction torque" }).getByLabel(a.label).uncheck();
+    assert.equal(await ink(a), 0);
+    const words = await readAt(last);
+    assert.ok(words.startsWith(b.label) && words.includes(runs.value_texts[last]), words);
+    const { now, x, y } = await plotOf(page, "f-w");
+    assertNear(now.x, runs.w[last], x, "speed");
+    assertNear(now.y, runs.value[last], y, "friction");
   }));
 
 test("the misfit is the measured torque less the fitted one, drawn once it is asked for", () =>

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The reports that the browser tests open: the paper's joint without and with noise, the noisy one in
-# Polish, both compared, the plan of an experiment, and with markup of strangers in every text of its
+# Polish, both compared, the plan of an experiment, the paper regenerated, the fleet's page, and with markup of strangers in every text of its
 # manifest and its logs.
 #   make_reports.sh TRIBOLOG DIRECTORY
 set -e
@@ -22,6 +22,8 @@ ids=$("$tribolog" archive list --archive pair.tribolog | awk 'length($1) == 10 {
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures --language pl -o polish.html
 "$tribolog" --quiet plan "$sources/../../examples/plan/joint.toml" --runs 2 -o planned
 cp planned/plan.html plan.html
+"$tribolog" --quiet paper -o regenerated.html
+"$tribolog" --quiet archive fleet --archive pair.tribolog --trends trends -o fleet.html
 
 # Recorded names of columns and files become markup too.
 python3 "$sources/plant_markup.py" scenario_noise harmless x

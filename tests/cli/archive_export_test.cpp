@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <sstream>
 #include <string>
 
@@ -170,6 +171,28 @@ TEST(ArchiveFleet, LinksToReportsThatItWrites) {
   EXPECT_EQ(page.find(archived.file("")), std::string::npos);
 }
 
+TEST(ArchiveFleet, LinksToTrendsThatItWritesOrFinds) {
+  const ArchivedDataset archived("a/b");
+  const std::string page = archived.file("fleet.html");
+  const std::string trends = archived.file("trends");
+  EXPECT_EQ(archived.run("fleet -o '" + page + "'").status, 0);
+  EXPECT_EQ(read_text(page).find("class=\"trend\""), std::string::npos);
+  const ProgramRun run = archived.run("fleet -o '" + page + "' --trends '" + trends + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::vector<std::string> files;
+  for (const auto& file : std::filesystem::directory_iterator(trends)) {
+    files.push_back(file.path().filename().string());
+  }
+  ASSERT_EQ(files.size(), 1U);
+  // A robot's name that no file can have.
+  EXPECT_EQ(files[0].rfind("a_b.", 0), 0U) << files[0];
+  EXPECT_NE(read_text(trends + "/" + files[0]).find("<title>Trend: "), std::string::npos);
+  const std::string link = "<a class=\"trend\" href=\"trends/" + files[0] + "\">";
+  EXPECT_NE(read_text(page).find(link), std::string::npos);
+  EXPECT_EQ(archived.run("fleet -o '" + page + "'").status, 0);
+  EXPECT_NE(read_text(page).find(link), std::string::npos) << "of an earlier call";
+}
+
 TEST(ArchiveFleet, IsJsonForScripts) {
   const ArchivedDataset archived;
   const ProgramRun run = archived.run("fleet --json");
@@ -178,6 +201,7 @@ TEST(ArchiveFleet, IsJsonForScripts) {
   EXPECT_EQ(json["robots"][0]["joints"][0]["id"], archived.id);
   EXPECT_EQ(archived.run("fleet").status, 2);
   EXPECT_EQ(archived.run("fleet --json --reports x").status, 2);
+  EXPECT_EQ(archived.run("fleet --json --trends x").status, 2);
   EXPECT_EQ(archived.run("fleet -o /no/such/directory/fleet.html").status, 4);
 }
 

@@ -2,7 +2,10 @@
 // so, and every text from outside leaves it well-formed and valid by PTB's schema.
 
 #include <cmath>
+#include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -226,6 +229,86 @@ TEST(DigitalCertificate, SaysWhatIsDoubtfulAndGivesNoNumberThatWasNotIdentified)
   EXPECT_EQ(none.find("si:"), std::string::npos) << none;
 }
 
+std::vector<double> list_of(const std::string& text, const std::string& element) {
+  std::istringstream numbers(leaf(text, element));
+  return {std::istream_iterator<double>(numbers), {}};
+}
+
+/// The list of one side; its first quantity is the speed, its second the torque.
+std::string curve_at(const std::string& side, const std::string& document) {
+  return between(result(document, "viscous_curve"), "<dcc:list refType=\"tribolog_" + side + "Side",
+                 "</dcc:list>");
+}
+
+/// Half widths of the runs' torques, and a band of the friction that holds gravity's error too.
+ArchivedJoint with_curve_uncertainty(bool has_band) {
+  ArchivedJoint joint = sample();
+  json file = json::parse(joint.calibration);
+  json low = json::array();
+  json high = json::array();
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double friction = file["viscous"]["curves"]["midline"][k];
+    file["viscous"]["runs"][k]["torque_half_width_Nm"] = 0.001 * static_cast<double>(k + 1);
+    low.push_back(friction - 0.02);
+    high.push_back(friction + 0.03);
+  }
+  if (has_band) file["intervals"]["curve_bands"]["midline"] = {{"low_Nm", low}, {"high_Nm", high}};
+  joint.calibration = file.dump();
+  return joint;
+}
+
+TEST(DigitalCertificate, HasTheFrictionCurveWithItsUncertainties) {
+  const std::string document = digital_certificate(with_curve_uncertainty(false));
+  const std::string motor = curve_at("motor", document);
+  const std::size_t torque = motor.find("tribolog_frictionTorque");
+  ASSERT_NE(torque, std::string::npos) << motor;
+  EXPECT_EQ(list_of(motor.substr(0, torque), "si:valueXMLList"),
+            (std::vector<double>{-100.01, -10, 10, 99.99, 200}));
+  EXPECT_EQ(leaf(motor.substr(0, torque), "si:unitXMLList"), R"(\radian\per\second)");
+  const std::string torques = motor.substr(torque);
+  EXPECT_EQ(list_of(torques, "si:valueXMLList"),
+            (std::vector<double>{-0.52, -0.34, 0.32, 0.50, 0.70}));
+  EXPECT_EQ(leaf(torques, "si:unitXMLList"), R"(\newton\metre)");
+  // The torque constant's 2 % are of each point's own torque.
+  const std::vector<double> expanded = list_of(torques, "si:uncertaintyXMLList");
+  ASSERT_EQ(expanded.size(), 5U);
+  EXPECT_NEAR(expanded[0], std::hypot(0.001, 0.02 * 0.52), 1e-12);
+  EXPECT_NEAR(expanded[4], std::hypot(0.005, 0.02 * 0.70), 1e-12);
+  EXPECT_EQ(number(torques, "si:coverageFactorXMLList"), k_normal);
+  EXPECT_NE(motor.find("gravity torque is not included"), std::string::npos);
+
+  // At the joint the gear ratio's percent counts.
+  const std::string joint = curve_at("joint", document);
+  const std::string joint_torques = joint.substr(joint.find("tribolog_frictionTorque"));
+  EXPECT_NEAR(list_of(joint, "si:valueXMLList")[4], 4, 1e-12);
+  EXPECT_NEAR(list_of(joint_torques, "si:valueXMLList")[4], 35, 1e-12);
+  EXPECT_NEAR(list_of(joint_torques, "si:uncertaintyXMLList")[4],
+              50 * std::hypot(0.005, 0.02 * 0.70, 0.01 * 0.70), 1e-10);
+}
+
+TEST(DigitalCertificate, TakesTheBandOfTheCurveWhereThereIsOne) {
+  const std::string motor = curve_at("motor", digital_certificate(with_curve_uncertainty(true)));
+  for (const double expanded : list_of(motor, "si:uncertaintyXMLList")) EXPECT_GT(expanded, 0.03);
+  EXPECT_NEAR(list_of(motor, "si:uncertaintyXMLList")[2], std::hypot(0.03, 0.02 * 0.32), 1e-12);
+  EXPECT_NE(motor.find("gravity torque is included"), std::string::npos);
+}
+
+TEST(DigitalCertificate, StatesNoUncertaintyOfACurveThatIsNotRecordedWhole) {
+  ArchivedJoint joint = with_curve_uncertainty(false);
+  json file = json::parse(joint.calibration);
+  file["viscous"]["runs"][3]["torque_half_width_Nm"] = nullptr;
+  joint.calibration = file.dump();
+  const std::string motor = curve_at("motor", digital_certificate(joint));
+  EXPECT_EQ(motor.find("Unc"), std::string::npos) << motor;
+  EXPECT_NE(motor.find("Its uncertainty is not stated."), std::string::npos);
+  test::quantity_of(joint, "viscous_curve").verdict = calibration::Verdict::not_identifiable;
+  EXPECT_EQ(curve_at("motor", digital_certificate(joint)), "");
+  file.erase("viscous");
+  joint.calibration = file.dump();
+  test::quantity_of(joint, "viscous_curve").verdict = calibration::Verdict::usable;
+  EXPECT_NE(digital_certificate(joint).find("No friction curve is recorded."), std::string::npos);
+}
+
 TEST(DigitalCertificate, SaysWhichLimitsArePassed) {
   ArchivedJoint joint = sample();
   const auto conformity = [&](const char* side) {
@@ -359,7 +442,8 @@ TEST(DigitalCertificate, IsValidByItsSchema) {
   bare.quantities.clear();
   bare.entry.facts = {};
   for (const ArchivedJoint& joint :
-       {stated, received, sample(), test::export_sample(), bare, hostile()}) {
+       {stated, received, sample(), with_curve_uncertainty(false), with_curve_uncertainty(true),
+        test::export_sample(), bare, hostile()}) {
     const std::string document = digital_certificate(joint);
     EXPECT_EQ(schema_refusal(document, schema), "") << document;
   }

@@ -89,6 +89,15 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
   EXPECT_NE(without.find(command), std::string::npos);
 }
 
+TEST(FleetPage, LinksToTheTrendsOfItsRobots) {
+  report::FleetLinks links;
+  links.trends[{"R1000", "S1000"}] = "trends/R1000.S1000.html";
+  const std::string page = page_of(one_worn({8, 2, 5}), links);
+  EXPECT_EQ(count_of(page, "href=\"trends/R1000.S1000.html\""), 2U);  // its card and its table
+  EXPECT_EQ(count_of(page, "<a class=\"trend\" href="), 1U);
+  EXPECT_EQ(count_of(page, "<caption"), 8U);
+}
+
 TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
   std::vector<calibration::Measured> all = test::measured_fleet({1, 2, 1}, 13);
   // The first joint without its inertia, and with a doubtful Coulomb torque.
@@ -101,12 +110,12 @@ TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
   EXPECT_EQ(count_of(page, "<th scope=\"col\">"), 11U);
   EXPECT_EQ(count_of(page, "<td"), 20U);
   EXPECT_EQ(count_of(page, "<td></td>"), 2U);
-  EXPECT_EQ(count_of(page, "<td class=\"doubt\" data-name=\"Coulomb torque\">"), 1U);
+  EXPECT_EQ(count_of(page, "<td class=\"doubt\" data-name=\"Coulomb torque [N·m]\">"), 1U);
   const std::string first = page.substr(page.find("<tr><th scope=\"row\">"));
   const std::string row = first.substr(0, first.find("</tr>"));
   // A quantity that one joint alone has comes behind those of the first joint.
-  EXPECT_LT(row.find("data-name=\"Bristle damping\""), row.find("data-name=\"Coulomb torque\""));
-  EXPECT_EQ(row.find("data-name=\"Inertia\""), std::string::npos);
+  EXPECT_LT(row.find("data-name=\"Bristle damping ["), row.find("data-name=\"Coulomb torque ["));
+  EXPECT_EQ(row.find("data-name=\"Inertia ["), std::string::npos);
 }
 
 TEST(FleetPage, HostileNamesAreText) {

@@ -152,7 +152,7 @@ TEST(HistoryPages, BothLoopsBeginAtTheirLargestAngle) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
   const auto json = calibration::Json::parse(
-      report::compared_loops_json(c, simple_curves(0), simple_curves(0.1)));
+      report::compared_curves_json(c, simple_curves(0), simple_curves(0.1)));
   ASSERT_EQ(json["loops"].size(), 2U);
   const auto& b = json["loops"][1];
   EXPECT_EQ(b["q"], calibration::Json::parse("[10, 0, -10, 0, 10]"));
@@ -160,7 +160,32 @@ TEST(HistoryPages, BothLoopsBeginAtTheirLargestAngle) {
   EXPECT_EQ(b["t"], calibration::Json::parse("[0, 90, 180, 270, 360]"));
   EXPECT_TRUE(json["loops"][0]["shown"] == true && b["shown"] == true);
   EXPECT_NE(json["loops"][0]["style"], b["style"]);
-  EXPECT_EQ(report::compared_loops_json(c, simple_curves(0), {}), "");
+  EXPECT_EQ(report::compared_curves_json(c, simple_curves(0), {}), "");
+}
+
+TEST(HistoryPages, BothFrictionCurvesAreStretchesOfTheRunsBySpeed) {
+  const auto all = history_with("x ");
+  const auto c = history::compare(all[0], all[20], {10, 2}, false);
+  calibration::RecordedCurves a = simple_curves(0);
+  a.loops.clear();
+  a.friction = {"midline", false, {20, -20, 10}, {0.5, -0.4, 0.3}, {0.01, 0.02, NAN}, {}};
+  calibration::RecordedCurves b = simple_curves(0);
+  b.friction = {"midline", false, {15}, {0.6}, {0.01}, {}};
+  const auto json = calibration::Json::parse(report::compared_curves_json(c, a, b));
+  EXPECT_TRUE(json["loops"].empty()) << "not both have one";
+  const auto& runs = json["runs"];
+  EXPECT_EQ(runs["w"], calibration::Json::parse("[-20, 10, 20, 15]"));
+  EXPECT_EQ(runs["value"], calibration::Json::parse("[-0.4, 0.3, 0.5, 0.6]"));
+  EXPECT_EQ(runs["half"], calibration::Json::parse("[0.02, null, 0.01, 0.01]"));
+  EXPECT_EQ(json["quantities"]["f"]["unit"], "N·m");
+  EXPECT_EQ(runs["value_texts"][0], "−0.400 ± 0.020\u00a0N·m");
+  EXPECT_EQ(runs["value_texts"][1].get<std::string>().find("±"), std::string::npos);
+  ASSERT_EQ(json["curves"].size(), 2U);
+  EXPECT_EQ(json["curves"][0]["to"], json["curves"][1]["from"]);
+  EXPECT_EQ(json["curves"][1]["to"], 4);
+  EXPECT_NE(json["curves"][0]["style"], json["curves"][1]["style"]);
+  b.friction.speed_rad_s.clear();
+  EXPECT_EQ(report::compared_curves_json(c, a, b), "");
 }
 
 TEST(HistoryPages, TablesHaveTheCellsOfTheirColumns) {

@@ -53,6 +53,17 @@ TEST(Symbols, GetTheirIndexAndNothingElseDoes) {
   EXPECT_EQ(html_with_symbols("<b>&\"'"), "&lt;b&gt;&amp;&quot;&#39;");
 }
 
+TEST(Templates, KeepDatesOnOneLine) {
+  const std::string date = "<span class=\"date\">2026-01-31</span>";
+  EXPECT_EQ(html_with_dates("2026-01-31"), date);
+  EXPECT_EQ(html_with_dates("from 2026-01-31, <q_c>"), "from " + date + ", &lt;q_c&gt;");
+  EXPECT_EQ(html_with_symbols("q_c on 2026-01-31."), "<i>q</i><sub>c</sub> on " + date + ".");
+  for (const char* plain : {"12026-01-31", "2026-01-311", "2026-01-31-b", "a_2026-01-31",
+                            "2026-01-3", "2026-01-31T12:00:00Z", "2026/01/31"}) {
+    EXPECT_EQ(html_with_dates(plain), plain);
+  }
+}
+
 TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
   std::string all;
   for (const EmbeddedFile& file : embedded_files()) {
@@ -64,7 +75,7 @@ TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
     const bool is_ours = use == "{{PNG:x-png}}" || use == "{{CSV:x-csv}}" ||
                          use == "{{RESULT_JSON:x-json}}" || use == "{{LOOPS_JSON:x-json}}" ||
                          use == "{{CSS:x-css}}" || use == "{{SCRIPT:x-script}}" ||
-                         at->str(2) == "x-symbols";
+                         at->str(2) == "x-symbols" || at->str(2) == "x-dates";
     EXPECT_TRUE(is_ours) << use;
   }
 }

@@ -17,6 +17,7 @@
 #include "calibration/read_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
+#include "exports/results/certified_curve.h"
 #include "exports/results/xml_text.h"
 #include "wording/language.h"
 #include "wording/number_text.h"
@@ -82,12 +83,12 @@ std::string verdict_words(calibration::Verdict verdict) {
 
 /// Value, uncertainty and interval of a quantity on one side, in its unit.
 struct Measurement {
-  statistics::Estimate estimate;        ///< Expanded: with all that is stated.
-  double standard_uncertainty{};        ///< Half width over `normal`, where there is no budget.
-  std::optional<double> factor;         ///< Where a budget states one.
-  bool is_normal{};                     ///< Degrees of freedom are infinite.
-  std::optional<double> freedom;        ///< Of a budget, where finite.
-  std::vector<std::string> left_out{};  ///< Influences that are not stated.
+  statistics::Estimate estimate;  ///< Expanded: with all that is stated.
+  double standard_uncertainty{};  ///< Half width over `normal`, where there is no budget.
+  std::optional<double> factor;   ///< Where a budget states one.
+  bool is_normal{};               ///< Degrees of freedom are infinite.
+  std::optional<double> freedom;  ///< Of a budget, where finite.
+  std::vector<calibration::Influence> left_out{};  ///< That are not stated.
 };
 
 Measurement measured(const calibration::Quantity& motor, int gear_power, double gear_ratio,
@@ -109,16 +110,7 @@ Measurement measured(const calibration::Quantity& motor, int gear_power, double 
   m.factor = budget.coverage_factor;
   m.is_normal = std::isinf(budget.freedom);
   if (!m.is_normal) m.freedom = budget.freedom;
-  std::vector<calibration::Influence> left_out = budget.not_stated;
-  using calibration::Influence;
-  const bool tells_of_gear =
-      std::any_of(budget.parts.begin(), budget.parts.end(),
-                  [](const auto& part) { return part.influence == Influence::gear_ratio; }) ||
-      std::find(left_out.begin(), left_out.end(), Influence::gear_ratio) != left_out.end();
-  if (gear_power != 0 && !tells_of_gear) left_out.push_back(Influence::gear_ratio);
-  for (const Influence influence : left_out) {
-    m.left_out.push_back(wording::words_for("influence", to_string(influence)));
-  }
+  m.left_out = left_out_of(budget, gear_power);
   return m;
 }
 
@@ -451,11 +443,15 @@ class Certificate {
 
   // The results.
 
+  const calibration::RecordedEvidence& evidence_of(const std::string& quantity) const {
+    static const calibration::RecordedEvidence none;
+    const auto found = evidence_.find(quantity);
+    return found == evidence_.end() ? none : found->second;
+  }
+
   void results() {
     for (const calibration::Quantity& quantity : joint_.quantities) {
-      const auto found = evidence_.find(quantity.name);
-      static const calibration::RecordedEvidence none;
-      result(quantity, found == evidence_.end() ? none : found->second);
+      result(quantity, evidence_of(quantity.name));
     }
     if (!joint_.quantities.empty()) return;
     xml_.element("dcc:result", [&] {
@@ -481,7 +477,7 @@ class Certificate {
       });
       xml_.element("dcc:data", [&] {
         if (quantity.unit.empty()) {
-          own_text("dcc:text", "Friction over speed has no one number.");
+          friction_curve(quantity);
           return;
         }
         const int power = calibration::gear_power(quantity.name).value_or(0);
@@ -492,6 +488,78 @@ class Certificate {
         if (has_two_sides) sided(quantity, evidence, Side::joint, power, false);
       });
     });
+  }
+
+  void friction_curve(const calibration::Quantity& quantity) {
+    const bool is_identified = quantity.verdict != calibration::Verdict::not_identifiable;
+    const calibration::RecordedEvidence& coulomb = evidence_of("coulomb_torque");
+    const CertifiedCurve at_motor = certified_curve(joint_, coulomb, 0);
+    if (!is_identified || at_motor.speed_rad_s.empty()) {
+      own_text("dcc:text", is_identified ? "No friction curve is recorded." : "not identifiable");
+      return;
+    }
+    curve_of_side(quantity, at_motor, joint::Side::motor);
+    if (facts_.gear_ratio == 1) return;
+    curve_of_side(quantity, certified_curve(joint_, coulomb, 1), joint::Side::joint);
+  }
+
+  void curve_of_side(const calibration::Quantity& quantity, const CertifiedCurve& curve,
+                     joint::Side side) {
+    const std::string where = joint::to_string(side);
+    const std::string verdict = calibration::to_string(quantity.verdict);
+    xml_.element("dcc:list", {{"refType", "tribolog_" + where + "Side tribolog_" + verdict}}, [&] {
+      own_text("dcc:name", "Friction torque over speed at the " + where);
+      own_text("dcc:description", description(curve));
+      xml_.element("dcc:quantity", {{"refType", "tribolog_speed"}}, [&] {
+        own_text("dcc:name", "Speed of the " + where + ", with its sign");
+        xml_.element("si:realListXMLList", [&] {
+          numbers("si:valueXMLList", curve.speed_rad_s);
+          xml_.leaf("si:unitXMLList", si_unit("rad/s"));
+        });
+      });
+      xml_.element("dcc:quantity", {{"refType", "tribolog_frictionTorque"}}, [&] {
+        own_text("dcc:name", "Friction torque at the " + where + ", with the speed's sign");
+        xml_.element("si:realListXMLList", [&] { torques(curve); });
+      });
+    });
+  }
+
+  static std::string description(const CertifiedCurve& curve) {
+    std::string words = curve.from_sweep
+                            ? "Each point is the mean of a part of a slow sweep, less gravity."
+                            : "Each point is the mean of a run at constant speed, less gravity.";
+    if (curve.expanded_Nm.empty()) return words + " Its uncertainty is not stated.";
+    words += curve.holds_gravity
+                 ? " The error of the gravity torque is included; all points have it in common."
+                 : " The error of the gravity torque is not included.";
+    return words + left_out_words(curve.left_out);
+  }
+
+  void torques(const CertifiedCurve& curve) {
+    numbers("si:valueXMLList", curve.friction_Nm);
+    xml_.leaf("si:unitXMLList", si_unit("N·m"));
+    if (curve.expanded_Nm.empty()) return;
+    constexpr double normal = std::numeric_limits<double>::infinity();
+    xml_.element("si:expandedUncXMLList", [&] {
+      numbers("si:uncertaintyXMLList", curve.expanded_Nm);
+      xml_.leaf("si:coverageFactorXMLList", shortest(calibration::coverage_factor(normal)));
+      xml_.leaf("si:coverageProbabilityXMLList", "0.95");
+      xml_.leaf("si:distributionXMLList", "normal");
+    });
+  }
+
+  void numbers(const char* element, const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : " ") + shortest(value);
+    xml_.leaf(element, text);
+  }
+
+  static std::string left_out_words(const std::vector<calibration::Influence>& influences) {
+    std::vector<std::string> names;
+    for (const calibration::Influence influence : influences) {
+      names.push_back(wording::words_for("influence", to_string(influence)));
+    }
+    return names.empty() ? "" : " Not stated and not included: " + wording::listed(names) + ".";
   }
 
   /// @param is_only_one: all limits of the quantity are of it.
@@ -542,10 +610,7 @@ class Certificate {
           " No budget is recorded: the standard uncertainty is the half width of the interval "
           "over 1.96.";
     }
-    if (!m.left_out.empty()) {
-      words += " Not stated and not included: " + wording::listed(m.left_out) + ".";
-    }
-    return words;
+    return words + left_out_words(m.left_out);
   }
 
   void real(const Measurement& m, const std::string& unit) {

@@ -260,14 +260,15 @@ class Figures {
   }
   [[nodiscard]] PaperItem item(int number, Checks checks, std::string remark = "",
                                std::vector<std::string> told = {}) const {
-    std::string in_print =
-        tr("Caption in print: “{caption}”.",
-           {{"caption", drawings::figure_captions.at(static_cast<std::size_t>(number) - 1)}});
-    for (const std::string& more : {drawn_otherwise(number), remark}) {
-      if (!more.empty()) in_print += " " + more;
-    }
-    return {ItemKind::figure,  number,         (*this)[number].title, std::move(in_print),
-            std::move(checks), std::move(told)};
+    std::string remarks = drawn_otherwise(number);
+    if (!remarks.empty() && !remark.empty()) remarks += " ";
+    return {ItemKind::figure,
+            number,
+            (*this)[number].title,
+            remarks + remark,
+            std::move(checks),
+            std::move(told),
+            drawings::figure_captions.at(static_cast<std::size_t>(number) - 1)};
   }
 
  private:

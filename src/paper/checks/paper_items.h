@@ -23,6 +23,7 @@ struct PaperItem {
   Checks checks;
   /// What is so by definition, or was taken from print: told, for no check of it could fail.
   std::vector<std::string> told;
+  std::string printed_caption{};  ///< Of a figure.
 };
 
 /// "Figure 15", "Table 2", "Equation 4", "The conclusions"

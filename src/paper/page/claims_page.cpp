@@ -124,6 +124,7 @@ std::string claims_page(const ArguedPaper& paper, const calibration::Calibration
   for (const report::FigureCard& card : report::figure_cards(paper.figures, drawn)) {
     report::fill_figure(card, values);
   }
+  report::fill_table(table_2(calibration), "TABLE", values);
   fill_selection(calibration, values);
   values.set("FILE_NAME", paper.source.name);
   values.set("FILE_TEXT", paper.source.text);

@@ -69,7 +69,7 @@ report::Table fits_of_equation_6(const calibration::Calibration& calibration);
 /// Table 2 as printed, recomputed, and the masses of the calibration beside it.
 report::Table table_2(const calibration::Calibration& calibration);
 
-/// Section 3.4 in full: curves, masses, errors, choice, at the marker TABLE.
+/// Section 3.4 beside its table 2: curves, masses, errors, choice, at the marker TABLE.
 void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section);
 
 // What the page counts, and its list to tick off.

@@ -17,6 +17,14 @@
 
 namespace tribolog::paper::page {
 
+void fit_to_page(std::vector<figures::ReportFigure>& figures) {
+  const auto fitted = [](int size_px) { return 3 * size_px / 4; };
+  for (figures::ReportFigure& figure : figures) {
+    figure.figure.width_px = fitted(figure.figure.width_px);
+    figure.figure.height_px = fitted(figure.figure.height_px);
+  }
+}
+
 // The checks of the paper for machines.
 
 namespace {
@@ -103,7 +111,8 @@ std::string heading_of(const checks::PaperItem& item) {
   return tr("Table {number}: {title}", {{"number", item.number}, {"title", item.title}});
 }
 
-void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportFigure>& figures,
+void fill_item(const checks::PaperItem& item, const calibration::Calibration& calibration,
+               const std::vector<figures::ReportFigure>& figures,
                const std::vector<report::FigureCard>& cards, report::TemplateValues& section) {
   report::TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
   out.set("ITEM_ID", item_anchor(item));
@@ -117,23 +126,31 @@ void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportF
       if (figures[i].paper_number == item.number) report::fill_figure(cards[i], out);
     }
   }
-  out.set_optional("REMARK", item.remark);
-  if (!item.told.empty()) {
-    report::TemplateValues& told = out.add_section("TOLD");
-    for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
+  if (item.kind == checks::ItemKind::table && item.number == 2) {
+    report::fill_table(table_2(calibration), "TABLE", out);
   }
-  if (item.checks.empty()) return;
+  out.set_optional("REMARK", item.remark);
   const checks::Tally tally = checks::tally_checks(item.checks);
   const std::string caption = tr(
       "{item}: {holding_checks} of {checks} checks hold",
       {{"item", checks::item_name(item)}, {"holding_checks", tally.hold}, {"checks", tally.there}});
-  // Where all hold, their number says it.
-  report::TemplateValues* place = &out;
-  if (tally.hold == tally.there) {
-    place = &out.add_section("FOLD");
-    place->set("WHAT", caption);
+  // Where all hold, their number says it. What is told without a check, or of the paper's words, is
+  // the item itself.
+  const bool is_folded = !item.checks.empty() && tally.hold == tally.there;
+  report::TemplateValues& place = is_folded ? out.add_section("FOLD") : out;
+  if (is_folded) place.set("WHAT", caption);
+  report::TemplateValues& details = place.add_include("DETAILS", "paper_details.tpl");
+  if (!item.printed_caption.empty()) {
+    details.set_optional("IN_PRINT",
+                         tr("Caption in print: “{caption}”.", {{"caption", item.printed_caption}}));
   }
-  fill_checks(item.checks, item_anchor(item), caption, "CHECKS", *place);
+  fill_checks(item.checks, item_anchor(item), caption, "CHECKS", details);
+  if (item.told.empty()) return;
+  const bool is_of_words = item.kind == checks::ItemKind::statement;
+  report::TemplateValues& told =
+      (is_folded && is_of_words ? out.add_include("DETAILS", "paper_details.tpl") : details)
+          .add_section("TOLD");
+  for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
 }
 
 }  // namespace
@@ -148,7 +165,6 @@ void fill_selection(const calibration::Calibration& calibration, report::Templat
   };
   add("curves", report::describe_viscous_curves);
   add("masses", report::describe_surrogate_masses);
-  report::fill_table(table_2(calibration), "TABLE", section);
   add("errors", report::describe_quality_errors);
   add("choice", report::describe_selection);
   report::fill_table(fits_of_equation_6(calibration), "TABLE", section);
@@ -169,12 +185,14 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
       both->set("NUMBER", section.number);
       both->set("TITLE", section.title);
     }
-    for (const checks::PaperItem& item : section.items) fill_item(item, paper.figures, cards, out);
+    for (const checks::PaperItem& item : section.items) {
+      fill_item(item, calibration, paper.figures, cards, out);
+    }
     const bool is_selection =
         std::any_of(section.items.begin(), section.items.end(), [](const checks::PaperItem& item) {
           return item.kind == checks::ItemKind::equation && item.number == 14;
         });
-    if (is_selection) fill_selection(calibration, out);
+    if (is_selection) fill_selection(calibration, out.add_section("SELECTION"));
   }
   fill_wrong_joints(paper.wrong_joints, values);
   fill_errata(paper.presliding, values);

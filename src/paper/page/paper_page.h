@@ -32,6 +32,10 @@ struct RegeneratedPaper {
   calibration::Provenance provenance;
 };
 
+/// Makes the pictures three quarters as large as a report's, in pixels alone: 22 of them stand on
+/// one page, which stays below 2 MB.
+void fit_to_page(std::vector<figures::ReportFigure>& figures);
+
 /// How many items of a kind the paper has, how many are here, and of how many all is well: every
 /// check holds, and a figure has its picture.
 struct PaperTally {

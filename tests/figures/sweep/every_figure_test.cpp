@@ -38,8 +38,9 @@ void expect_legible(const figures::ReportFigure& figure, const Reading& reading,
   const render::figure::DrawList list = render::composition::lay_out(figure.figure, font);
   for (const auto check :
        {legibility::overlapping_texts, legibility::texts_off_the_picture, legibility::texts_on_data,
-        legibility::markers_under_texts, legibility::data_under_legends,
-        legibility::data_outside_axes, legibility::faint_texts, legibility::faint_lines}) {
+        legibility::markers_under_texts, legibility::curves_under_labels,
+        legibility::data_under_legends, legibility::data_outside_axes, legibility::faint_texts,
+        legibility::faint_lines}) {
     expect_none(check(list), name);
   }
   expect_none(legibility::empty_panels(list, figure.figure), name);

@@ -103,6 +103,21 @@ TEST(Legibility, FindsSingleMarkersUnderATextButNotACloud) {
   EXPECT_EQ(markers_under_texts(list_of({bar, backing, run("A", place)})).size(), 1U);
 }
 
+TEST(Legibility, FindsCurvesThatALabelHides) {
+  const figure::Polygon backing =
+      ground(place.grown(3), figure::Role::text_backing, {255, 255, 255, 215});
+  const auto found =
+      curves_under_labels(list_of({curve({200, 315}, {600, 315}), backing, run("A", place)}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].what, "the text 'A' hides a curve (1 of panel 1)");
+  EXPECT_TRUE(
+      curves_under_labels(list_of({curve({200, 340}, {600, 340}), backing, run("A", place)}))
+          .empty());
+  figure::Polyline level = curve({200, 315}, {600, 315});
+  level.owner.role = figure::Role::reference_line;
+  EXPECT_TRUE(curves_under_labels(list_of({level, backing, run("A", place)})).empty());
+}
+
 TEST(Legibility, FindsDataUnderALegend) {
   const figure::Polygon legend = ground({200, 200, 400, 400}, figure::Role::legend_box, paper);
   EXPECT_EQ(data_under_legends(list_of({curve({100, 300}, {500, 300}), legend})).size(), 1U);

@@ -185,6 +185,24 @@ Findings markers_under_texts(const figure::DrawList& list) {
   return out;
 }
 
+Findings curves_under_labels(const figure::DrawList& list) {
+  Findings out;
+  for (const ShownText& text : texts_of(list)) {
+    const figure::Role role = text.owner.role;
+    if (role != figure::Role::label_text && role != figure::Role::reference_text) continue;
+    const figure::PixelBox letters = text.box.grown(-graze_px);
+    for (std::size_t i = 0; i < text.painted; ++i) {
+      const auto* line = std::get_if<figure::Polyline>(&list.primitives[i]);
+      if (line == nullptr || line->owner.role != figure::Role::series) continue;
+      if (line->owner.panel != text.owner.panel) continue;
+      if (layout::enters(line->points, letters)) {
+        out.push_back(found(text, "hides " + named(line->owner)));
+      }
+    }
+  }
+  return out;
+}
+
 Findings data_under_legends(const figure::DrawList& list) {
   Findings out;
   for (std::size_t i = 0; i < list.primitives.size(); ++i) {

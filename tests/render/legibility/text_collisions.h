@@ -21,6 +21,10 @@ Findings texts_on_data(const figure::DrawList& list);
 /// backing hides. Of a cloud of markers no single one matters.
 Findings markers_under_texts(const figure::DrawList& list);
 
+/// Curves that a label or the text of a reference line hides, also where it has a backing: a label
+/// can stand farther from its point, with a leader.
+Findings curves_under_labels(const figure::DrawList& list);
+
 /// Data under a legend.
 Findings data_under_legends(const figure::DrawList& list);
 
