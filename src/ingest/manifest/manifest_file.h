@@ -21,7 +21,11 @@
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
-//                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
+//                 (optional); name = "#2": the second column; unit of the time: "iso8601",
+//                 "hh:mm:ss" too; time: plus = {name, unit} where it stands in two columns:
+//                 nanoseconds, or the date ("yyyy-mm-dd") of a time of day
+//                 rows = {name, value} (optional): of a log in which each row is one joint's those
+//                 in which the column has the value
 //                 angle and speed: side = "joint" (default) | "motor"
 //                 time: any_rate = true where under 5 or over 100000 samples a second are right;
 //                 time = {rate_Hz}: the log has no clock, its rows come at this rate
