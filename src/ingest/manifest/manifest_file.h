@@ -84,6 +84,10 @@ struct ManifestFile {
 
 inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
 
+/// The text of a manifest. @throw InputError as read_file(), or as parse_manifest() for a log, of
+/// whatever size.
+std::string read_manifest_text(const std::string& path);
+
 /// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
 bool is_impossible_time(const std::string& text);
 

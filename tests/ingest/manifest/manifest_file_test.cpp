@@ -167,6 +167,18 @@ columns = {angle = {name = "q1", unit = "rad"}}
   EXPECT_EQ(m.recordings[1].columns.effort->name, "i");
 }
 
+TEST(Manifest, ALogOfAnySizeIsToldFromAManifest) {
+  const test::TemporaryDirectory directory;
+  for (const char* header : {"t,q,tau\n", "sep=;\nt;q;tau\n"}) {
+    std::string log = header;
+    while (log.size() <= ingest::manifest::largest_manifest_bytes) log += "0.1,0.2,0.3\n";
+    const std::string path = directory.file("log.csv", log);
+    const std::string said =
+        test::refusal_of<InputError>([&] { return ingest::manifest::read_manifest(path); });
+    EXPECT_NE(said.find("log.csv:1: is no manifest"), std::string::npos) << said;
+  }
+}
+
 TEST(Manifest, AClockMayStandInTwoColumnsAndBeNoNumber) {
   using enum ingest::log::ColumnReading;
   const auto time = [](const std::string& entry) {
