@@ -303,6 +303,30 @@ TEST(LogDialects, OfSeveralColumnsOfOneNameAnUnstatedOneLeavesTheEffortUnconfirm
   EXPECT_TRUE(dataset_of(scratch, "log.csv", log, options).manifest.effort_is_confirmed);
 }
 
+/// Two sweeps there and back, one behind the other, that are one motion but for what the log says.
+std::string two_sweeps(const std::function<std::string(int)>& phase) {
+  return log_of("t_s,q_rad,i_A,phase_name\n", [&](int k) {
+    const int row = k % (rows / 2) * 2;
+    return fmt::format("{:.2f}{},{}", t_s(k), cells(row), phase(k));
+  });
+}
+
+TEST(LogDialects, PhasesThatALogNamesAreSegments) {
+  const test::ScratchDirectory scratch;
+  const auto dataset = dataset_of(
+      scratch, "log.csv",
+      two_sweeps([](int k) { return k < rows / 2 ? "warm up" : "measurement"; }), known());
+  ASSERT_EQ(dataset.recordings.size(), 2U);
+  EXPECT_NEAR(dataset.recordings[0].t_s.back(), 20, 0.02);
+  EXPECT_NEAR(dataset.recordings[1].t_s.front(), 20, 0.02);
+  // Parts of one motion, and states that come again and again, are no segments.
+  for (const auto& phase : std::vector<std::function<std::string(int)>>{
+           [](int k) { return k % 2000 < 1000 ? "forward" : "backward"; },
+           [](int k) { return k / 300 % 2 == 0 ? "a" : "b"; }}) {
+    EXPECT_EQ(dataset_of(scratch, "log.csv", two_sweeps(phase), known()).recordings.size(), 1U);
+  }
+}
+
 // "1,250" is one and a quarter or more than a thousand.
 TEST(LogDialects, NumbersThatMayHaveThousandsSeparatorsAreNotGuessed) {
   const test::ScratchDirectory scratch;

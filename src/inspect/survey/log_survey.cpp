@@ -142,7 +142,39 @@ motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey
   return trace;
 }
 
+/// The trace's samples from one moment to another.
+motion::AngleTrace part_of(const motion::AngleTrace& trace, std::size_t first, std::size_t end) {
+  const auto part = [&](const std::vector<double>& values) {
+    if (values.empty()) return values;
+    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                               values.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return {part(trace.t_s), part(trace.q_rad), part(trace.effort)};
+}
+
+/// By the phases that the log names, where it names some, and within them by motion.
+std::vector<motion::MotionSegment> cut_by_phases(const motion::AngleTrace& trace,
+                                                 const std::vector<Phase>& phases) {
+  if (phases.empty()) return motion::cut_by_motion(trace);
+  std::vector<motion::MotionSegment> segments;
+  for (const Phase& phase : phases) {
+    const auto from = std::lower_bound(trace.t_s.begin(), trace.t_s.end(), phase.from_s);
+    const auto to = std::upper_bound(from, trace.t_s.end(), phase.to_s);
+    if (from == to) continue;
+    const auto first = static_cast<std::size_t>(from - trace.t_s.begin());
+    const auto end = static_cast<std::size_t>(to - trace.t_s.begin());
+    for (motion::MotionSegment& s : motion::cut_by_motion(part_of(trace, first, end))) {
+      s.first += first;
+      s.last += first;
+      s.phase = phase.name;
+      segments.push_back(std::move(s));
+    }
+  }
+  return segments;
+}
+
 void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
+  const std::vector<Phase> phases = phases_in(data, table);
   std::vector<std::string> names;
   for (const ColumnSurvey& c : table.columns) {
     if (!c.meaning || c.meaning->quantity != ingest::log::Quantity::angle || c.meaning->is_target)
@@ -174,7 +206,7 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
     if (table.clock && table.clock->interval_s > 0) {
       const motion::AngleTrace trace = trace_of(data, table, joint);
       joint.samples = trace.size();
-      joint.segments = motion::cut_by_motion(trace);
+      joint.segments = cut_by_phases(trace, phases);
     }
     table.joints.push_back(std::move(joint));
   }

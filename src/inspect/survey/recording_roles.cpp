@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/closest_match.h"
 #include "inspect/survey/manifest_proposal.h"
 #include "joint/degrees.h"
 
@@ -186,7 +187,9 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
   return RoleChooser(logs, joint).choose();
 }
 
-std::string describe(const motion::MotionSegment& s) {
+namespace {
+
+std::string describe_motion(const motion::MotionSegment& s) {
   const double travel = s.travel_rad();
   const std::string range = degrees(s.lowest_rad, travel) + " to " + degrees(s.highest_rad, travel);
   const double middle = (s.lowest_rad + s.highest_rad) / 2;
@@ -215,6 +218,12 @@ std::string describe(const motion::MotionSegment& s) {
       return range;
   }
   return range;
+}
+
+}  // namespace
+
+std::string describe(const motion::MotionSegment& s) {
+  return describe_motion(s) + (s.phase.empty() ? "" : ", in " + in_quotes(s.phase));
 }
 
 }  // namespace tribolog::inspect::survey

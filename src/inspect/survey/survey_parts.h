@@ -41,4 +41,16 @@ std::vector<RowsOfJoint> rows_of_joints(const std::string& path,
                                         const ingest::text::TextLogRules& rules,
                                         const ingest::log::LogTable& table);
 
+/// A stretch of a log to which it gives a name.
+struct Phase {
+  std::string name;
+  double from_s{};
+  double to_s{};
+};
+
+/// By a column of words named so, in a table with a clock.
+/// @return in the order of time; none where it has none, or they are too many or too short to be
+/// experiments, or they are parts of one motion.
+std::vector<Phase> phases_in(const ingest::log::LogTable& data, const TableSurvey& table);
+
 }  // namespace tribolog::inspect::survey
