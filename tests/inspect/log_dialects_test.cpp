@@ -158,6 +158,10 @@ std::vector<Dialect> dialects() {
                                           return fmt::format(
                                               "{}", 134'000'000'000'000'000 + k * 100'000L);
                                         }))},
+      {"CoarseTimeBesideAFineOne", "log.csv",
+       log_of("time,elapsed_ms" + names, behind([](int k) {
+                return fmt::format("{},{}", time_of_day(k).substr(0, 8), 10 * k);
+              }))},
       {"TimeOfDay", "log.csv", log_of("Uhrzeit" + names, behind(time_of_day))},
       {"DateAndTime", "log.csv",
        log_of("date,time" + names, behind([](int k) { return date(k) + "," + time_of_day(k); }))},
@@ -251,6 +255,19 @@ TEST(LogDialects, ACounterWithAKnownRateIsAClockThatKnowsOfLostSamples) {
   }
 }
 
+TEST(LogDialects, ACounterThatBeginsAnewIsNoClockAndThatIsSaid) {
+  const test::ScratchDirectory scratch;
+  inspect::survey::ProposalOptions options = known();
+  options.columns.rate_Hz = 100;
+  const std::string path = scratch.write(
+      "log.csv", log_of("counter,q_rad,i_A\n",
+                        [](int k) { return fmt::format("{}{}", (k + k / 100) % 256, cells(k)); }));
+  const std::string manifest = proposed(path, options);
+  EXPECT_NE(manifest.find("rate_Hz = 100 }  # 'counter' shows that samples are lost"),
+            std::string::npos)
+      << manifest;
+}
+
 TEST(LogDialects, ACounterWithoutARateIsNoClock) {
   const test::ScratchDirectory scratch;
   const std::string log =
@@ -277,6 +294,18 @@ TEST(LogDialects, CellsForNothingAreGapsThatAreCounted) {
     expect_the_same(dataset, kept);
     EXPECT_EQ(dataset.recordings.at(0).rows_read, static_cast<std::size_t>(rows));
   }
+}
+
+// A reading that goes up and down is no joint's number.
+TEST(LogDialects, AReadingCalledAfterAJointTellsNoRows) {
+  const test::ScratchDirectory scratch;
+  const std::string path =
+      scratch.write("log.csv", log_of("t_s,q_rad,i_A,motor\n", [](int k) {
+                      return fmt::format("{:.2f}{},{}", t_s(k), cells(k), k * k % 7 - 3);
+                    }));
+  const auto survey = inspect::survey::survey_log(path);
+  ASSERT_EQ(survey.tables.size(), 1U);
+  EXPECT_FALSE(survey.tables[0].rows_of);
 }
 
 TEST(LogDialects, RowsOfOtherJointsAreCounted) {
@@ -319,9 +348,11 @@ TEST(LogDialects, PhasesThatALogNamesAreSegments) {
   ASSERT_EQ(dataset.recordings.size(), 2U);
   EXPECT_NEAR(dataset.recordings[0].t_s.back(), 20, 0.02);
   EXPECT_NEAR(dataset.recordings[1].t_s.front(), 20, 0.02);
-  // Parts of one motion, and states that come again and again, are no segments.
+  // Parts of one motion, what begins within a stroke, and states that come again and again, are no
+  // segments.
   for (const auto& phase : std::vector<std::function<std::string(int)>>{
            [](int k) { return k % 2000 < 1000 ? "forward" : "backward"; },
+           [](int k) { return k < 1300 ? "start" : "run"; },
            [](int k) { return k / 300 % 2 == 0 ? "a" : "b"; }}) {
     EXPECT_EQ(dataset_of(scratch, "log.csv", two_sweeps(phase), known()).recordings.size(), 1U);
   }

@@ -96,11 +96,16 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
   const Location line{table.file, first.line(), 0};
   Header header;
   header.fields = words_of(first, table, rules);
+  // A row with a number in it names no columns where a comment above it does.
+  const bool has_number =
+      std::any_of(header.fields.begin(), header.fields.end(), [&](const Field& field) {
+        return read_number(field.text, rules.decimal_mark).kind == FieldKind::number;
+      });
+  if (has_number && read_commented_names(first, header.fields.size(), rules, table, header)) {
+    note_repeated_names(header.fields, table);
+    return header;
+  }
   if (holds_numbers_only(header.fields, rules.decimal_mark)) {
-    if (read_commented_names(first, header.fields.size(), rules, table, header)) {
-      note_repeated_names(header.fields, table);
-      return header;
-    }
     const bool by_position =
         std::all_of(columns.begin(), columns.end(),
                     [](const log::WantedColumn& c) { return c.name.starts_with('#'); });
@@ -237,7 +242,7 @@ void count_field(const std::string& field, const TextLogRules& rules, Sample& sa
 std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const TextLogRules& rules,
                                 const CsvTable& table) {
   constexpr std::size_t sampled_rows = 20;
-  constexpr std::size_t most_rows = 1000;
+  constexpr std::size_t most_rows = 100'000;
   std::vector<Sample> samples(columns);
   const auto is_settled = [&] {
     return std::none_of(samples.begin(), samples.end(),

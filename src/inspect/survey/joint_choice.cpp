@@ -247,8 +247,8 @@ std::vector<std::string> not_understood(const TableSurvey& table) {
     }
     const ColumnSurvey& column = table.columns[foreign.column];
     told.push_back(fmt::format(
-        "column {} looks like {} in a unit that is not known: --effort-unit '{}', say, states what "
-        "one of it is",
+        "column {} looks like {} in a unit that is not known: --effort-unit states what one of it "
+        "is, '{}' say",
         in_quotes(column.name), ingest::log::to_string(foreign.quantity),
         ingest::log::example_of_multiple(foreign.quantity)));
   }
@@ -256,7 +256,8 @@ std::vector<std::string> not_understood(const TableSurvey& table) {
   std::vector<std::string> unknown;
   const std::vector<std::string> voltages = voltages_of(table);
   for (const ColumnSurvey& column : table.columns) {
-    const bool may_be = !column.meaning && column.words.empty() && !column.is_constant() &&
+    constexpr std::size_t of_a_flag = 2;
+    const bool may_be = !column.meaning && column.words.empty() && column.distinct > of_a_flag &&
                         !std::isnan(column.lowest) &&
                         std::find(voltages.begin(), voltages.end(), column.name) == voltages.end();
     if (may_be) unknown.push_back(column.name);

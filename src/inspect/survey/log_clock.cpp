@@ -119,8 +119,16 @@ void survey_own_clock(const HowRead& how, ingest::log::LogTable& data, TableSurv
   table.clock->plus = ClockPartSurvey{second.name, second.key, pair.unit_of_second()};
 }
 
-/// Of a log whose rows come at a stated rate: a column that counts the samples, if some are lost.
-std::optional<std::size_t> counter_in(const ingest::log::LogTable& data, const TableSurvey& table) {
+/// A column that counts the samples of a log whose rows come at a stated rate.
+struct Counter {
+  std::size_t column{};
+  double step{};     ///< From one sample to the next.
+  bool is_usable{};  ///< It rises all the way, by whole steps.
+};
+
+/// The first column named so that does, and shows that samples are lost.
+std::optional<Counter> lossy_counter_in(const ingest::log::LogTable& data,
+                                        const TableSurvey& table) {
   constexpr std::array counters = {"sample", "samples", "counter", "count", "index", "idx",
                                    "cycle",  "cycles",  "seq",     "tick",  "ticks", "frame",
                                    "row",    "n",       "takt",    "krok"};
@@ -135,28 +143,47 @@ std::optional<std::size_t> counter_in(const ingest::log::LogTable& data, const T
     const double step = ingest::dataset::median_clock_step(values);
     if (!is_named || table.columns[k].gaps > 0 || !(step >= 1)) continue;
     std::size_t steady = 0;
-    bool counts = true;
+    bool rises = true;
     for (std::size_t i = 1; i < values.size(); ++i) {
       const double d = values[i] - values[i - 1];
       steady += d == step ? 1 : 0;
-      counts = counts && d > 0 && d == step * std::round(d / step);
+      rises = rises && d > 0 && d == step * std::round(d / step);
     }
-    const bool is_lossy = steady + 1 < values.size();
     const bool is_steady =
         static_cast<double>(steady) > steady_share * static_cast<double>(values.size() - 1);
-    if (counts && is_lossy && is_steady) return k;
+    if (is_steady && steady + 1 < values.size()) return Counter{k, step, rises};
   }
   return std::nullopt;
+}
+
+/// Stamps that stand where the one before stood, of all.
+double share_of_repeats(const std::vector<double>& stamps) {
+  std::size_t repeated = 0;
+  for (std::size_t row = 1; row < stamps.size(); ++row) {
+    repeated += stamps[row] == stamps[row - 1] ? 1 : 0;
+  }
+  return static_cast<double>(repeated) /
+         static_cast<double>(std::max<std::size_t>(1, stamps.size()));
+}
+
+/// The first time; or, where it is too coarse to tell rows apart, the first that is not.
+std::optional<std::size_t> time_in(const ingest::log::LogTable& data, const TableSurvey& table) {
+  constexpr double most_repeats = 0.05;
+  std::optional<std::size_t> first;
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    const bool is_time = meaning && meaning->quantity == ingest::log::Quantity::time;
+    if (!is_time || meaning->is_target) continue;
+    if (!first) first = k;
+    if (share_of_repeats(data.columns[k].values) <= most_repeats) return k;
+  }
+  return first;
 }
 
 }  // namespace
 
 void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& table) {
-  for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
-    const auto& meaning = table.columns[k].meaning;
-    if (meaning && meaning->quantity == ingest::log::Quantity::time && !meaning->is_target)
-      table.time = k;
-  }
+  table.time = time_in(data, table);
   survey_own_clock(how, data, table);
   for (std::size_t k = 0; k < data.columns.size() && !table.clock; ++k) {
     const bool counts = data.columns[k].reading == ingest::log::ColumnReading::number &&
@@ -164,20 +191,24 @@ void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& ta
     if (counts && table.counter.empty()) table.counter = table.columns[k].name;
   }
   if (!how.stated.rate_Hz || !table.clock) return;
-  const auto counter = counter_in(data, table);
+  const auto counter = lossy_counter_in(data, table);
   if (!counter) return;
+  const ColumnSurvey& told_by = table.columns[counter->column];
+  if (!counter->is_usable) {
+    table.counter = told_by.name;
+    return;
+  }
   // The made clock is the last column.
-  ingest::log::LogColumn counted = data.columns[*counter];
-  const double step = ingest::dataset::median_clock_step(counted.values);
+  ingest::log::LogColumn counted = data.columns[counter->column];
   ingest::log::count_from_first(counted);
-  const double unit_s = 1 / (*how.stated.rate_Hz * step);
+  const double unit_s = 1 / (*how.stated.rate_Hz * counter->step);
   std::transform(counted.values.begin(), counted.values.end(),
                  data.columns[*table.time].values.begin(),
                  [&](double value) { return value * unit_s; });
   table.clock =
       survey_clock(data.columns[*table.time], present(table.columns[*table.time].meaning));
-  table.clock->column = table.columns[*counter].name;
-  table.clock->key = table.columns[*counter].key;
+  table.clock->column = told_by.name;
+  table.clock->key = told_by.key;
   table.clock->is_counter = true;
   table.clock->seconds_per_count = unit_s;
 }

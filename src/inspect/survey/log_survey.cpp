@@ -152,11 +152,32 @@ motion::AngleTrace part_of(const motion::AngleTrace& trace, std::size_t first, s
   return {part(trace.t_s), part(trace.q_rad), part(trace.effort)};
 }
 
+/// Whether a phase ends while the joint is under way: then it is no phase of the motion.
+bool cut_a_stroke(const motion::AngleTrace& trace,
+                  const std::vector<motion::MotionSegment>& segments,
+                  const std::vector<Phase>& phases) {
+  constexpr std::size_t half = 5;  // samples, or steps of the encoder drown the slope
+  constexpr double slow = 0.3;     // of the segment's speed
+  for (std::size_t k = 0; k + 1 < phases.size(); ++k) {
+    const auto end = std::upper_bound(trace.t_s.begin(), trace.t_s.end(), phases[k].to_s);
+    const auto at = static_cast<std::size_t>(end - trace.t_s.begin());
+    if (at < half || at + half >= trace.size()) continue;
+    const double speed = std::abs(trace.q_rad[at + half] - trace.q_rad[at - half]) /
+                         (trace.t_s[at + half] - trace.t_s[at - half]);
+    for (const motion::MotionSegment& s : segments) {
+      const bool is_in = s.first + half < at && at + half < s.last;
+      if (is_in && s.kind != motion::MotionKind::rest && speed > slow * s.speed_rad_s) return true;
+    }
+  }
+  return false;
+}
+
 /// By the phases that the log names, where it names some, and within them by motion.
 std::vector<motion::MotionSegment> cut_by_phases(const motion::AngleTrace& trace,
                                                  const std::vector<Phase>& phases) {
-  if (phases.empty()) return motion::cut_by_motion(trace);
-  std::vector<motion::MotionSegment> segments;
+  std::vector<motion::MotionSegment> segments = motion::cut_by_motion(trace);
+  if (phases.empty() || cut_a_stroke(trace, segments, phases)) return segments;
+  segments.clear();
   for (const Phase& phase : phases) {
     const auto from = std::lower_bound(trace.t_s.begin(), trace.t_s.end(), phase.from_s);
     const auto to = std::upper_bound(from, trace.t_s.end(), phase.to_s);

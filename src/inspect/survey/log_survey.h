@@ -108,7 +108,9 @@ struct TableSurvey {
   std::vector<ColumnSurvey> columns;
   std::optional<std::size_t> time;  ///< Column of the clock.
   std::optional<ClockSurvey> clock;
-  std::string counter;  ///< A column that counts rows or milliseconds, in a log without a clock.
+  /// A column that counts rows or milliseconds, in a log without a clock; at a stated rate, one
+  /// that shows lost samples and begins anew, so that it is no clock.
+  std::string counter;
   std::vector<JointSurvey> joints;  ///< Those with an angle.
   /// Of a log in which each row is one joint's: the column that tells which, as a manifest names
   /// it, and what stands there in these rows.

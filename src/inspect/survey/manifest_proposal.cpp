@@ -262,7 +262,15 @@ class ManifestText {
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
     const ClockSurvey& clock = present(table(of).clock);
     const auto& rate_Hz = options_.columns.rate_Hz;
-    if (rate_Hz && !clock.is_counter) return fmt::format("time = {{ rate_Hz = {} }}", *rate_Hz);
+    if (rate_Hz && !clock.is_counter) {
+      const std::string& counter = table(of).counter;
+      return fmt::format("time = {{ rate_Hz = {} }}", *rate_Hz) +
+             comment(counter.empty() || !with_comments
+                         ? ""
+                         : in_quotes(counter) +
+                               " shows that samples are lost, which this does not "
+                               "know; it begins anew and is not used");
+    }
     const std::string unit = clock.is_counter ? counted_unit(of) : clock.unit;
     std::string entry = fmt::format("time = {{ name = {}, unit = {}", name_in_log(of, clock.key),
                                     ingest::manifest::toml_text(unit));

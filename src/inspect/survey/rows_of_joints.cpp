@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <set>
+#include <cmath>
+#include <cstddef>
+#include <map>
 
 #include "base/input_file.h"
 #include "ingest/text/csv_reader.h"
@@ -33,19 +35,24 @@ std::optional<std::size_t> column_of_joints(const ingest::log::LogTable& table) 
                         (column.reading == ingest::log::ColumnReading::number ||
                          column.reading == ingest::log::ColumnReading::words);
     if (!may_be) continue;
-    std::set<double> distinct;
+    std::map<double, std::size_t> rows_of;
     std::size_t changes = 0;
     for (std::size_t row = 0; row < column.values.size(); ++row) {
       if (row > 0 && column.values[row] != column.values[row - 1]) ++changes;
-      if (distinct.size() <= most_joints) distinct.insert(column.values[row]);
+      if (rows_of.size() <= most_joints) ++rows_of[column.values[row]];
     }
+    if (rows_of.size() < 2 || rows_of.size() > most_joints) continue;
+    const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const auto [fewest, most] = std::minmax_element(rows_of.begin(), rows_of.end(), fewer);
+    const bool are_even = most->second <= 2 * fewest->second;
+    const bool are_numbers_of_joints =
+        std::all_of(rows_of.begin(), rows_of.end(), [](const auto& joint) {
+          return joint.first >= 0 && joint.first == std::floor(joint.first);
+        });
     const bool are_mixed =
         static_cast<double>(changes) > fewest_changes * static_cast<double>(table.rows);
-    const bool are_behind_each_other = changes + 1 == distinct.size();
-    if (distinct.size() > 1 && distinct.size() <= most_joints &&
-        (are_mixed || are_behind_each_other)) {
-      return k;
-    }
+    const bool are_behind_each_other = changes + 1 == rows_of.size();
+    if (are_even && are_numbers_of_joints && (are_mixed || are_behind_each_other)) return k;
   }
   return std::nullopt;
 }

@@ -84,6 +84,8 @@ TEST(CsvReader, TakesNamesFromACommentAboveTheRows) {
         "// t,tau\n0,1.25\n// more\n0.5,-3\n", "#,t,tau\n1,0,1.25\n2,0.5,-3\n"}) {
     expect_two_rows(text);
   }
+  // As rostopic echo -p writes them, with words in the rows.
+  expect_two_rows("%t,name,tau\n0,elbow,1.25\n0.5,elbow,-3\n");
   const ingest::text::CsvTable table = read("# t,tau\n# s,Nm\n0,1.25\n0.5,-3\n");
   EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
   EXPECT_EQ(wording::words(table.notes),
