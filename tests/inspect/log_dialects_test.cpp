@@ -308,6 +308,20 @@ TEST(LogDialects, AReadingCalledAfterAJointTellsNoRows) {
   EXPECT_FALSE(survey.tables[0].rows_of);
 }
 
+// The rows without a current are left out, and what is left of a stroke may be too short to be
+// read.
+TEST(LogDialects, ALogThatBeginsWithGapsIsReadFromItsFirstNumberOn) {
+  const test::ScratchDirectory scratch;
+  const auto log = log_of("t_s,q_rad,i_A\n", [](int k) {
+    const double q = -0.9 * std::cos(0.157 * t_s(k));
+    return k < 1500 ? fmt::format("{:.2f},{:.6f},-", t_s(k), q)
+                    : fmt::format("{:.2f},{:.6f},{:.5f}", t_s(k), q, current_A(k));
+  });
+  const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, known());
+  ASSERT_FALSE(dataset.recordings.empty());
+  EXPECT_GE(dataset.recordings.front().t_s.front(), 15.0);
+}
+
 TEST(LogDialects, RowsOfOtherJointsAreCounted) {
   const test::ScratchDirectory scratch;
   const std::string log = log_of("t_s,joint,q_rad,i_A\n", [](int k) {

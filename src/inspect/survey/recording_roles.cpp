@@ -122,12 +122,19 @@ class RoleChooser {
     return std::nullopt;
   }
 
+  /// No recording of so few samples is read.
+  [[nodiscard]] bool is_too_short(const JointInLog& of, const motion::MotionSegment& s) const {
+    constexpr double fewest_samples = 25;
+    const auto& clock = table_of(logs_, of).clock;
+    return clock && s.duration_s() < fewest_samples * clock->interval_s;
+  }
+
   void propose_for(const JointInLog& of) {
     const std::vector<motion::MotionSegment>& segments = joint_of(logs_, of).segments;
     const std::size_t before = proposal_.recordings.size();
     for (const motion::MotionSegment& s : segments) {
       const auto role = role_of(s);
-      if (role) add(of, s, *role);
+      if (role && !is_too_short(of, s)) add(of, s, *role);
     }
     if (proposal_.recordings.size() > before) return;
     // Beside runs at constant speed, one that never came to its speed.
