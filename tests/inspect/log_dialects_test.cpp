@@ -344,6 +344,11 @@ TEST(LogDialects, OfSeveralColumnsOfOneNameAnUnstatedOneLeavesTheEffortUnconfirm
   EXPECT_FALSE(dataset_of(scratch, "log.csv", log, options).manifest.effort_is_confirmed);
   options.columns.names = {{"effort", "#3"}};
   EXPECT_TRUE(dataset_of(scratch, "log.csv", log, options).manifest.effort_is_confirmed);
+  const std::string angles = log_of("t_s,q_rad,i_A,q_rad\n", [](int k) {
+    return fmt::format("{:.2f}{},0.25", t_s(k), cells(k));
+  });
+  options.columns.names.clear();
+  EXPECT_FALSE(dataset_of(scratch, "log.csv", angles, options).manifest.effort_is_confirmed);
 }
 
 /// Two sweeps there and back, one behind the other, that are one motion but for what the log says.

@@ -63,6 +63,14 @@ bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark) {
   return any;
 }
 
+bool holds_a_fraction(const std::vector<Field>& row, DecimalMark mark) {
+  const char sign = mark == DecimalMark::comma ? ',' : '.';
+  return std::any_of(row.begin(), row.end(), [&](const Field& field) {
+    return field.text.find(sign) != std::string::npos &&
+           read_number(field.text, mark).kind == FieldKind::number;
+  });
+}
+
 std::vector<Field> names_by_position(std::size_t columns) {
   std::vector<Field> names;
   for (std::size_t k = 1; k <= columns; ++k) names.push_back({fmt::format("#{}", k), 1});

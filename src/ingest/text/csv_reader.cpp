@@ -105,7 +105,17 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
     note_repeated_names(header.fields, table);
     return header;
   }
-  if (holds_numbers_only(header.fields, rules.decimal_mark)) {
+  RowCursor second = first;
+  const bool has_second = second.next() && second.row().size() <= longest_line_bytes;
+  const std::vector<Field> below =
+      has_second ? words_of(second, table, rules) : std::vector<Field>();
+  if (auto names = names_of_joint_states(header.fields, below)) {
+    header.fields = std::move(*names);
+    table.notes.push_back(Code{"reading.echoed_joint_states"});
+    return header;
+  }
+  if (holds_numbers_only(header.fields, rules.decimal_mark) ||
+      holds_a_fraction(header.fields, rules.decimal_mark)) {
     const bool by_position =
         std::all_of(columns.begin(), columns.end(),
                     [](const log::WantedColumn& c) { return c.name.starts_with('#'); });
@@ -117,15 +127,6 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
     }
     header.fields = names_by_position(header.fields.size());
     table.notes.push_back(Code{"reading.columns_by_position"});
-    return header;
-  }
-  RowCursor second = first;
-  const bool has_second = second.next() && second.row().size() <= longest_line_bytes;
-  const std::vector<Field> below =
-      has_second ? words_of(second, table, rules) : std::vector<Field>();
-  if (auto names = names_of_joint_states(header.fields, below)) {
-    header.fields = std::move(*names);
-    table.notes.push_back(Code{"reading.echoed_joint_states"});
     return header;
   }
   if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));

@@ -21,6 +21,9 @@ namespace tribolog::ingest::text {
 /// Whether a first row holds numbers and gaps only, a number at least: no header.
 bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark);
 
+/// Whether one of a row's fields is a number with a decimal mark: no column is called so.
+bool holds_a_fraction(const std::vector<Field>& row, DecimalMark mark);
+
 /// "#1", "#2" and so on, for a log without header.
 std::vector<Field> names_by_position(std::size_t columns);
 

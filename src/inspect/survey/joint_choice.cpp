@@ -187,6 +187,12 @@ joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
                                  : joint::EffortKind::joint_torque;
 }
 
+/// Whether the user says which column it is.
+bool states(const ProposalOptions& options, const std::string& key) {
+  return std::any_of(options.columns.names.begin(), options.columns.names.end(),
+                     [&](const auto& one) { return one.first == key; });
+}
+
 void propose_none(const TableSurvey& table, EffortProposal& proposal) {
   const std::vector<std::string> voltages = voltages_of(table);
   proposal.remarks.push_back(
@@ -274,6 +280,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   EffortProposal proposal;
   const TableSurvey* table = &logs[joint.front().log].tables[joint.front().table];
   const ColumnSurvey* column = nullptr;
+  const ColumnSurvey* angle = nullptr;
   for (const bool is_target : {false, true}) {
     for (const JointInLog& of : joint) {
       const TableSurvey& in = logs[of.log].tables[of.table];
@@ -283,6 +290,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
       if (is_target && present(found.meaning).quantity != ingest::log::Quantity::torque) continue;
       table = &in;
       column = &found;
+      angle = &in.columns[j.angle];
       proposal.is_target = is_target;
     }
   }
@@ -304,9 +312,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const joint::Side side =
       options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
 
-  const bool is_stated_column =
-      std::any_of(options.columns.names.begin(), options.columns.names.end(),
-                  [](const auto& one) { return one.first == "effort"; });
+  const bool is_stated_column = states(options, "effort");
   proposal.remarks.push_back(
       fmt::format("{} in {}{}", in_quotes(column->name),
                   is_taken_as_current ? proposal.unit : printable(meaning.unit),
@@ -345,7 +351,8 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   // A stated kind says nothing of the unit.
   const bool is_stated = (options.effort_kind && meaning.unit_is_stated) || is_taken_as_current ||
                          (is_current && meaning.unit_is_stated);
-  const bool is_one_of_several = column->has_rivals() && !is_stated_column;
+  const bool is_one_of_several = (column->has_rivals() && !is_stated_column) ||
+                                 (angle->has_rivals() && !states(options, "angle"));
   if (lacks_gear && !options.effort_side) {
     proposal.lines.emplace_back(
         "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "

@@ -107,6 +107,11 @@ TEST(CsvReader, NamesRowsOfJointStates) {
   EXPECT_EQ(table.columns.at(0).values, (Values{5e8, 0}));
   EXPECT_EQ(table.columns.at(1).values, (Values{0.5, 0.6}));
   EXPECT_EQ(table.columns.at(2).values, (Values{5, 6}));
+  // A row of words and numbers is no header of whatever log.
+  const auto named = read("elbow,0.5,1\nelbow,0.75,2\n", {});
+  EXPECT_EQ(named.rows, 2U);
+  EXPECT_EQ(named.header, (std::vector<std::string>{"#1", "#2", "#3"}));
+  EXPECT_EQ(read("t,1,2\n0,0.5,1\n", {{"2"}}).rows, 1U) << "joints may be called by numbers";
   // Of two numbers for each joint it does not show which are there.
   const auto two = read("17,0,,elbow,0.5,1\n18,0,,elbow,0.6,2\n", {});
   EXPECT_EQ(two.header,
