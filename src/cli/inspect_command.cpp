@@ -24,7 +24,8 @@ namespace {
 struct Proposed {
   std::string text;  ///< Empty: none could be proposed.
   std::string joint;
-  std::string refusal;  ///< Why not.
+  std::vector<inspect::survey::LogSurvey> logs;  ///< With the effort as it is proposed.
+  std::string refusal;                           ///< Why not.
 };
 
 struct SurveyedFile {
@@ -55,13 +56,16 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files) {
 std::vector<inspect::survey::LogSurvey> survey_logs(const std::vector<SurveyedFile>& files,
                                                     const InspectedLogs& options,
                                                     Console& console) {
+  inspect::survey::StatedColumns stated = options.known.columns;
+  if (options.of_joints.gear_ratios.size() == 1) {
+    stated.gear_ratio = options.of_joints.gear_ratios.front();
+  }
   std::vector<inspect::survey::LogSurvey> logs;
   std::optional<InputError> first;
   for (std::size_t k = 0; k < files.size(); ++k) {
     console.progress("reading the logs", k, files.size());
     try {
-      logs.push_back(inspect::survey::survey_log(files[k].path, options.known.log_rules,
-                                                 options.known.columns));
+      logs.push_back(inspect::survey::survey_log(files[k].path, options.known.log_rules, stated));
     } catch (const InputError& error) {
       if (!first) first = error;
       if (!files[k].is_named) {
@@ -94,11 +98,13 @@ ExitStatus status_of(const std::vector<inspect::survey::LogSurvey>& logs) {
 Proposed try_to_propose(const std::vector<inspect::survey::LogSurvey>& logs,
                         const inspect::survey::ProposalOptions& known) {
   Proposed proposed;
+  proposed.logs = logs;
   try {
     const inspect::survey::ManifestProposal proposal =
         inspect::survey::propose_manifest(logs, known);
     proposed.text = proposal.text;
     proposed.joint = proposal.joint;
+    inspect::survey::tell_effort(proposal, proposed.logs);
   } catch (const InputError& error) {
     proposed.refusal = error.what();
   }
@@ -119,6 +125,7 @@ void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& c
       proposal.roles.is_makeshift
           ? "no motion that a stage can use; each log is listed as a rough_sweep for now"
           : roles));
+  for (const std::string& remark : proposal.effort.not_understood) console.say(remark);
   if (!proposal.moves_too.empty()) {
     console.say("others that also move: " + list_of_names(proposal.moves_too, 8));
   }
@@ -174,7 +181,7 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   console.make_way_for(options.json);
   const std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options.logs, console);
   const Proposed proposed = try_to_propose(logs, known_of_one(options.logs));
-  console.say(inspect::survey::survey_text(logs, proposed.joint));
+  console.say(inspect::survey::survey_text(proposed.logs, proposed.joint));
   if (!proposed.text.empty()) {
     console.say("Proposed manifest; tribolog init FILE... -o dataset.toml writes it:\n\n" +
                 proposed.text);
@@ -182,7 +189,7 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
     console.warn(proposed.refusal);
   }
   if (!options.json.empty()) {
-    write_file_atomically(options.json, inspect::survey::survey_json(logs, proposed.text));
+    write_file_atomically(options.json, inspect::survey::survey_json(proposed.logs, proposed.text));
   }
   return status_of(logs);
 }
@@ -251,6 +258,14 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       ->type_name("KEY=NAME");
   command.add_option("--angle-unit", logs.known.columns.angle_unit, "unit of the angles: rad, deg")
       ->check(CLI::IsMember({"rad", "deg"}))
+      ->type_name("UNIT");
+  command
+      .add_option_function<std::string>(
+          "--effort-unit",
+          [&logs](const std::string& text) {
+            logs.known.columns.effort_unit = inspect::survey::parse_effort_unit(text);
+          },
+          "unit of the torque or current: Nm, A, or a multiple such as '0.0013 Nm'")
       ->type_name("UNIT");
   command
       .add_option("--rate", logs.known.columns.rate_Hz,

@@ -10,17 +10,24 @@ const Messages& reading_messages() {
 
       // Text.
       {"reading.columns_by_position", text("no column names; columns are taken by their position")},
+      {"reading.names_in_comment", text("column names are taken from the comment above the rows")},
+      {"reading.echoed_joint_states",
+       text("no column names; the rows are sensor_msgs/JointState, as ros2 topic echo --csv "
+            "writes them")},
       {"reading.repeated_names", text("column names that occur more than once: {columns}")},
       {"reading.units_in_second_row", text("units are taken from the row under the header")},
       {"reading.columns_without_numbers",
        text("columns that hold no numbers are not read: {columns}")},
+      {"reading.commas_in_numbers",
+       text("column {column} is not read: {number} has a decimal comma, which --decimal-comma "
+            "states, or a separator of thousands")},
       {"reading.lines_before_header",
        by_count("lines", "{lines} line in front of the header is not read",
                 "{lines} lines in front of the header are not read")},
       {"reading.separated_by_semicolons", text("columns are separated by semicolons")},
       {"reading.separated_by_tabs", text("columns are separated by tabs")},
       {"reading.separated_by_spaces", text("columns are separated by spaces")},
-      {"reading.decimal_comma", text("numbers have a decimal comma, as stated")},
+      {"reading.decimal_comma", text("numbers have a decimal comma")},
       {"reading.mixed_line_ends", text("line ends are mixed (LF, CR LF, CR)")},
       {"reading.trailing_delimiter",
        text("rows end with a delimiter; the empty column is ignored")},
@@ -87,6 +94,9 @@ const Messages& reading_messages() {
       {"reading.clock_from_1970",
        text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
             "reading, in whole units")},
+      {"reading.past_midnight",
+       by_count("midnights", "its clock shows the time of day and passes midnight once",
+                "its clock shows the time of day and passes midnight {midnights} times")},
       {"reading.time_runs_back",
        by_count("rows", "time runs backwards in {rows} row (first in line {line}); sorted by time",
                 "time runs backwards in {rows} rows (first in line {line}); sorted by time")},
@@ -121,6 +131,7 @@ const Messages& reading_messages() {
       {"skipped.repeated_stamp", text("repeated time stamp")},
       {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},
+      {"skipped.other_joint", text("another joint's row, as stated")},
       {"skipped.not_usable", text("cannot be used (skip_bad_rows)")},
       {"skipped.at_rest", text("at rest before or after the motion")}};
   return all;

@@ -72,9 +72,9 @@ TEST(Units, AreListedWhereOneIsNotKnown) {
   EXPECT_EQ(refusal(ingest::log::Quantity::torque, "lbf"),
             "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm; "
             "hint: a multiple of one will do, such as \"0.0013 Nm\"");
-  EXPECT_EQ(refusal(ingest::log::Quantity::time, "min"),
-            "m.toml:5:9: unknown unit of a time, found 'min', expected one of s, ms, us, ns; hint: "
-            "a multiple of one will do, such as \"60 s\"");
+  EXPECT_EQ(refusal(ingest::log::Quantity::time, "fortnight"),
+            "m.toml:5:9: unknown unit of a time, found 'fortnight', expected one of s, ms, us, "
+            "ns; hint: a multiple of one will do, such as \"60 s\"");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(ClockSurvey, TellsTheUnitByTheSizeOfItsSteps) {
        {std::pair{0.001, "s"}, std::pair{0.1, "s"}, std::pair{1.0, "ms"}, std::pair{10.0, "ms"},
         std::pair{1000.0, "us"}, std::pair{8e6, "ns"}}) {
     const inspect::survey::ClockSurvey clock =
-        inspect::survey::survey_clock(clock_of(even(step, 100)), without_unit(), false);
+        inspect::survey::survey_clock(clock_of(even(step, 100)), without_unit());
     EXPECT_EQ(clock.unit, unit) << step;
     EXPECT_FALSE(clock.unit_is_stated);
   }
@@ -43,7 +43,7 @@ TEST(ClockSurvey, AStatedUnitStands) {
   ingest::layout::ColumnMeaning meaning = without_unit();
   meaning.unit_is_stated = true;
   const inspect::survey::ClockSurvey clock =
-      inspect::survey::survey_clock(clock_of(even(5, 100)), meaning, false);
+      inspect::survey::survey_clock(clock_of(even(5, 100)), meaning);
   EXPECT_EQ(clock.unit, "s");
   EXPECT_DOUBLE_EQ(clock.rate_Hz(), 0.2);
 }
@@ -55,7 +55,7 @@ TEST(ClockSurvey, CountsWhatIsWrong) {
   for (std::size_t i = 70; i < 100; ++i) t[i] += 0.5;  // a gap behind 0.69 s
   t[90] = NAN;
   const inspect::survey::ClockSurvey clock =
-      inspect::survey::survey_clock(clock_of(t), without_unit(), false);
+      inspect::survey::survey_clock(clock_of(t), without_unit());
   EXPECT_EQ(clock.repeated, 1U);
   EXPECT_EQ(clock.back, 1U);
   EXPECT_NEAR(clock.largest_step_back_s, 0.01, 1e-12);
@@ -66,12 +66,11 @@ TEST(ClockSurvey, CountsWhatIsWrong) {
 }
 
 TEST(ClockSurvey, StuckOrEmptyIsNoClock) {
-  EXPECT_EQ(
-      inspect::survey::survey_clock(clock_of(std::vector<double>(50, 3.0)), without_unit(), false)
-          .rate_Hz(),
-      0);
-  EXPECT_EQ(inspect::survey::survey_clock(clock_of({}), without_unit(), false).rate_Hz(), 0);
-  EXPECT_EQ(inspect::survey::survey_clock(clock_of({NAN, NAN}), without_unit(), false).missing, 2U);
+  EXPECT_EQ(inspect::survey::survey_clock(clock_of(std::vector<double>(50, 3.0)), without_unit())
+                .rate_Hz(),
+            0);
+  EXPECT_EQ(inspect::survey::survey_clock(clock_of({}), without_unit()).rate_Hz(), 0);
+  EXPECT_EQ(inspect::survey::survey_clock(clock_of({NAN, NAN}), without_unit()).missing, 2U);
 }
 
 }  // namespace

@@ -54,6 +54,8 @@ double value_at(const NamedArray& array, std::size_t row, std::size_t column) {
 log::LogColumn column_of(const NamedArray& array, std::size_t column, const std::string& name) {
   log::LogColumn result{text::read_header_field(name), {}, 0};
   if (!array.unit.empty() && result.header.unit.empty()) result.header.unit = array.unit;
+  if (array.is_time) result.reading = log::ColumnReading::iso_time;
+  result.origin = array.origin;
   result.values.resize(array.rows);
   for (std::size_t row = 0; row < array.rows; ++row) {
     const double value = value_at(array, row, column);

@@ -30,6 +30,8 @@ struct NamedArray {
   std::vector<double> values;  ///< rows x columns. What is not finite is a gap.
   std::string unit{};          ///< Where the file states one outside of the name.
   bool was_rounded{};          ///< Holds integers that no double can hold exactly.
+  bool is_time{};              ///< ISO 8601 texts, as seconds
+  double origin{};             ///< since this one: the whole ones of the first reading.
 };
 
 /// What a file holds.

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "base/input_file.h"
 #include "ingest/arrays/array_readers.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
+#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::arrays {
 namespace {
@@ -31,7 +35,28 @@ bool are_records(const JsonValue& value) {
          all_are(value, is_object);
 }
 
+/// Of a text that is a time.
+std::optional<text::ClockReading> time_in(const JsonValue& value) {
+  if (value.kind != JsonKind::text) return std::nullopt;
+  return text::read_iso_time(value.content->text);
+}
+
+bool is_time_or_gap(const JsonValue& value) {
+  return value.kind == JsonKind::null || time_in(value).has_value();
+}
+
+bool is_time_list(const JsonValue& value) {
+  return all_are(value, is_time_or_gap) &&
+         std::any_of(value.content->elements.begin(), value.content->elements.end(),
+                     [](const JsonValue& one) { return one.kind == JsonKind::text; });
+}
+
 void append(const JsonValue& value, NamedArray& array) {
+  if (const auto time = time_in(value)) {
+    if (!std::exchange(array.is_time, true)) array.origin = static_cast<double>(time->whole);
+    array.values.push_back(time->since({static_cast<std::int64_t>(array.origin), 0.0}));
+    return;
+  }
   array.values.push_back(value.kind == JsonKind::number ? value.number : gap);
   array.was_rounded = array.was_rounded || value.was_rounded;
 }
@@ -67,8 +92,11 @@ constexpr std::size_t most_rows_per_value = 16;
 /// What one key of an array of objects says in them all.
 struct RecordField {
   NamedArray array;
-  std::size_t numbers{};
+  std::size_t numbers{};  ///< And gaps.
+  std::size_t times{};
+  bool has_number{};
   std::string unusable_because{};
+  const JsonValue* last_record{};  ///< In which it stands.
   bool is_read{};
 };
 
@@ -77,21 +105,81 @@ using FieldIndex = std::map<std::string, std::size_t>;
 void count_value(const JsonValue& value, RecordField& field) {
   if (is_number_or_gap(value)) {
     ++field.numbers;
+    field.has_number = field.has_number || value.kind == JsonKind::number;
+  } else if (time_in(value)) {
+    ++field.times;
   } else {
     field.unusable_because =
         value.kind == JsonKind::text ? "it holds texts" : "it holds lists or objects in its rows";
+  }
+  if (field.has_number && field.times > 0) field.unusable_because = "it holds numbers and times";
+}
+
+/// A value within an object, with the name that its column gets.
+struct NamedValue {
+  std::string name;
+  const JsonValue* value;
+};
+
+bool is_text(const JsonValue& value) { return value.kind == JsonKind::text; }
+
+/// The joints' names, where an object says them: as JointState does.
+const JsonValue* names_in(const JsonValue& object) {
+  for (std::size_t i = 0; i < object.content->keys.size(); ++i) {
+    const std::string& key = object.content->keys[i];
+    const JsonValue& value = object.content->elements[i];
+    const bool is_list = value.kind == JsonKind::array && !value.content->elements.empty();
+    if (is_list && (key == "name" || key == "names" || key == "joint_names") &&
+        all_are(value, is_text)) {
+      return &value;
+    }
+  }
+  return nullptr;
+}
+
+/// The single values in an object, those in objects within it with a path in front: "stamp.sec".
+/// The numbers of a list are "elbow.position" where the object names as many joints, else
+/// "position_0" and so on.
+void list_values(const std::string& prefix, const JsonValue& object,
+                 std::vector<NamedValue>& values) {
+  constexpr std::size_t longest_list = 64;
+  const JsonValue* names = names_in(object);
+  for (std::size_t i = 0; i < object.content->keys.size(); ++i) {
+    const std::string& key = object.content->keys[i];
+    const JsonValue& value = object.content->elements[i];
+    if (&value == names) continue;
+    if (is_object(value)) {
+      list_values(prefix + key + ".", value, values);
+      continue;
+    }
+    const std::size_t length = is_number_list(value) ? value.content->elements.size() : 0;
+    if (length == 0 || length > longest_list) {
+      values.push_back({prefix + key, &value});
+      continue;
+    }
+    const bool are_named = names != nullptr && names->content->elements.size() == length;
+    for (std::size_t k = 0; k < length; ++k) {
+      values.push_back({are_named ? names->content->elements[k].content->text + "." + key
+                                  : prefix + key + "_" + std::to_string(k),
+                        &value.content->elements[k]});
+    }
   }
 }
 
 std::vector<RecordField> fields_of(const std::string& prefix, const JsonValue& records,
                                    FieldIndex& index) {
   std::vector<RecordField> fields;
+  std::vector<NamedValue> values;
   for (const JsonValue& record : records.content->elements) {
-    for (std::size_t i = 0; i < record.content->keys.size(); ++i) {
-      const std::string& key = record.content->keys[i];
-      const auto [entry, is_new] = index.emplace(key, fields.size());
-      if (is_new) fields.emplace_back().array.name = prefix + key;
-      count_value(record.content->elements[i], fields[entry->second]);
+    values.clear();
+    list_values("", record, values);
+    for (const NamedValue& one : values) {
+      const auto [entry, is_new] = index.emplace(one.name, fields.size());
+      if (is_new) fields.emplace_back().array.name = prefix + one.name;
+      RecordField& field = fields[entry->second];
+      if (field.last_record == &record) field.unusable_because = "it stands twice in a row";
+      field.last_record = &record;
+      count_value(*one.value, field);
     }
   }
   return fields;
@@ -99,12 +187,15 @@ std::vector<RecordField> fields_of(const std::string& prefix, const JsonValue& r
 
 void fill(const JsonValue& records, const FieldIndex& index, std::vector<RecordField>& fields) {
   std::size_t row = 0;
+  std::vector<NamedValue> values;
   for (const JsonValue& record : records.content->elements) {
-    for (std::size_t i = 0; i < record.content->keys.size(); ++i) {
-      RecordField& field = fields[index.at(record.content->keys[i])];
+    values.clear();
+    list_values("", record, values);
+    for (const NamedValue& one : values) {
+      RecordField& field = fields[index.at(one.name)];
       if (!field.is_read) continue;
       field.array.values.resize(row, gap);  // rows that lack the key
-      append(record.content->elements[i], field.array);
+      append(*one.value, field.array);
     }
     ++row;
   }
@@ -115,9 +206,10 @@ void add_records(const std::string& prefix, const JsonValue& records, FileArrays
   std::vector<RecordField> fields = fields_of(prefix, records, index);
   const std::size_t rows = records.content->elements.size();
   for (RecordField& field : fields) {
-    if (field.unusable_because.empty() && field.numbers < rows / most_rows_per_value) {
-      field.unusable_because =
-          "it stands in " + std::to_string(field.numbers) + " of " + std::to_string(rows) + " rows";
+    if (field.unusable_because.empty() &&
+        field.numbers + field.times < rows / most_rows_per_value) {
+      field.unusable_because = "it stands in " + std::to_string(field.numbers + field.times) +
+                               " of " + std::to_string(rows) + " rows";
     }
     if (!field.unusable_because.empty()) {
       found.leave_out(field.array.name, field.unusable_because);
@@ -154,8 +246,6 @@ bool is_labelled_column(const JsonValue& value) {
              value.content->elements.begin(), value.content->elements.end(),
              [](const JsonValue& one) { return is_object(one) || one.kind == JsonKind::array; });
 }
-
-bool is_text(const JsonValue& value) { return value.kind == JsonKind::text; }
 
 const JsonValue* member(const JsonValue& object, const char* key) {
   const auto& keys = object.content->keys;
@@ -197,7 +287,8 @@ void add_split_table(const std::string& prefix, const JsonValue& value, FileArra
 }
 
 void add_labelled_column(const std::string& name, const JsonValue& value, FileArrays& found) {
-  if (!all_are(value, is_number_or_gap)) return found.leave_out(name, "it holds texts");
+  if (!all_are(value, is_number_or_gap) && !is_time_list(value))
+    return found.leave_out(name, "it holds texts");
   add_vector(name, value, found);
 }
 
@@ -247,7 +338,7 @@ void add_value(const std::string& name, const JsonValue& value, bool only_record
   if (are_records(value)) {
     return add_records(only_records || name.empty() ? "" : name + "/", value, found);
   }
-  if (is_number_list(value)) return add_vector(shown, value, found);
+  if (is_number_list(value) || is_time_list(value)) return add_vector(shown, value, found);
   if (all_are(value, is_number_list)) return add_matrix(shown, value, found);
   found.leave_out(shown, "it is a list of texts or of mixed values");
 }

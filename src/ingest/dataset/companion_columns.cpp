@@ -60,7 +60,7 @@ std::optional<log::WantedColumn> time_to_compare(const manifest::ColumnEntry& ti
     stated = entry.time_in_file;
   }
   if (!stated.empty()) return log::WantedColumn{stated, "", time.reading};
-  if (time.name.starts_with('#') || time.rate_Hz) return std::nullopt;
+  if (time.name.starts_with('#') || time.rate_Hz || time.plus) return std::nullopt;
   return log::WantedColumn{time.name, "", time.reading, true};
 }
 
@@ -91,8 +91,8 @@ void refuse_other_times(const manifest::RecordingEntry& entry, const log::LogCol
   const double allowed = largest_time_difference * median_clock_step(own.values);
   const double later = other.origin - own.origin;
   const manifest::ColumnEntry& time = present(entry.columns.time);
-  const bool is_iso = time.reading == log::ColumnReading::iso_time;
-  const std::string unit = is_iso ? "s" : printable(time.unit);
+  const bool is_number = log::unit_of_time(time.reading).empty();
+  const std::string unit = is_number ? printable(time.unit) : "s";
   for (std::size_t row = 0; row < table.rows; ++row) {
     const double found = other.values[row] + later;
     if (!(std::abs(found - own.values[row]) > allowed)) continue;
@@ -169,6 +169,11 @@ std::vector<manifest::RecordingEntry> companions_of(const manifest::RecordingEnt
     companion.columns = entry.columns;
     keep_if(companion.columns,
             [&](const manifest::ColumnEntry& other) { return other.file == file; });
+    if (entry.columns.rows) {
+      throw InputError(column.entry->where,
+                       {"stands in another file", in_quotes(file),
+                        "all columns in one, where rows are those of one joint", ""});
+    }
     companion.time_to_compare = time_to_compare(present(entry.columns.time), companion.columns);
     companions.push_back(std::move(companion));
   }

@@ -195,12 +195,11 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
 }  // namespace
 
 std::vector<std::string> joints_of_robot(const std::string& manifest_path) {
-  return manifest::joints_in_manifest(read_file(manifest_path, manifest::largest_manifest_bytes),
-                                      manifest_path);
+  return manifest::joints_in_manifest(manifest::read_manifest_text(manifest_path), manifest_path);
 }
 
 joint::Dataset read_dataset(const std::string& manifest_path, const std::string& joint) {
-  const std::string text = read_file(manifest_path, manifest::largest_manifest_bytes);
+  const std::string text = manifest::read_manifest_text(manifest_path);
   manifest::ManifestFile manifest = manifest::parse_manifest(text, manifest_path, joint);
   const std::filesystem::path path(manifest_path);
   joint::Dataset dataset;

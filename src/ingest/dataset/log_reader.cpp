@@ -16,6 +16,7 @@
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
+#include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -106,13 +107,22 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
   throw InputError({path, 0, 0}, {"is a text log", "", "", ""});
 }
 
-void count_from_first(log::LogColumn& clock) {
-  const auto first = std::find_if(clock.values.begin(), clock.values.end(),
-                                  [](double value) { return !std::isnan(value); });
-  if (first == clock.values.end() || std::abs(*first) < log::counts_from_1970) return;
-  clock.origin = std::floor(*first);
-  for (double& value : clock.values) value -= clock.origin;
+namespace {
+
+/// Texts that are times are read as such, whatever a manifest says of them.
+void refuse_other_reading(const log::WantedColumn& wanted, const log::LogColumn& column,
+                          const std::string& file) {
+  const bool are_words = wanted.reading == log::ColumnReading::words;
+  const std::string_view stated = are_words ? "words" : log::unit_of_time(wanted.reading);
+  const std::string_view found = log::unit_of_time(column.reading);
+  if (stated == found) return;
+  throw InputError({file, 0, 0},
+                   {"column " + in_quotes(wanted.name) + " is read otherwise",
+                    found.empty() ? "numbers" : in_quotes(found),
+                    stated.empty() ? "numbers" : in_quotes(stated), "the unit in the manifest"});
 }
+
+}  // namespace
 
 log::LogTable take_columns(std::vector<log::LogTable> tables,
                            const std::vector<log::WantedColumn>& columns) {
@@ -136,7 +146,8 @@ log::LogTable take_columns(std::vector<log::LogTable> tables,
     const auto index = index_of(table, wanted.name);
     if (!index) continue;
     chosen.push_back(table.columns[*index]);
-    if (wanted.reading == log::ColumnReading::clock) count_from_first(chosen.back());
+    refuse_other_reading(wanted, chosen.back(), table.file);
+    if (wanted.reading == log::ColumnReading::clock) log::count_from_first(chosen.back());
   }
   table.columns = std::move(chosen);
   return std::move(table);
@@ -196,6 +207,36 @@ void make_clock(const manifest::ColumnEntry& time, const std::string& path, log:
   table.columns.insert(table.columns.begin(), log::row_clock(present(time.rate_Hz), table.rows));
 }
 
+/// Makes one clock of what stands in two columns, or begins anew at midnight.
+/// @param table the second one of two is its last column, and is taken away.
+void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
+                    std::vector<Statement>& notes) {
+  if (!entry.columns.time) return;
+  const manifest::ColumnEntry& time = *entry.columns.time;
+  if (time.plus) {
+    const log::LogColumn part = std::move(table.columns.back());
+    table.columns.pop_back();
+    log::add_to_clock(part, time.plus->si_factor / time.si_factor, table.columns.front());
+  } else if (time.reading == log::ColumnReading::time_of_day) {
+    const std::size_t midnights = log::go_on_past_midnight(table.columns.front());
+    if (midnights == 0) return;
+    RecordingNotes(entry.file, notes).add({"reading.past_midnight", {{"midnights", midnights}}});
+  }
+}
+
+/// Leaves the rows of the joint that is stated, and counts the others.
+/// @param table the column that tells them is its last one, and is taken away.
+void keep_rows(const manifest::RowsEntry& wanted, log::LogTable& table) {
+  const log::LogColumn told_by = std::move(table.columns.back());
+  table.columns.pop_back();
+  const auto word = std::find(told_by.words.begin(), told_by.words.end(), wanted.value);
+  if (word == told_by.words.end()) {
+    throw InputError(wanted.where, {"no row of the log is of it", in_quotes(wanted.value),
+                                    "one of " + list_of_names(told_by.words), ""});
+  }
+  log::keep_rows_of(told_by, static_cast<std::size_t>(word - told_by.words.begin()), table);
+}
+
 }  // namespace
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
@@ -210,13 +251,17 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   Kept& kept = kept_[entry.file];
   const std::optional<double> rate_Hz =
       entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
-  if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz) {
+  const std::string rows = entry.columns.rows ? entry.columns.rows->value : "";
+  if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
     ReadLog log = read_log(entry, path, columns, rules_, notes);
+    if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
+    complete_clock(entry, log.table, notes);
     if (rate_Hz) make_clock(*entry.columns.time, path, log.table);
     kept.log = std::make_shared<const ReadLog>(std::move(log));
     kept.columns = std::move(columns);
     kept.rate_Hz = rate_Hz;
+    kept.rows = rows;
   }
   const std::shared_ptr<const ReadLog> log = kept.log;
   if (--still_named_.at(entry.file) == 0) kept_.erase(entry.file);

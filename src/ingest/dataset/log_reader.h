@@ -25,10 +25,6 @@ log::LogFormat format_of_log(const std::string& path);
 /// @throw InputError as the format's reader does, and for text.
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format);
 
-/// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
-/// log's are.
-void count_from_first(log::LogColumn& clock);
-
 /// The one table that has all the columns, with these alone and in their order. Where several
 /// tables have a column of the same name, it is named with its group:
 /// "/left/joint_states/q.position".
@@ -63,6 +59,7 @@ class KeptLogs {
   struct Kept {
     std::vector<log::WantedColumn> columns;
     std::optional<double> rate_Hz;  ///< Of its clock, where the log has none of its own.
+    std::string rows;               ///< Of which joint; empty: all.
     std::shared_ptr<const ReadLog> log;
   };
   std::filesystem::path directory_;

@@ -131,6 +131,11 @@ std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& en
   }
   if (entry.time_to_compare) wanted.push_back(*entry.time_to_compare);
   add_load_columns(loads, entry.role, wanted);
+  const auto& time = entry.columns.time;
+  if (time && time->plus) wanted.push_back({time->plus->name, "", time->plus->reading});
+  if (entry.columns.rows) {
+    wanted.push_back({entry.columns.rows->name, "", log::ColumnReading::words});
+  }
   return wanted;
 }
 
@@ -199,7 +204,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
   joint::Recording r;
   r.name = entry.file;
   r.role = entry.role;
-  r.rows_read = table.rows + table.cut_rows + table.bad_rows;
+  r.rows_read = table.rows + table.cut_rows + table.bad_rows + table.other_rows;
   r.skipped = choice.skipped;
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {

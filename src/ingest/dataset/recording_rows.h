@@ -103,7 +103,8 @@ void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& tab
 // The recording.
 
 /// The columns that the entry names, in the order of logged_columns(), but for a clock that is
-/// made; behind them the time to compare and the angles of the loads that load the recording.
+/// made; behind them the time to compare, the angles of the loads that load the recording, the
+/// second part of the clock, and what tells whose row it is.
 std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads = {});
 

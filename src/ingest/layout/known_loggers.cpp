@@ -92,9 +92,30 @@ constexpr std::array loggers = {KnownLogger{"UR RTDE", "actual_q_{}", ur_rtde},
                                 KnownLogger{"joint states", "{}.position", joint_states},
                                 KnownLogger{"LeRobot", "{}.pos", lerobot}};
 
+// KUKA's KRC: system variables, and the names of its trace, which states units in brackets.
+constexpr std::array single_names = {
+    KnownColumn{"$AXIS_ACT[{}]", angle, "deg"},
+    KnownColumn{"$AXIS_ACT.A{}", angle, "deg"},
+    KnownColumn{"$AXIS_ACT_MEAS[{}]", angle, "deg"},
+    KnownColumn{"$AXIS_ACT_MEAS.A{}", angle, "deg"},
+    KnownColumn{"AIPos_A{}", angle, ""},
+    KnownColumn{"MACur_A{}", current, ""},
+    KnownColumn{"$TORQUE_AXIS_ACT[{}]", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, "a current times the controller's own constant"}};
+
+// Per cent of the largest current and speed.
+constexpr std::array names_of_shares = {"$CURR_ACT[{}]", "$VEL_AXIS_ACT[{}]"};
+
 }  // namespace
 
 std::span<const KnownLogger> known_loggers() { return loggers; }
+
+std::span<const KnownColumn> known_names() { return single_names; }
+
+bool is_share_by_name(const std::string& name) {
+  return std::any_of(names_of_shares.begin(), names_of_shares.end(),
+                     [&](const char* pattern) { return joint_in_name(name, pattern).has_value(); });
+}
 
 namespace {
 

@@ -69,9 +69,16 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// Of a time alone: "q_min" is the smallest angle.
+constexpr std::array endings_of_time = {Ending{"min", "min"}, Ending{"100ns", "100 ns"}};
+
 /// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
 std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
-  for (const Ending& e : endings) {
+  std::vector<Ending> all(endings.begin(), endings.end());
+  if (quantity == log::Quantity::time) {
+    all.insert(all.end(), endings_of_time.begin(), endings_of_time.end());
+  }
+  for (const Ending& e : all) {
     const std::size_t length = e.ending.size() + 1;
     if (name.size() <= length || !log::find_si_factor(quantity, e.unit)) continue;
     if (name[name.size() - length] != '_' || !name.ends_with(e.ending)) continue;
@@ -127,8 +134,32 @@ std::string_view unit_at_end(std::string& name) {
   return "";
 }
 
+ColumnMeaning meaning_of(const KnownColumn& known, std::string joint) {
+  ColumnMeaning meaning;
+  meaning.quantity = known.quantity;
+  meaning.joint = std::move(joint);
+  meaning.unit = known.unit.empty() ? si_unit(known.quantity) : known.unit;
+  meaning.unit_is_stated = !known.unit.empty();
+  meaning.is_target = known.is_target;
+  const bool may_be_current = known.quantity == log::Quantity::torque && !known.kind;
+  meaning.effort = {known.kind, known.side, std::string(known.remark), may_be_current};
+  return meaning;
+}
+
+/// Of the first of these that has its name.
+std::optional<ColumnMeaning> by_name(const log::ColumnHeader& header,
+                                     std::span<const KnownColumn> columns) {
+  for (const KnownColumn& known : columns) {
+    if (const auto joint = joint_in_name(name_of(header), known.pattern)) {
+      return meaning_of(known, *joint);
+    }
+  }
+  return std::nullopt;
+}
+
 /// A word, a joint's number and a unit; or else words in any order.
 std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
+  if (auto known = by_name(header, known_names())) return known;
   for (const QuantityWord& w : words) {
     std::string name = end_of_path(name_of(header));
     const auto ending = take_unit(name, w.quantity);
@@ -150,22 +181,6 @@ std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
   auto meaning = meaning_by_words(name, unit);
   if (meaning && unit.empty()) meaning->unit = si_unit(meaning->quantity);
   return meaning;
-}
-
-std::optional<ColumnMeaning> by_logger(const log::ColumnHeader& header, const KnownLogger& logger) {
-  for (const KnownColumn& known : logger.columns) {
-    const auto joint = joint_in_name(name_of(header), known.pattern);
-    if (!joint) continue;
-    ColumnMeaning meaning;
-    meaning.quantity = known.quantity;
-    meaning.joint = *joint;
-    meaning.unit = known.unit;
-    meaning.unit_is_stated = true;
-    meaning.is_target = known.is_target;
-    meaning.effort = {known.kind, known.side, std::string(known.remark)};
-    return meaning;
-  }
-  return std::nullopt;
 }
 
 const KnownLogger* logger_of(const std::vector<log::ColumnHeader>& header) {
@@ -201,12 +216,14 @@ LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
   const KnownLogger* const logger = logger_of(header);
   if (logger != nullptr) layout.logger = logger->name;
   for (std::size_t k = 0; k < header.size(); ++k) {
-    auto meaning = logger != nullptr ? by_logger(header[k], *logger) : by_words(header[k]);
-    const bool says_foreign = header[k].unit.empty() && says_foreign_unit(header[k].name);
+    auto meaning = logger != nullptr ? by_name(header[k], logger->columns) : by_words(header[k]);
+    const bool says_foreign =
+        (header[k].unit.empty() && says_foreign_unit(header[k].name)) ||
+        (!log::is_known_unit(header[k].unit) && is_share_by_name(header[k].full));
     if (logger == nullptr && (says_foreign || has_foreign_unit(header[k]))) {
       // In that unit it cannot be read: the name without its brackets may still tell what it is.
       meaning = by_words({header[k].name, header[k].name, ""});
-      if (meaning) layout.foreign.push_back({k, meaning->quantity});
+      if (meaning) layout.foreign.push_back({k, meaning->quantity, meaning->joint});
       continue;
     }
     if (!meaning) continue;

@@ -25,6 +25,8 @@ struct EffortMeaning {
   std::optional<joint::EffortKind> kind;  ///< Absent: the logger writes one or the other.
   std::optional<joint::Side> side;
   std::string remark;  ///< What the user has to know; empty if nothing.
+  /// Loggers write a current under this name too: the unit is the one that it has as a torque.
+  bool may_be_current{};
 };
 
 /// One column's meaning.
@@ -44,6 +46,7 @@ struct ColumnMeaning {
 struct ForeignUnit {
   std::size_t column{};
   log::Quantity quantity{};
+  std::string joint{};
 };
 
 struct LogLayout {
@@ -81,6 +84,12 @@ struct KnownLogger {
 
 /// The more particular ones first.
 std::span<const KnownLogger> known_loggers();
+
+/// Columns that are known whatever else a log holds; one without a unit is logged in several.
+std::span<const KnownColumn> known_names();
+
+/// Whether a column is a share of a rated value though its name does not say so: "$CURR_ACT[1]".
+bool is_share_by_name(const std::string& name);
 
 // What a known logger writes into one column, told by the names that a manifest states.
 

@@ -1,6 +1,7 @@
 #include "ingest/log/log_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace tribolog::ingest::log {
@@ -12,6 +13,31 @@ long LogTable::line_of(std::size_t row) const {
   if (after == line_breaks.begin()) return 0;
   const auto& [first_row, first_line] = *std::prev(after);
   return first_line + static_cast<long>(row - first_row);
+}
+
+void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    if (told_by.values[row] == static_cast<double>(word)) rows.push_back(row);
+  }
+  for (LogColumn& column : table.columns) {
+    std::vector<double> values(rows.size());
+    std::transform(rows.begin(), rows.end(), values.begin(),
+                   [&](std::size_t row) { return column.values[row]; });
+    column.gaps = static_cast<std::size_t>(std::count_if(
+        values.begin(), values.end(), [](double value) { return std::isnan(value); }));
+    column.values = std::move(values);
+  }
+  std::vector<std::pair<std::size_t, long>> breaks;
+  long expected = -1;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const long line = table.line_of(rows[k]);
+    if (line != expected) breaks.emplace_back(k, line);
+    expected = line + 1;
+  }
+  if (!table.line_breaks.empty()) table.line_breaks = std::move(breaks);
+  table.other_rows += table.rows - rows.size();
+  table.rows = rows.size();
 }
 
 }  // namespace tribolog::ingest::log

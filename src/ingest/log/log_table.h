@@ -22,6 +22,16 @@ struct ColumnHeader {
 
 struct LogTable;
 
+/// What a column's fields are.
+enum class ColumnReading {
+  number,
+  clock,        ///< A number whose differences count: exact to the nanosecond.
+  iso_time,     ///< ISO 8601, read as seconds.
+  time_of_day,  ///< "08:15:00.25", read as seconds; behind midnight it goes on.
+  date,         ///< "2026-03-01", read as seconds.
+  words,        ///< Any text, read as its place among LogColumn::words.
+};
+
 struct LogColumn {
   ColumnHeader header;
   std::vector<double> values;  ///< NaN where there is a gap.
@@ -29,6 +39,8 @@ struct LogColumn {
   /// without which no double holds nanoseconds. 0 otherwise.
   double origin{};
   std::size_t gaps{};
+  ColumnReading reading{ColumnReading::number};
+  std::vector<std::string> words{};  ///< Of such a column: what its values 0, 1, 2 ... stand for.
   /// Rows, ascending, whose number no joint has: made gaps of, as the manifest allows.
   std::vector<std::size_t> impossible{};
   [[nodiscard]] bool is_impossible(std::size_t row) const {
@@ -47,6 +59,7 @@ struct LogTable {
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
   std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
+  std::size_t other_rows{};         ///< Those left out because they are another joint's, as stated.
   std::vector<Statement> notes;     ///< Peculiarities that the user should know.
   /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
   /// and take_columns() refuses them; other tables of the log are not concerned.
@@ -58,16 +71,14 @@ struct LogTable {
   std::vector<std::pair<std::size_t, long>> line_breaks;
 };
 
+/// Leaves the rows alone in which a column of words has the one at this place; the others count in
+/// `other_rows`.
+/// @param told_by of the table's rows, but none of its columns.
+void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table);
+
 /// From this reading on a clock is taken to count from 1970 in whatever unit: no joint is recorded
 /// for three years.
 inline constexpr double counts_from_1970 = 1e8;
-
-/// What a column's fields are.
-enum class ColumnReading {
-  number,
-  clock,     ///< A number whose differences count: exact to the nanosecond.
-  iso_time,  ///< ISO 8601, read as seconds.
-};
 
 /// A column to convert.
 struct WantedColumn {

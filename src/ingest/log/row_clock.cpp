@@ -1,5 +1,8 @@
 #include "ingest/log/row_clock.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace tribolog::ingest::log {
@@ -12,6 +15,43 @@ LogColumn row_clock(double rate_Hz, std::size_t rows) {
   clock.values.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) clock.values[i] = static_cast<double>(i) / rate_Hz;
   return clock;
+}
+
+void count_from_first(LogColumn& clock) {
+  const auto first = std::find_if(clock.values.begin(), clock.values.end(),
+                                  [](double value) { return !std::isnan(value); });
+  if (first == clock.values.end()) return;
+  if (clock.origin == 0 && std::abs(*first) < counts_from_1970) return;
+  const double whole = std::floor(*first);
+  clock.origin += whole;
+  for (double& value : clock.values) value -= whole;
+}
+
+void add_to_clock(const LogColumn& part, double factor, LogColumn& clock) {
+  count_from_first(clock);
+  clock.origin += factor * part.origin;
+  clock.gaps = 0;
+  for (std::size_t row = 0; row < clock.values.size(); ++row) {
+    clock.values[row] += factor * part.values[row];
+    clock.gaps += std::isnan(clock.values[row]) ? 1 : 0;
+  }
+  count_from_first(clock);
+}
+
+std::size_t go_on_past_midnight(LogColumn& times_of_day) {
+  constexpr double day_s = 86'400;
+  std::size_t midnights = 0;
+  double latest = NAN;
+  for (double& value : times_of_day.values) {
+    if (std::isnan(value)) continue;
+    value += static_cast<double>(midnights) * day_s;
+    if (latest - value > day_s / 2) {
+      ++midnights;
+      value += day_s;
+    }
+    latest = value;
+  }
+  return midnights;
 }
 
 }  // namespace tribolog::ingest::log

@@ -1,5 +1,6 @@
 #pragma once
-// The clock of a log that has none: its rows come at a rate that is stated.
+// Clocks that no single column of a log holds: its rows come at a rate that is stated, the clock
+// stands in two columns, or it begins anew at midnight.
 
 #include <cstddef>
 #include <string>
@@ -13,5 +14,18 @@ std::string name_of_row_clock(double rate_Hz);
 
 /// In seconds from the first row on. @param rate_Hz > 0.
 LogColumn row_clock(double rate_Hz, std::size_t rows);
+
+/// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
+/// log's are.
+void count_from_first(LogColumn& clock);
+
+/// Adds the second part of a clock that stands in two columns: nanoseconds to seconds, a date to a
+/// time of day. The sum counts as count_from_first() says.
+/// @param factor the part's unit in that of the clock.
+void add_to_clock(const LogColumn& part, double factor, LogColumn& clock);
+
+/// Times of day behind midnight go on from those before it.
+/// @return how often it is midnight.
+std::size_t go_on_past_midnight(LogColumn& times_of_day);
 
 }  // namespace tribolog::ingest::log

@@ -29,15 +29,19 @@ constexpr std::array times = {Unit{"s", 1},
                               Unit{"ns", 1e-9},
                               Unit{"µs", 1e-6, false} /* micro sign */,
                               Unit{"μs", 1e-6, false} /* Greek mu */,
-                              Unit{"sec", 1, false}};
-constexpr std::array angles = {Unit{"rad", 1},
-                               Unit{"mrad", 1e-3},
-                               Unit{"deg", joint::rad_per_degree},
-                               Unit{"turn", 2 * pi},
-                               Unit{"°", joint::rad_per_degree, false},
-                               Unit{"rev", 2 * pi, false},
-                               Unit{"radians", 1, false},
-                               Unit{"degrees", joint::rad_per_degree, false}};
+                              Unit{"sec", 1, false},
+                              Unit{"min", 60, false},
+                              Unit{"100ns", 1e-7, false} /* as Windows counts */};
+constexpr std::array angles = {
+    Unit{"rad", 1},
+    Unit{"mrad", 1e-3},
+    Unit{"deg", joint::rad_per_degree},
+    Unit{"turn", 2 * pi},
+    Unit{"°", joint::rad_per_degree, false},
+    Unit{"rev", 2 * pi, false},
+    Unit{"Grad", joint::rad_per_degree, false} /* German; Gon is another */,
+    Unit{"radians", 1, false},
+    Unit{"degrees", joint::rad_per_degree, false}};
 constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"mrad/s", 1e-3},
                                        Unit{"deg/s", joint::rad_per_degree},
@@ -45,6 +49,7 @@ constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"turn/s", 2 * pi},
                                        Unit{"rev/s", 2 * pi, false},
                                        Unit{"°/s", joint::rad_per_degree, false},
+                                       Unit{"Grad/s", joint::rad_per_degree, false},
                                        Unit{"Hz", 2 * pi, false} /* turns a second */,
                                        Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
@@ -137,6 +142,30 @@ std::string to_string(Quantity quantity) {
       return "a temperature";
   }
   return "unknown";
+}
+
+std::string_view unit_of_time(ColumnReading reading) {
+  switch (reading) {
+    case ColumnReading::iso_time:
+      return "iso8601";
+    case ColumnReading::time_of_day:
+      return "hh:mm:ss";
+    case ColumnReading::date:
+      return "yyyy-mm-dd";
+    case ColumnReading::number:
+    case ColumnReading::clock:
+    case ColumnReading::words:
+      break;
+  }
+  return "";
+}
+
+std::optional<ColumnReading> reading_of_time(std::string_view unit) {
+  for (const ColumnReading reading :
+       {ColumnReading::iso_time, ColumnReading::time_of_day, ColumnReading::date}) {
+    if (unit_of_time(reading) == unit) return reading;
+  }
+  return std::nullopt;
 }
 
 std::string_view example_of_multiple(Quantity quantity) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog::ingest::log {
 
@@ -25,6 +26,12 @@ std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);
 
 /// As above. @throw InputError at `where`, listing the known units and naming the closest.
 double si_factor(Quantity quantity, std::string_view unit, const Location& where);
+
+/// The unit that a manifest states for a time that is no number: "iso8601", "hh:mm:ss",
+/// "yyyy-mm-dd"; empty for the other readings.
+std::string_view unit_of_time(ColumnReading reading);
+/// The reading that has this unit; nothing for a unit of numbers.
+std::optional<ColumnReading> reading_of_time(std::string_view unit);
 
 /// Of what drives log, counts of an encoder or per mille of a rated value: "0.018 deg".
 std::string_view example_of_multiple(Quantity quantity);

@@ -68,6 +68,41 @@ void read_place(const TomlTable& column, ColumnEntry& entry) {
   entry.time_in_file = column.text_or("time", "");
 }
 
+/// Of a clock that stands in two columns.
+std::optional<ClockPart> read_clock_part(const TomlTable& time) {
+  const auto table = time.find_table("plus");
+  if (!table) return std::nullopt;
+  ClockPart part;
+  part.name = table->text("name", "the name of the column that is added to the time");
+  const std::string unit =
+      table->text("unit", "one of " + log::known_units(log::Quantity::time) + ", yyyy-mm-dd");
+  const auto reading = log::reading_of_time(unit);
+  part.reading = reading.value_or(log::ColumnReading::number);
+  if (!reading) part.si_factor = log::si_factor(log::Quantity::time, unit, table->where("unit"));
+  const bool is_day = reading == log::ColumnReading::date;
+  const bool is_of_day = log::reading_of_time(time.text("unit")) == log::ColumnReading::time_of_day;
+  if ((reading && !is_day) || is_day != is_of_day) {
+    table->refuse("unit", {"cannot be added to that of the time", in_quotes(unit),
+                           is_of_day ? "yyyy-mm-dd, the date of a time of day"
+                                     : "one of " + log::known_units(log::Quantity::time),
+                           ""});
+  }
+  table->refuse_unknown_keys();
+  return part;
+}
+
+std::optional<RowsEntry> read_rows(const TomlTable& columns,
+                                   const std::optional<RowsEntry>& otherwise) {
+  const auto table = columns.find_table("rows");
+  if (!table) return otherwise;
+  RowsEntry rows;
+  rows.name = table->text("name", "the name of the column that tells whose a row is");
+  rows.value = table->text("value", "what stands in it where a row is this joint's");
+  rows.where = table->where("value");
+  table->refuse_unknown_keys();
+  return rows;
+}
+
 std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::string& key,
                                        log::Quantity quantity, bool has_side,
                                        const std::optional<ColumnEntry>& otherwise) {
@@ -87,9 +122,11 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   if (entry.name.empty()) table->refuse("name", {"is empty", "", "the column's name", ""});
   entry.unit = table->text("unit", "one of " + log::known_units(quantity));
   refuse_contradiction(*table, quantity, entry.unit);
-  if (quantity == log::Quantity::time) entry.reading = log::ColumnReading::clock;
-  if (quantity == log::Quantity::time && entry.unit == "iso8601") {
-    entry.reading = log::ColumnReading::iso_time;  // read as seconds
+  if (quantity == log::Quantity::time) {
+    const auto reading = log::reading_of_time(entry.unit);  // read as seconds
+    entry.reading = reading.value_or(log::ColumnReading::clock);
+    if (!reading) entry.si_factor = log::si_factor(quantity, entry.unit, table->where("unit"));
+    entry.plus = read_clock_part(*table);
   } else {
     entry.si_factor = log::si_factor(quantity, entry.unit, table->where("unit"));
   }
@@ -140,6 +177,7 @@ ColumnEntries read_columns(const TomlTable& table, joint::EffortKind effort_kind
   entries.temperature =
       read("temperature", log::Quantity::temperature, false, otherwise.temperature);
   entries.load = read("load", log::Quantity::torque, true, otherwise.load);
+  entries.rows = read_rows(table, otherwise.rows);
   table.refuse_unknown_keys();
   return entries;
 }

@@ -234,7 +234,9 @@ void refuse_what_is_no_manifest(std::string_view text, const std::string& file) 
   text::RowCursor cursor(text);
   if (!cursor.next()) return;
   const std::string_view row = text::trimmed(cursor.row());
-  if (!is_binary && (row.front() == '[' || row.find('=') != std::string_view::npos)) return;
+  const bool is_of_excel = row.starts_with("sep=");
+  const bool has_key = row.front() == '[' || row.find('=') != std::string_view::npos;
+  if (!is_binary && !is_of_excel && has_key) return;
   constexpr std::size_t longest_shown = 60;
   throw InputError(
       {file, is_binary ? 0 : cursor.line(), 0},
@@ -319,7 +321,18 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
 }
 
 ManifestFile read_manifest(const std::string& path, const std::string& joint) {
-  return parse_manifest(read_file(path, largest_manifest_bytes), path, joint);
+  return parse_manifest(read_manifest_text(path), path, joint);
+}
+
+std::string read_manifest_text(const std::string& path) {
+  constexpr std::size_t looked_at_bytes = std::size_t{1} << 16;
+  InputFileSource file(path);
+  if (file.likely_bytes() > largest_manifest_bytes) {
+    std::string start(looked_at_bytes, '\0');
+    start.resize(file.read(start.data(), start.size()));
+    refuse_what_is_no_manifest(start, path);
+  }
+  return read_file(path, largest_manifest_bytes);
 }
 
 bool is_impossible_time(const std::string& text) {

@@ -21,7 +21,11 @@
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
-//                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
+//                 (optional); name = "#2": the second column; unit of the time: "iso8601",
+//                 "hh:mm:ss" too; time: plus = {name, unit} where it stands in two columns:
+//                 nanoseconds, or the date ("yyyy-mm-dd") of a time of day
+//                 rows = {name, value} (optional): of a log in which each row is one joint's those
+//                 in which the column has the value
 //                 angle and speed: side = "joint" (default) | "motor"
 //                 time: any_rate = true where under 5 or over 100000 samples a second are right;
 //                 time = {rate_Hz}: the log has no clock, its rows come at this rate
@@ -79,6 +83,10 @@ struct ManifestFile {
 };
 
 inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
+
+/// The text of a manifest. @throw InputError as read_file(), or as parse_manifest() for a log, of
+/// whatever size.
+std::string read_manifest_text(const std::string& path);
 
 /// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
 bool is_impossible_time(const std::string& text);

@@ -26,6 +26,20 @@ void refuse_voltage_kind(const TomlTable& effort);
 /// @throw InputError if the column's `unit` is one of voltage or duty cycle.
 void refuse_voltage_unit(const TomlTable& column);
 
+/// The second column of a clock that stands in two.
+struct ClockPart {
+  std::string name;
+  log::ColumnReading reading{log::ColumnReading::number};
+  double si_factor{1.0};
+};
+
+/// Of a log in which each row is one joint's: which rows.
+struct RowsEntry {
+  std::string name;   ///< Of the column that tells whose they are.
+  std::string value;  ///< As it stands there.
+  Location where;
+};
+
 struct ColumnEntry {
   std::string name;
   std::string unit;
@@ -41,6 +55,7 @@ struct ColumnEntry {
   bool any_rate{};             ///< Of the time: so stated, however many samples a second it makes.
   /// Of the time: the log has no clock, its rows come at this rate.
   std::optional<double> rate_Hz{};
+  std::optional<ClockPart> plus{};  ///< Of the time: is added to it.
 };
 
 struct ColumnEntries {
@@ -52,6 +67,7 @@ struct ColumnEntries {
   std::optional<ColumnEntry> bristle_rate;
   std::optional<ColumnEntry> temperature;
   std::optional<ColumnEntry> load;  ///< Of friction points: torque that loads the gear.
+  std::optional<RowsEntry> rows;    ///< Absent: all.
 };
 
 /// Reads a `columns` table; what it does not mention is taken from `otherwise`.

@@ -81,6 +81,29 @@ std::int64_t offset_s(Fields& fields) {
   return sign * (hours * 3600 + minutes * 60);
 }
 
+/// In seconds since midnight; a second may be a leap second.
+ClockReading time_of_day(Fields& fields, std::size_t hour_digits) {
+  constexpr int leap_second = 60;
+  const int hour = fields.number(hour_digits);
+  fields.need(":");
+  const int minute = fields.number(2);
+  fields.need(":");
+  const int second = fields.number(2);
+  const double rest = fields.take(".,") ? fields.digits_behind_the_mark() : 0.0;
+  fields.hold_to(hour <= 23 && minute <= 59 && second <= leap_second);
+  return {(std::int64_t{hour} * 60 + minute) * 60 + second, rest};
+}
+
+/// From 1970 to the midnight with which a day begins.
+std::optional<std::int64_t> seconds_to(int year, int month, int day) {
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok()) return std::nullopt;
+  constexpr std::int64_t seconds_a_day = 86'400;
+  return std::chrono::sys_days(date).time_since_epoch().count() * seconds_a_day;
+}
+
 }  // namespace
 
 std::optional<ClockReading> read_clock_number(std::string_view field, DecimalMark mark) {
@@ -112,21 +135,55 @@ std::optional<ClockReading> read_iso_time(std::string_view field) {
   fields.need("-");
   const int day = fields.number(2);
   fields.need("T t");
-  const int hour = fields.number(2);
-  fields.need(":");
-  const int minute = fields.number(2);
-  fields.need(":");
-  const int second = fields.number(2);
-  const double rest = fields.take(".,") ? fields.digits_behind_the_mark() : 0.0;
+  const ClockReading of_day = time_of_day(fields, 2);
   const std::int64_t ahead_s = offset_s(fields);
+  const std::optional<std::int64_t> midnight_s = seconds_to(year, month, day);
+  if (!fields.is_good() || !fields.at_end() || !midnight_s) return std::nullopt;
+  return ClockReading{*midnight_s + of_day.whole - ahead_s, of_day.rest};
+}
+
+std::optional<ClockReading> read_time_of_day(std::string_view field) {
+  const std::string_view text = trimmed(field);
+  Fields fields(text);
+  const ClockReading of_day = time_of_day(fields, text.find(':') == 1 ? 1 : 2);
   if (!fields.is_good() || !fields.at_end()) return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day))};
-  constexpr int leap_second = 60;
-  if (!date.ok() || hour > 23 || minute > 59 || second > leap_second) return std::nullopt;
-  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  return ClockReading{((days * 24 + hour) * 60 + minute) * 60 + second - ahead_s, rest};
+  return of_day;
+}
+
+std::optional<ClockReading> read_date(std::string_view field) {
+  const std::string_view text = trimmed(field);
+  Fields fields(text);
+  constexpr std::size_t year_digits = 4;
+  const bool is_year_first = digits_at_start(text) == year_digits;
+  const bool has_slashes = text.find('/') == year_digits;
+  const std::string_view sign = !is_year_first ? "." : has_slashes ? "/" : "-";
+  const int first = fields.number(is_year_first ? year_digits : 2);
+  fields.need(sign);
+  const int month = fields.number(2);
+  fields.need(sign);
+  const int last = fields.number(is_year_first ? 2 : year_digits);
+  const auto midnight_s =
+      is_year_first ? seconds_to(first, month, last) : seconds_to(last, month, first);
+  if (!fields.is_good() || !fields.at_end() || !midnight_s) return std::nullopt;
+  return ClockReading{*midnight_s, 0.0};
+}
+
+std::optional<ClockReading> read_time(std::string_view field, log::ColumnReading reading,
+                                      DecimalMark mark) {
+  switch (reading) {
+    case log::ColumnReading::clock:
+      return read_clock_number(field, mark);
+    case log::ColumnReading::iso_time:
+      return read_iso_time(field);
+    case log::ColumnReading::time_of_day:
+      return read_time_of_day(field);
+    case log::ColumnReading::date:
+      return read_date(field);
+    case log::ColumnReading::number:
+    case log::ColumnReading::words:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace tribolog::ingest::text

@@ -196,6 +196,66 @@ Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark
   return fits[0].delimiter;
 }
 
+std::optional<Delimiter> take_stated_delimiter(RowCursor& cursor) {
+  RowCursor first = cursor;
+  if (!first.next()) return std::nullopt;
+  std::string_view row = trimmed(first.row());
+  if (row.size() > 2 && row.front() == '"' && row.back() == '"')
+    row = row.substr(1, row.size() - 2);
+  constexpr std::string_view statement = "sep=";
+  if (row.size() != statement.size() + 1 && row != "sep=") return std::nullopt;
+  if (!row.starts_with(statement) && !row.starts_with("SEP=")) return std::nullopt;
+  // A tab behind the sign is no blank around the line.
+  const std::size_t at = first.row().find('=') + 1;
+  const char mark = at < first.row().size() ? first.row()[at] : '\0';
+  for (const Delimiter known :
+       {Delimiter::comma, Delimiter::semicolon, Delimiter::tab, Delimiter::spaces}) {
+    if (mark != static_cast<char>(known)) continue;
+    cursor = first;
+    return known;
+  }
+  return std::nullopt;
+}
+
+bool show_decimal_commas(RowCursor cursor, const std::string& file, const TextLogRules& rules) {
+  constexpr std::size_t looked_at_rows = 200;
+  if (rules.header_line) cursor.go_to_line(*rules.header_line, file);
+  const auto stated = rules.header_line ? std::nullopt : take_stated_delimiter(cursor);
+  Delimiter delimiter{};
+  try {
+    delimiter = rules.delimiter ? *rules.delimiter
+                : stated        ? *stated
+                                : sniff_delimiter(cursor, file, DecimalMark::comma);
+  } catch (const InputError&) {
+    return false;
+  }
+  bool is_shown = false;
+  std::size_t columns = 0;
+  for (std::size_t row = 0; row < looked_at_rows && cursor.next() && cursor.has_line_end(); ++row) {
+    std::vector<Field> fields;
+    try {
+      fields = split_row(cursor.row(), delimiter, {file, cursor.line(), 0});
+    } catch (const InputError&) {
+      return false;
+    }
+    if (!fields.empty() && fields.back().text.empty()) fields.pop_back();
+    if (delimiter == Delimiter::comma || fields.size() < 2) return false;
+    const bool is_header =
+        row == 0 && read_number(fields[0].text, DecimalMark::comma).kind == FieldKind::text;
+    if (is_header && cursor.row().find(',') != std::string_view::npos) return false;
+    if (row > 1 && fields.size() != columns) return false;
+    columns = fields.size();
+    for (const Field& field : fields) {
+      const bool has_point = field.text.find('.') != std::string::npos;
+      if (has_point && read_number(field.text).kind == FieldKind::number) return false;
+      const bool has_zero = field.text.starts_with("0,") || field.text.starts_with("-0,");
+      is_shown = is_shown || (looks_like_decimal_comma(field.text) &&
+                              (has_zero || !looks_like_thousands(field.text)));
+    }
+  }
+  return is_shown;
+}
+
 log::ColumnHeader read_header_field(const std::string& field) {
   log::ColumnHeader header{field, field, ""};
   const char close = field.empty() ? '\0' : field.back();

@@ -60,6 +60,15 @@ Delimiter sniff_delimiter(std::string_view text, const std::string& file,
 /// The same from the header on, in front of which the cursor stands.
 Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark mark);
 
+/// Passes a first line such as "sep=;", in which a log states its delimiter for Excel.
+/// @return that; nothing where the line is none, or the delimiter no known one.
+std::optional<Delimiter> take_stated_delimiter(RowCursor& cursor);
+
+/// Whether numbers in the first rows have decimal commas and cannot be read otherwise: no commas
+/// between the columns, no point in any number, and one at least that has not just three digits
+/// behind its comma, as thousands have.
+bool show_decimal_commas(RowCursor cursor, const std::string& file, const TextLogRules& rules);
+
 /// The name and the unit in brackets behind it.
 log::ColumnHeader read_header_field(const std::string& field);
 

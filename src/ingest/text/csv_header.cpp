@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -62,9 +63,106 @@ bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark) {
   return any;
 }
 
+bool holds_a_fraction(const std::vector<Field>& row, DecimalMark mark) {
+  const char sign = mark == DecimalMark::comma ? ',' : '.';
+  return std::any_of(row.begin(), row.end(), [&](const Field& field) {
+    return field.text.find(sign) != std::string::npos &&
+           read_number(field.text, mark).kind == FieldKind::number;
+  });
+}
+
 std::vector<Field> names_by_position(std::size_t columns) {
   std::vector<Field> names;
   for (std::size_t k = 1; k <= columns; ++k) names.push_back({fmt::format("#{}", k), 1});
+  return names;
+}
+
+namespace {
+
+std::string_view without_mark(std::string_view comment) {
+  const std::size_t first = comment.find_first_not_of("#%/ \t");
+  return first == std::string_view::npos ? std::string_view() : comment.substr(first);
+}
+
+/// Of words with blanks between them: a clock in front, or signs that sentences lack.
+bool may_be_names(const std::vector<Field>& words) {
+  constexpr std::array clocks = {"t", "time", "timestamp", "stamp", "zeit", "czas", "sec"};
+  std::string first = read_header_field(words.front().text).name;
+  for (char& c : first) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (std::find(clocks.begin(), clocks.end(), first) != clocks.end()) return true;
+  const auto has_sign = [](const Field& word) {
+    return word.text.find_first_of("_[]0123456789") != std::string::npos;
+  };
+  return 2 * static_cast<std::size_t>(std::count_if(words.begin(), words.end(), has_sign)) >=
+         words.size();
+}
+
+bool is_name(const Field& field) {
+  return read_number(field.text).kind == FieldKind::text && !read_iso_time(field.text) &&
+         !first_broken_utf8(field.text);
+}
+
+}  // namespace
+
+std::optional<std::vector<Field>> names_in_comment(std::string_view comment, std::size_t columns,
+                                                   Delimiter delimiter, const Location& line) {
+  const std::string_view text = without_mark(comment);
+  if (text.empty() || text.size() > longest_field_bytes) return std::nullopt;
+  // "#,t,q" names all columns but the first.
+  const bool is_first_unnamed = text.front() == static_cast<char>(delimiter);
+  for (const Delimiter by :
+       {delimiter, Delimiter::comma, Delimiter::semicolon, Delimiter::tab, Delimiter::spaces}) {
+    std::vector<Field> names;
+    try {
+      names = split_row(text, by, line);
+    } catch (const InputError&) {
+      continue;
+    }
+    if (by == Delimiter::spaces) names = join_units(std::move(names));
+    const auto first = names.begin() + (is_first_unnamed ? 1 : 0);
+    if (names.size() != columns || !std::all_of(first, names.end(), is_name)) continue;
+    if (by == Delimiter::spaces && !may_be_names(names)) continue;
+    return names;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Field>> names_of_joint_states(const std::vector<Field>& first,
+                                                        const std::vector<Field>& second) {
+  constexpr std::size_t in_front = 3;  // sec, nanosec, frame_id
+  constexpr std::size_t per_joint = 3;
+  constexpr std::size_t most_digits = 10;
+  const auto is_whole = [](const Field& field) {
+    return !field.text.empty() && field.text.size() <= most_digits &&
+           std::all_of(field.text.begin(), field.text.end(), is_digit);
+  };
+  if (first.size() <= in_front || second.size() != first.size()) return std::nullopt;
+  if (!is_whole(first[0]) || !is_whole(first[1]) || is_whole(first[2])) return std::nullopt;
+  if (!is_whole(second[0]) || !is_whole(second[1])) return std::nullopt;
+  const auto is_word = [](const Field& field) {
+    return read_number(field.text).kind == FieldKind::text;
+  };
+  std::size_t end = in_front;
+  while (end < first.size() && is_word(first[end]) && first[end].text == second[end].text) ++end;
+  const std::size_t joints = end - in_front;
+  const std::size_t numbers = first.size() - end;
+  if (joints == 0 || numbers == 0 || numbers % joints != 0 || numbers > per_joint * joints) {
+    return std::nullopt;
+  }
+  if (std::any_of(first.begin() + static_cast<std::ptrdiff_t>(end), first.end(), is_word)) {
+    return std::nullopt;
+  }
+  std::vector<Field> names = names_by_position(first.size());
+  names[0].text = "sec";
+  names[1].text = "nanosec";
+  names[2].text = "frame_id";
+  constexpr std::array arrays = {"position", "velocity", "effort"};
+  for (std::size_t k = 0; k < joints; ++k) {
+    names[in_front + k].text = fmt::format("name_{}", k);
+    for (std::size_t a = 0; a < arrays.size() && numbers == per_joint * joints; ++a) {
+      names[end + a * joints + k].text = fmt::format("{}.{}", first[in_front + k].text, arrays[a]);
+    }
+  }
   return names;
 }
 

@@ -137,13 +137,14 @@ bool is_utf16(std::string_view bytes) {
                       (bytes[0] == 0) == (bytes[2] == 0) && (bytes[1] == 0) == (bytes[3] == 0));
 }
 
-/// Neither blank nor a comment.
-bool is_row(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] != '#';
-}
-
 }  // namespace
+
+bool starts_comment(std::string_view text) {
+  constexpr std::array gaps = {"#N/A"sv, "#n/a"sv, "#NA"sv};
+  if (!text.starts_with('#')) return text.starts_with('%') || text.starts_with("//");
+  return std::none_of(gaps.begin(), gaps.end(),
+                      [&](std::string_view gap) { return text.starts_with(gap); });
+}
 
 std::string_view start_of_text(std::string_view bytes, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -175,9 +176,13 @@ void RowCursor::go_to_line(long line, const std::string& file) {
 }
 
 bool RowCursor::next() {
+  comments_ = {};
   while (!rest_.empty()) {
     next_line();
-    if (is_row(row_)) return true;
+    const std::size_t first = row_.find_first_not_of(" \t");
+    if (first == std::string_view::npos) continue;
+    if (!starts_comment(row_.substr(first))) return true;
+    comments_ = {comments_[1], row_.substr(first)};
   }
   return false;
 }
@@ -192,6 +197,7 @@ void RowCursor::pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any
 void RowCursor::read_on(std::size_t bytes) {
   if (!may_go_on() || rest_.size() >= bytes) return;
   row_ = {};
+  comments_ = {};
   rest_ = window_->read_on(rest_, bytes);
 }
 
@@ -224,6 +230,7 @@ void RowCursor::next_line() {
     if (rest_.size() > longest_line_bytes) {
       refuse_long_line(window_->file(), line_);
     }
+    comments_ = {};
     rest_ = window_->read_on(rest_, std::max(2 * rest_.size(), longest_line_bytes));
     end = next_lf();
     cr = rest_.substr(0, end).find('\r');

@@ -1,6 +1,7 @@
 #pragma once
 // A log as lines of text, of which a part is in memory.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -73,8 +74,13 @@ inline constexpr std::size_t longest_line_bytes = std::size_t{1} << 20;
 /// @throw InputError that says so.
 [[noreturn]] void refuse_long_line(const std::string& file, long line);
 
-/// Walks the rows of a text: lines that are neither blank nor comments (`#`). A line ends with LF,
-/// CR LF or CR, also mixed.
+/// Whether a line that starts so is a comment: "#", "%" and "//", but for "#N/A" and the like,
+/// which are gaps.
+/// @param text from the line's first byte that is no blank on.
+bool starts_comment(std::string_view text);
+
+/// Walks the rows of a text: lines that are neither blank nor comments. A line ends with LF, CR LF
+/// or CR, also mixed.
 class RowCursor {
  public:
   /// Over a text that is in memory as a whole.
@@ -100,6 +106,9 @@ class RowCursor {
   [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] std::string_view row() const { return row_; }
   [[nodiscard]] long line() const { return line_; }  ///< Of the row; counts from 1.
+  /// The last two comments between the row and the one before it, with their marks; empty where
+  /// there are fewer, and where the text was read on since.
+  [[nodiscard]] const std::array<std::string_view, 2>& comments() const { return comments_; }
   [[nodiscard]] bool has_line_end() const { return has_line_end_; }
   [[nodiscard]] std::uint64_t bytes_walked() const { return walked_; }
   [[nodiscard]] bool is_last() const { return rest_.empty(); }
@@ -115,6 +124,7 @@ class RowCursor {
   TextWindow* window_{nullptr};
   std::string_view rest_;
   std::string_view row_;
+  std::array<std::string_view, 2> comments_;
   std::uint64_t walked_{0};
   std::optional<std::uint64_t> lf_at_;  ///< Counted as walked_ is, as far as one was found
   std::uint64_t searched_{0};           ///< up to here.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,6 +56,38 @@ std::vector<Field> words_of(const RowCursor& cursor, const CsvTable& table,
   return fields;
 }
 
+std::string text_in(std::string_view comment, const TextLogRules& rules) {
+  return rules.encoding == TextEncoding::utf8 ? std::string(comment) : utf8_of_latin1(comment);
+}
+
+/// Names, and units below them, in the comments in front of a first row of numbers.
+/// @return whether there are some.
+bool read_commented_names(const RowCursor& first, std::size_t columns, const TextLogRules& rules,
+                          CsvTable& table, Header& header) {
+  const Location line{table.file, first.line(), 0};
+  const auto& [above, last] = first.comments();
+  const auto in = [&](std::string_view comment) {
+    return names_in_comment(text_in(comment, rules), columns, table.delimiter, line);
+  };
+  auto names = in(last);
+  if (names && holds_units(*names, rules.decimal_mark)) {
+    const std::vector<Field> units = std::move(*names);
+    names = in(above);
+    if (!names) return false;
+    for (const Field& unit : units) header.units.emplace_back(without_brackets(unit.text));
+  }
+  if (!names) return false;
+  header.fields = std::move(*names);
+  table.notes.push_back(Code{"reading.names_in_comment"});
+  return true;
+}
+
+void note_repeated_names(const std::vector<Field>& header, CsvTable& table) {
+  if (const auto repeated = repeated_names(header); !repeated.empty()) {
+    table.notes.push_back({"reading.repeated_names", {{"columns", list_of_names(repeated)}}});
+  }
+}
+
 /// Goes on to the last row of the header; stays in front of the first row where there is none.
 Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& columns,
                   const TextLogRules& rules, CsvTable& table) {
@@ -61,7 +96,26 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
   const Location line{table.file, first.line(), 0};
   Header header;
   header.fields = words_of(first, table, rules);
-  if (holds_numbers_only(header.fields, rules.decimal_mark)) {
+  // A row with a number in it names no columns where a comment above it does.
+  const bool has_number =
+      std::any_of(header.fields.begin(), header.fields.end(), [&](const Field& field) {
+        return read_number(field.text, rules.decimal_mark).kind == FieldKind::number;
+      });
+  if (has_number && read_commented_names(first, header.fields.size(), rules, table, header)) {
+    note_repeated_names(header.fields, table);
+    return header;
+  }
+  RowCursor second = first;
+  const bool has_second = second.next() && second.row().size() <= longest_line_bytes;
+  const std::vector<Field> below =
+      has_second ? words_of(second, table, rules) : std::vector<Field>();
+  if (auto names = names_of_joint_states(header.fields, below)) {
+    header.fields = std::move(*names);
+    table.notes.push_back(Code{"reading.echoed_joint_states"});
+    return header;
+  }
+  if (holds_numbers_only(header.fields, rules.decimal_mark) ||
+      holds_a_fraction(header.fields, rules.decimal_mark)) {
     const bool by_position =
         std::all_of(columns.begin(), columns.end(),
                     [](const log::WantedColumn& c) { return c.name.starts_with('#'); });
@@ -78,13 +132,9 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
   if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));
   header.row = first.row();
   refuse_other_encodings(header.fields, line);
-  if (const auto repeated = repeated_names(header.fields); !repeated.empty()) {
-    table.notes.push_back({"reading.repeated_names", {{"columns", list_of_names(repeated)}}});
-  }
+  note_repeated_names(header.fields, table);
   cursor = first;
-  RowCursor second = cursor;
-  if (!second.next() || second.row().size() > longest_line_bytes) return header;
-  const std::vector<Field> below = words_of(second, table, rules);
+  if (!has_second) return header;
   if (below.size() != header.fields.size() || !holds_units(below, rules.decimal_mark)) {
     return header;
   }
@@ -145,6 +195,7 @@ RowLayout lay_out(const Header& header, const std::vector<log::WantedColumn>& co
     log::LogColumn column;
     column.header = read_header_field(layout.header[index].text);
     column.header.place = index + 1;
+    column.reading = wanted.reading;
     if (column.header.unit.empty() && !header.units.empty()) {
       column.header.unit = header.units[index];
     }
@@ -155,21 +206,55 @@ RowLayout lay_out(const Header& header, const std::vector<log::WantedColumn>& co
 
 /// What the fields of a column are in the first rows.
 struct Sample {
-  std::size_t numbers{}, times{}, texts{};
+  std::size_t numbers{}, iso_times{}, times_of_day{}, dates{};
+  std::set<std::string> words;  ///< That are none of these.
+
+  [[nodiscard]] bool is_empty() const {
+    return numbers + iso_times + times_of_day + dates == 0 && words.empty();
+  }
+  /// What all of them are; nothing where that is not one thing.
+  [[nodiscard]] std::optional<log::ColumnReading> reading() const {
+    const int kinds = (numbers > 0 ? 1 : 0) + (iso_times > 0 ? 1 : 0) + (times_of_day > 0 ? 1 : 0) +
+                      (dates > 0 ? 1 : 0) + (words.empty() ? 0 : 1);
+    if (kinds != 1) return std::nullopt;
+    if (numbers > 0) return log::ColumnReading::number;
+    if (iso_times > 0) return log::ColumnReading::iso_time;
+    if (times_of_day > 0) return log::ColumnReading::time_of_day;
+    return dates > 0 ? log::ColumnReading::date : log::ColumnReading::words;
+  }
 };
 
+void count_field(const std::string& field, const TextLogRules& rules, Sample& sample) {
+  const FieldKind kind = read_number(field, rules.decimal_mark).kind;
+  if (kind == FieldKind::number) ++sample.numbers;
+  if (kind != FieldKind::text) return;
+  if (read_iso_time(field)) {
+    ++sample.iso_times;
+  } else if (read_time_of_day(field)) {
+    ++sample.times_of_day;
+  } else if (read_date(field)) {
+    ++sample.dates;
+  } else {
+    sample.words.insert(field);
+  }
+}
+
+/// Of the first rows, and of as many more as it takes until no column holds gaps alone.
 std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const TextLogRules& rules,
                                 const CsvTable& table) {
   constexpr std::size_t sampled_rows = 20;
+  constexpr std::size_t most_rows = 100'000;
   std::vector<Sample> samples(columns);
-  for (std::size_t row = 0; row < sampled_rows && cursor.next(); ++row) {
+  const auto is_settled = [&] {
+    return std::none_of(samples.begin(), samples.end(),
+                        [](const Sample& sample) { return sample.is_empty(); });
+  };
+  for (std::size_t row = 0; row < most_rows && cursor.next(); ++row) {
+    if (row >= sampled_rows && is_settled()) break;
     if (cursor.row().size() > longest_line_bytes || !cursor.has_line_end()) break;
     const std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
     for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
-      const FieldKind kind = read_number(fields[k].text, rules.decimal_mark).kind;
-      if (kind == FieldKind::number) ++samples[k].numbers;
-      if (kind != FieldKind::text) continue;
-      ++(read_iso_time(fields[k].text) ? samples[k].times : samples[k].texts);
+      count_field(fields[k].text, rules, samples[k]);
     }
   }
   return samples;
@@ -182,13 +267,19 @@ std::vector<log::WantedColumn> readable_columns(const RowCursor& cursor, const H
   std::vector<log::WantedColumn> columns;
   std::vector<std::string> others;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const Sample& s = samples[k];
-    if (s.texts > 0 || (s.numbers == 0) == (s.times == 0)) {
-      if (!header.fields[k].text.empty()) others.push_back(header.fields[k].text);
-      continue;
+    const auto commas = std::find_if(
+        samples[k].words.begin(), samples[k].words.end(), [&](const std::string& word) {
+          return looks_like_decimal_comma(word) || looks_like_thousands(word, rules.decimal_mark);
+        });
+    if (commas != samples[k].words.end()) {
+      table.notes.push_back(
+          {"reading.commas_in_numbers",
+           {{"column", in_quotes(header.fields[k].text)}, {"number", in_quotes(*commas)}}});
+    } else if (const auto reading = samples[k].reading()) {
+      columns.push_back({fmt::format("#{}", k + 1), "", *reading});
+    } else if (!header.fields[k].text.empty()) {
+      others.push_back(header.fields[k].text);
     }
-    const auto reading = s.times > 0 ? log::ColumnReading::iso_time : log::ColumnReading::number;
-    columns.push_back({fmt::format("#{}", k + 1), "", reading});
   }
   if (!others.empty()) {
     table.notes.push_back(
@@ -234,8 +325,10 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
       table.notes.push_back({"reading.lines_before_header", {{"lines", *rules.header_line - 1}}});
     }
   }
-  table.delimiter =
-      rules.delimiter ? *rules.delimiter : sniff_delimiter(cursor, file, rules.decimal_mark);
+  const auto stated_by_log = rules.header_line ? std::nullopt : take_stated_delimiter(cursor);
+  table.delimiter = rules.delimiter ? *rules.delimiter
+                    : stated_by_log ? *stated_by_log
+                                    : sniff_delimiter(cursor, file, rules.decimal_mark);
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
@@ -257,6 +350,13 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
     throw InputError({file, cursor.line(), 0}, {"no data rows", "", "", ""});
   }
   return table;
+}
+
+bool shows_decimal_commas(ByteSource& bytes, const std::string& file, const TextLogRules& rules) {
+  constexpr std::size_t looked_at_bytes = std::size_t{1} << 16;
+  TextWindow window(bytes, file);
+  RowCursor cursor(start_of_text(window.read_on({}, looked_at_bytes), file));
+  return show_decimal_commas(cursor, file, rules);
 }
 
 CsvTable read_csv(std::string_view bytes, const std::string& file,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,12 +26,16 @@ class SlotReadings {
   [[nodiscard]] std::optional<PlainLayout> plain_layout(const CsvTable& table) const {
     PlainLayout plain{table.delimiter, layout_.mark, {}, starts_.size()};
     for (const int slot : layout_.slots) {
-      PlainColumn column{slot, {}, false};
+      PlainColumn column;
+      column.slot = slot;
       const auto at = static_cast<std::size_t>(slot);
-      if (slot >= 0 && layout_.readings[at] != log::ColumnReading::number) {
+      if (slot >= 0 && layout_.readings[at] == log::ColumnReading::words) {
+        column.words = &table.columns[at].words;
+      } else if (slot >= 0 && layout_.readings[at] != log::ColumnReading::number) {
         if (!starts_[at]) return std::nullopt;
-        column.is_iso_time = layout_.readings[at] == log::ColumnReading::iso_time;
-        if (starts_[at]->whole != 0) column.start = starts_[at];
+        column.reading = layout_.readings[at];
+        const bool is_text = column.reading != log::ColumnReading::clock;
+        if (is_text || starts_[at]->whole != 0) column.start = starts_[at];
       }
       plain.columns.push_back(column);
     }
@@ -40,17 +45,17 @@ class SlotReadings {
   NumberField read(std::string_view field, std::size_t slot, log::LogTable& table) {
     const log::ColumnReading reading = layout_.readings[slot];
     if (reading == log::ColumnReading::number) return read_number(field, layout_.mark);
-    const auto clock = reading == log::ColumnReading::iso_time
-                           ? read_iso_time(field)
-                           : read_clock_number(field, layout_.mark);
+    if (reading == log::ColumnReading::words) return place_of(field, table.columns[slot].words);
+    const bool is_text = reading != log::ColumnReading::clock;
+    const auto clock = read_time(field, reading, layout_.mark);
     if (clock) {
       if (!starts_[slot]) set_start(*clock, slot, table);
-      if (starts_[slot]->whole != 0) return {FieldKind::number, clock->since(*starts_[slot])};
+      if (is_text || starts_[slot]->whole != 0) {
+        return {FieldKind::number, clock->since(*starts_[slot])};
+      }
     }
     NumberField number = read_number(field, layout_.mark);
-    if (reading == log::ColumnReading::iso_time && number.kind == FieldKind::number) {
-      number.kind = FieldKind::text;
-    }
+    if (is_text && number.kind == FieldKind::number) number.kind = FieldKind::text;
     if (number.kind == FieldKind::number && starts_[slot])
       number.value -= table.columns[slot].origin;
     return number;
@@ -59,11 +64,27 @@ class SlotReadings {
  private:
   /// A clock that counts from 1970 starts with its first reading; another from its own zero.
   void set_start(const ClockReading& first, std::size_t slot, log::LogTable& table) {
-    const bool is_epoch = layout_.readings[slot] == log::ColumnReading::iso_time ||
+    const log::ColumnReading reading = layout_.readings[slot];
+    const bool is_epoch = reading == log::ColumnReading::iso_time ||
+                          reading == log::ColumnReading::date ||
                           std::abs(static_cast<double>(first.whole)) >= log::counts_from_1970;
     const ClockReading start{is_epoch ? first.whole : 0, 0.0};
     starts_[slot] = start;
     table.columns[slot].origin = static_cast<double>(start.whole);
+  }
+
+  /// Among the words known so far, to which it is added. A log of which each row says something
+  /// else has gaps from some row on.
+  static NumberField place_of(std::string_view field, std::vector<std::string>& words) {
+    constexpr std::size_t most_words = 4096;
+    const auto known = std::find(words.begin(), words.end(), field);
+    const bool is_new = known == words.end();
+    if (field.empty() || (is_new && words.size() >= most_words)) {
+      return {FieldKind::gap, std::numeric_limits<double>::quiet_NaN()};
+    }
+    const auto place = static_cast<double>(known - words.begin());
+    if (is_new) words.emplace_back(field);
+    return {FieldKind::number, place};
   }
 
   const RowLayout& layout_;
@@ -161,10 +182,13 @@ class RowReader {
       if (layout_.slots[i] < 0) continue;
       const auto slot = static_cast<std::size_t>(layout_.slots[i]);
       const NumberField number = slots_.read(fields[i].text, slot, table_);
-      if (number.kind == FieldKind::text || number.kind == FieldKind::overflow) {
+      const bool is_dash = fields[i].text == "-";  // a gap, or all that came of a number
+      if (number.kind == FieldKind::text || number.kind == FieldKind::overflow || is_dash) {
         if (may_be_cut && i + 1 == columns && looks_like_cut_number(fields[i].text, layout_.mark)) {
           return false;
         }
+      }
+      if (number.kind == FieldKind::text || number.kind == FieldKind::overflow) {
         refuse_field(row(), fields[i], i, number.kind);
       }
       values_[slot] = number.value;

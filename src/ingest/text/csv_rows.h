@@ -2,6 +2,7 @@
 // The rows of a log: its header, its data, and what is said of a row that cannot be used.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -20,8 +21,25 @@ namespace tribolog::ingest::text {
 /// Whether a first row holds numbers and gaps only, a number at least: no header.
 bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark);
 
+/// Whether one of a row's fields is a number with a decimal mark: no column is called so.
+bool holds_a_fraction(const std::vector<Field>& row, DecimalMark mark);
+
 /// "#1", "#2" and so on, for a log without header.
 std::vector<Field> names_by_position(std::size_t columns);
+
+/// The names in a comment, without its mark: "# t q tau" as NumPy's savetxt writes it. Of words
+/// with blanks between them that may be a sentence nothing is taken for names.
+/// @param columns of the row below it. @return nothing where they are not as many, or no names.
+std::optional<std::vector<Field>> names_in_comment(std::string_view comment, std::size_t columns,
+                                                   Delimiter delimiter, const Location& line);
+
+/// Names for rows of sensor_msgs/JointState as `ros2 topic echo --csv` writes them, without a
+/// header: sec, nanosec and frame_id; the joints' names; then "NAME.position", "NAME.velocity" and
+/// "NAME.effort" where there are three numbers for each joint, or else, since it does not show
+/// which are there, "#7" and so on.
+/// @return nothing for rows that are none.
+std::optional<std::vector<Field>> names_of_joint_states(const std::vector<Field>& first,
+                                                        const std::vector<Field>& second);
 
 /// "Nm" of "[Nm]" and "(Nm)".
 std::string_view without_brackets(std::string_view unit);

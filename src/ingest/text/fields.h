@@ -5,13 +5,15 @@
 #include <optional>
 #include <string_view>
 
+#include "ingest/log/log_table.h"
+
 namespace tribolog::ingest::text {
 
 // One field of a log as a number, the same under every locale.
 
 enum class FieldKind {
   number,
-  gap,       ///< Empty, nan, inf, null, n/a and the like.
+  gap,       ///< Empty, nan, inf, null, n/a, a dash and the like.
   overflow,  ///< A number larger than any double.
   text,      ///< Anything else.
 };
@@ -64,5 +66,18 @@ std::optional<ClockReading> read_clock_number(std::string_view field,
 /// point, an offset "+01:00", "+0100" or "+01"; without one the clock is taken as it is. Nothing
 /// for anything else, or a day or hour that does not exist.
 std::optional<ClockReading> read_iso_time(std::string_view field);
+
+/// In seconds since midnight: "08:15:00.250", "8:15:00", a comma for the point. Nothing for
+/// anything else, or an hour that does not exist.
+std::optional<ClockReading> read_time_of_day(std::string_view field);
+
+/// In seconds from 1970 to its midnight: "2026-03-01", "2026/03/01" and "01.03.2026", whose order
+/// of day and month is beyond doubt. Nothing for anything else, or a day that does not exist.
+std::optional<ClockReading> read_date(std::string_view field);
+
+/// As the column's reading says. Nothing for a field that is none, and for a reading that is no
+/// time.
+std::optional<ClockReading> read_time(std::string_view field, log::ColumnReading reading,
+                                      DecimalMark mark = DecimalMark::point);
 
 }  // namespace tribolog::ingest::text

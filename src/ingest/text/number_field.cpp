@@ -21,8 +21,8 @@ std::string_view without_plus(std::string_view field) {
 }
 
 bool is_gap_word(std::string_view field) {
-  constexpr std::array<std::string_view, 7> words = {"nan",  "null", "n/a", "na",
-                                                     "none", "nat",  "inf"};
+  constexpr std::array<std::string_view, 9> words = {"nan", "null", "n/a",  "na", "none",
+                                                     "nat", "inf",  "#n/a", "#na"};
   constexpr std::size_t longest_word = 12;
   if (field.size() > longest_word) return false;
   std::string lower(field);
@@ -30,6 +30,7 @@ bool is_gap_word(std::string_view field) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   std::string_view word = lower;
+  if (word == "-" || word == "--" || word == "---") return true;
   if (word.starts_with('-')) word.remove_prefix(1);
   // 1.#QNAN, 1.#IND, 1.#INF: how an old C run-time prints them
   return word.starts_with("1.#") || std::find(words.begin(), words.end(), word) != words.end();

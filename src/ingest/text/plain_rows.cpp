@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel_for.h"
+#include "ingest/text/csv_lines.h"
 #include "ingest/text/plain_number.h"
 
 namespace tribolog::ingest::text {
@@ -27,7 +28,7 @@ class PlainRowReader {
     out_.rows = 0;
     out_.any_lf = out_.any_cr_lf = false;
     for (const PlainColumn& column : layout.columns) {
-      is_simple_ = is_simple_ && !by_blanks_ && column.slot >= 0 && !column.start;
+      is_simple_ = is_simple_ && !by_blanks_ && column.slot >= 0 && !column.start && !column.words;
       slot_of_.push_back(static_cast<std::size_t>(std::max(column.slot, 0)));
     }
     constexpr std::size_t usual_row_bytes = 32;
@@ -100,7 +101,8 @@ class PlainRowReader {
   const char* read_row(const char* p) {
     const std::size_t columns = layout_.columns.size();
     const char* const first = behind_blanks(p);
-    if (first == end_ || *first == '#' || *first == '\n' || *first == '\r') return nullptr;
+    if (first == end_ || *first == '\n' || *first == '\r') return nullptr;
+    if (starts_comment({first, static_cast<std::size_t>(end_ - first)})) return nullptr;
     if (by_blanks_) p = first;
     for (std::size_t i = 0; i < columns; ++i) {
       p = read_field(p, layout_.columns[i]);
@@ -137,16 +139,20 @@ class PlainRowReader {
     }
     double& value = row_[static_cast<std::size_t>(column.slot)];
     while (p != end_ && *p == ' ') ++p;
-    if (!column.start) {
+    if (!column.start && column.words == nullptr) {
       const char* const behind = read_plain_number(p, end_, mark_, value);
       if (behind != p && behind != end_ && ends_field(*behind)) return behind;
     }
     const char* const field_end = end_of_field(p);
     if (field_end != end_ && *field_end == '"') return nullptr;
     const std::string_view field(p, static_cast<std::size_t>(field_end - p));
+    if (column.words != nullptr) {
+      const auto known = std::find(column.words->begin(), column.words->end(), trimmed(field));
+      value = static_cast<double>(known - column.words->begin());
+      return known != column.words->end() ? field_end : nullptr;
+    }
     if (column.start) {
-      const auto clock =
-          column.is_iso_time ? read_iso_time(field) : read_clock_number(field, layout_.mark);
+      const auto clock = read_time(field, column.reading, layout_.mark);
       if (clock) value = clock->since(*column.start);
       return clock ? field_end : nullptr;
     }

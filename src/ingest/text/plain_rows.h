@@ -21,7 +21,9 @@ struct PlainColumn {
   int slot{-1};  ///< Index among those read; -1: passed over.
   /// Of a clock that is read exactly: taken off.
   std::optional<ClockReading> start;
-  bool is_iso_time{};  ///< That clock is written as ISO 8601.
+  log::ColumnReading reading{log::ColumnReading::number};
+  /// Of words: those known so far; has to live on.
+  const std::vector<std::string>* words{};
 };
 
 struct PlainLayout {

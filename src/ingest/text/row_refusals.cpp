@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "ingest/log/units.h"
 #include "ingest/text/csv_rows.h"
 #include "ingest/text/fields.h"
 
@@ -19,6 +20,8 @@ std::string joined(const std::string& cause, const std::string& way) {
 
 std::string expected_of(log::ColumnReading reading, DecimalMark mark) {
   if (reading == log::ColumnReading::iso_time) return "a time such as 2026-03-01T08:15:00.25Z";
+  if (reading == log::ColumnReading::time_of_day) return "a time such as 08:15:00.25";
+  if (reading == log::ColumnReading::date) return "a date such as 2026-03-01";
   return mark == DecimalMark::comma ? "a number with a decimal comma" : "a number";
 }
 
@@ -26,11 +29,14 @@ std::string likely_cause(const RefusedRow& row, const std::string& field,
                          log::ColumnReading reading) {
   const DecimalMark mark = row.layout.mark;
   if (mark == DecimalMark::point && looks_like_decimal_comma(field)) {
-    return "decimal comma? state it: [log] decimal_comma = true";
+    return "decimal comma? state it: [log] decimal_comma = true, --decimal-comma of inspect and "
+           "init";
   }
   if (looks_like_thousands(field, mark)) return "thousands separators? write numbers without";
-  if (reading != log::ColumnReading::iso_time && read_iso_time(field)) {
-    return "date and time? state unit = \"iso8601\"";
+  for (const log::ColumnReading time :
+       {log::ColumnReading::iso_time, log::ColumnReading::time_of_day, log::ColumnReading::date}) {
+    if (reading == time || !read_time(field, time)) continue;
+    return fmt::format("date and time? state unit = \"{}\"", log::unit_of_time(time));
   }
   return row.table.rows == 0 ? "a row of units under the header? put '#' in front of it" : "";
 }

@@ -42,6 +42,7 @@ struct MotionSegment {
   bool is_steady{};       ///< Its strokes are of constant speed.
   double effort_rate{};   ///< Of a ramp, in the effort's unit a second.
   bool joint_slid{};      ///< At the end of a ramp.
+  std::string phase{};    ///< What the log calls the time in which it is; empty: nothing.
 
   [[nodiscard]] double duration_s() const { return to_s - from_s; }
   [[nodiscard]] double travel_rad() const { return highest_rad - lowest_rad; }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "base/requirements.h"
 #include "ingest/dataset/companion_columns.h"
@@ -25,12 +27,34 @@ std::string unit_by_magnitude(double interval) {
   return "s";
 }
 
+/// Of a reading that counts from 1970, from 1601 as Windows does or from the year 1 as .NET does:
+/// the unit with which it is of these decades. Nothing for any other.
+std::optional<std::string> unit_by_origin(double origin) {
+  constexpr double year_s = 365.25 * 86'400;
+  constexpr double from_s = 25 * year_s;  // 1995
+  constexpr double to_s = 130 * year_s;   // 2100
+  const auto is_of_now = [&](double unit_s, double since_1970_s) {
+    const double s = std::abs(origin) * unit_s - since_1970_s;
+    return s > from_s && s < to_s;
+  };
+  for (const char* unit : units) {
+    const double unit_s = present(ingest::log::find_si_factor(ingest::log::Quantity::time, unit));
+    if (is_of_now(unit_s, 0)) return unit;
+  }
+  constexpr double hundred_ns = 1e-7;
+  constexpr double from_1601_s = 11'644'473'600;
+  constexpr double from_1_s = 62'135'596'800;
+  if (is_of_now(hundred_ns, from_1601_s) || is_of_now(hundred_ns, from_1_s)) return "100 ns";
+  return std::nullopt;
+}
+
 }  // namespace
 
 ClockSurvey survey_clock(const ingest::log::LogColumn& column,
-                         const ingest::layout::ColumnMeaning& meaning, bool is_iso) {
+                         const ingest::layout::ColumnMeaning& meaning) {
   ClockSurvey clock;
-  clock.column = column.header.full;
+  const std::string text_unit(ingest::log::unit_of_time(column.reading));
+  clock.column = clock.key = column.header.full;
   clock.origin = column.origin;
   std::vector<double> values;
   for (const double value : column.values) {
@@ -38,11 +62,14 @@ ClockSurvey survey_clock(const ingest::log::LogColumn& column,
   }
   clock.missing = column.values.size() - values.size();
   const double interval = ingest::dataset::median_clock_step(values);
-  clock.unit_is_stated = is_iso || meaning.unit_is_stated;
-  clock.unit = is_iso                   ? "iso8601"
+  const bool is_text = !text_unit.empty();
+  const auto by_origin = unit_by_origin(column.origin);
+  clock.unit_is_stated = is_text || meaning.unit_is_stated;
+  clock.unit = is_text                  ? text_unit
                : meaning.unit_is_stated ? meaning.unit
+               : by_origin              ? *by_origin
                                         : unit_by_magnitude(interval);
-  if (!is_iso)
+  if (!is_text)
     clock.seconds_per_unit =
         present(ingest::log::find_si_factor(ingest::log::Quantity::time, clock.unit));
   clock.interval_s = interval * clock.seconds_per_unit;

@@ -107,6 +107,20 @@ std::string ColumnGroups::joint_of(std::size_t column) const {
   return std::to_string((column - first) % joints + 1);
 }
 
+bool looks_like_counter(const std::vector<double>& values) {
+  std::size_t steps = 0;
+  std::size_t by_one = 0;
+  double before = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (value != std::floor(value)) return false;
+    if (std::isfinite(before)) ++steps;
+    if (value - before == 1) ++by_one;
+    before = value;
+  }
+  return steps > 0 && static_cast<double>(by_one) >= rising_share * static_cast<double>(steps);
+}
+
 std::optional<double> speed_by_slope(const std::vector<double>& t_s,
                                      const std::vector<double>& angle,
                                      const std::vector<double>& speed) {
@@ -114,7 +128,7 @@ std::optional<double> speed_by_slope(const std::vector<double>& t_s,
   return fit.correlation > least_correlation ? std::optional(fit.ratio) : std::nullopt;
 }
 
-bool looks_like_degrees(const std::vector<double>& angles) {
+bool looks_like_degrees(const std::vector<double>& angles, double gear_ratio) {
   double low = INFINITY;
   double high = -INFINITY;
   for (const double q : angles) {
@@ -122,7 +136,7 @@ bool looks_like_degrees(const std::vector<double>& angles) {
     low = std::min(low, q);
     high = std::max(high, q);
   }
-  return high - low > widest_rad;
+  return high - low > widest_rad * std::abs(gear_ratio);
 }
 
 GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
@@ -135,14 +149,18 @@ GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
     if (c.quantity == ingest::log::Quantity::time) clock = c.column;
   }
   for (std::size_t k = 0; k < columns.size() && !clock; ++k) {
-    if (is_told(layout, k) || !looks_like_clock(columns[k].values)) continue;
+    const bool may_be = columns[k].reading == ingest::log::ColumnReading::number &&
+                        !looks_like_counter(columns[k].values);
+    if (is_told(layout, k) || !may_be || !looks_like_clock(columns[k].values)) continue;
     clock = k;
     guesses.push_back(
         meaning_of(k, ingest::log::Quantity::time, "s", "the first column that only rises"));
   }
   if (!clock || has(layout, ingest::log::Quantity::angle)) return out;
   const auto correlation = [&](std::size_t a, std::size_t v) {
-    const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
+    const bool are_numbers = columns[a].reading == ingest::log::ColumnReading::number &&
+                             columns[v].reading == ingest::log::ColumnReading::number;
+    const bool may_be = are_numbers && a != v && a != *clock && v != *clock && !is_told(layout, a);
     return may_be
                ? fit_slope(columns[*clock].values, columns[a].values, columns[v].values).correlation
                : std::numeric_limits<double>::quiet_NaN();

@@ -30,12 +30,17 @@ struct GuessedLayout {
   std::optional<ColumnGroups> groups;
 };
 
-/// Only what the layout lacks: a clock is the first column that rises all the way; where no angle
-/// is known, it is a column whose slope over the clock another column holds, which is the speed. Of
-/// columns without names the distance between the two tells the groups, where the rest can be cut
-/// into such. Of what is left nothing tells which one is an effort.
+/// Only what the layout lacks: a clock is the first column that rises all the way and is no
+/// counter; where no angle is known, it is a column whose slope over the clock another column
+/// holds, which is the speed. Of columns without names the distance between the two tells the
+/// groups, where the rest can be cut into such. Of what is left nothing tells which one is an
+/// effort.
 GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
                                const ingest::layout::LogLayout& layout);
+
+/// Whole numbers that rise by one nearly always: they count rows, or are the milliseconds of a
+/// clock, and which of the two they do not tell.
+bool looks_like_counter(const std::vector<double>& values);
 
 /// Speed over the slope of an angle, where they go together: 1 in the same units, pi/180 for a
 /// speed in rad/s of an angle in degrees. Nothing where they do not, or either stands still.
@@ -45,6 +50,7 @@ std::optional<double> speed_by_slope(const std::vector<double>& t_s,
                                      const std::vector<double>& speed);
 
 /// Whether angles without a stated unit are degrees: no joint turns by thirty radians.
-bool looks_like_degrees(const std::vector<double>& angles);
+/// @param gear_ratio of angles on the motor's side; 1: they are the joint's.
+bool looks_like_degrees(const std::vector<double>& angles, double gear_ratio = 1);
 
 }  // namespace tribolog::inspect::survey

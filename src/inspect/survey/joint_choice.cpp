@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "base/requirements.h"
 #include "ingest/layout/log_layout.h"
 #include "inspect/survey/manifest_proposal.h"
+#include "wording/words.h"
 
 namespace tribolog::inspect::survey {
 
@@ -38,23 +40,42 @@ std::vector<Found> all_joints(const std::vector<LogSurvey>& logs) {
   return found;
 }
 
+/// What the columns of a log are not known as.
 [[noreturn]] void refuse_without_angle(const std::vector<LogSurvey>& logs) {
+  const auto read = std::find_if(logs.begin(), logs.end(),
+                                 [](const LogSurvey& log) { return log.refusal.empty(); });
+  const std::string file = read == logs.end() ? "" : read->file;
   std::vector<std::string> columns;
-  std::string file;
+  std::string counter;
+  bool has_clock = false;
+  bool has_angle = false;
   for (const LogSurvey& log : logs) {
-    if (!log.refusal.empty()) continue;
-    if (file.empty()) file = log.file;
+    if (log.file != file) continue;
     for (const TableSurvey& table : log.tables) {
-      for (const ColumnSurvey& column : table.columns) {
-        if (log.file == file) columns.push_back(column.name);
-      }
+      has_clock = has_clock || table.clock;
+      has_angle = has_angle || !table.joints.empty();
+      if (counter.empty()) counter = table.counter;
+      for (const ColumnSurvey& column : table.columns) columns.push_back(column.name);
     }
   }
-  throw InputError({file, 0, 0},
-                   {"no column is known as time and none as angle of a joint",
-                    list_of_names(columns), "a clock and an angle, as \"t_s\" and \"q_rad\"",
-                    "state in a manifest which column is which; names may be positions such as "
-                    "\"#2\""});
+  std::string commas;
+  for (const LogSurvey& log : logs) {
+    for (const Statement& note : log.notes) {
+      if (note.is("reading.commas_in_numbers")) commas += "; " + wording::words(note);
+    }
+  }
+  const std::string rate = "--rate HZ, of rows without a clock";
+  throw InputError(
+      {file, 0, 0},
+      {std::string("no column is known as ") + (has_clock ? "" : "time") +
+           (has_clock || has_angle ? "" : " and none as ") + (has_angle ? "" : "angle of a joint"),
+       list_of_names(columns), "a clock and an angle, as \"t_s\" and \"q_rad\"",
+       (has_clock          ? "--column angle=NAME states it, in a manifest [columns] angle"
+        : !counter.empty() ? in_quotes(counter) + " counts rows or milliseconds: state " + rate +
+                                 ", or --column time=NAME"
+                           : "--column time=NAME states it, or " + rate +
+                                 (has_angle ? "" : "; --column angle=NAME the angle")) +
+           commas});
 }
 
 /// In the effort's own unit; 0 where none was logged.
@@ -148,7 +169,7 @@ joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
                           const ProposalOptions& options) {
   const ingest::layout::ColumnMeaning& meaning = present(column.meaning);
   const bool is_current = meaning.quantity == ingest::log::Quantity::current;
-  const bool says_torque = !is_current && meaning.unit_is_stated;
+  const bool says_torque = !is_current && meaning.unit_is_stated && !meaning.effort.may_be_current;
   if (options.effort_kind) {
     const bool as_current = *options.effort_kind == joint::EffortKind::motor_current;
     if (as_current ? says_torque : is_current) {
@@ -166,6 +187,12 @@ joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
                                  : joint::EffortKind::joint_torque;
 }
 
+/// Whether the user says which column it is.
+bool states(const ProposalOptions& options, const std::string& key) {
+  return std::any_of(options.columns.names.begin(), options.columns.names.end(),
+                     [&](const auto& one) { return one.first == key; });
+}
+
 void propose_none(const TableSurvey& table, EffortProposal& proposal) {
   const std::vector<std::string> voltages = voltages_of(table);
   proposal.remarks.push_back(
@@ -175,6 +202,8 @@ void propose_none(const TableSurvey& table, EffortProposal& proposal) {
     proposal.remarks.push_back("No torque follows from a voltage or a duty cycle (" +
                                list_of_names(voltages, 6) + ").");
   }
+  proposal.not_understood = not_understood(table);
+  for (const std::string& told : proposal.not_understood) proposal.remarks.push_back(told);
   proposal.remarks.push_back(
       "Record the motor current or the torque at every sample, and state it here and in "
       "[columns].");
@@ -187,6 +216,19 @@ std::optional<std::size_t> EffortProposal::column_of(const JointSurvey& joint) c
   if (kind == joint::EffortKind::none) return std::nullopt;
   if (!is_target) return joint.effort;
   return joint.targets.empty() ? std::nullopt : std::optional(joint.targets.front());
+}
+
+void tell_effort(const ManifestProposal& proposal, std::vector<LogSurvey>& logs) {
+  if (proposal.effort.unit.empty()) return;
+  for (const JointInLog& of : proposal.in_logs) {
+    TableSurvey& table = logs[of.log].tables[of.table];
+    const auto column = proposal.effort.column_of(table.joints[of.joint]);
+    if (!column) continue;
+    ingest::layout::ColumnMeaning& meaning = present(table.columns[*column].meaning);
+    meaning.quantity = ingest::log::Quantity::current;
+    meaning.unit = proposal.effort.unit;
+    meaning.unit_is_stated = false;
+  }
 }
 
 std::vector<std::string> voltages_of(const TableSurvey& table) {
@@ -202,12 +244,43 @@ std::vector<std::string> voltages_of(const TableSurvey& table) {
   return names;
 }
 
+std::vector<std::string> not_understood(const TableSurvey& table) {
+  std::vector<std::string> told;
+  for (const ingest::layout::ForeignUnit& foreign : table.foreign) {
+    if (foreign.quantity != ingest::log::Quantity::torque &&
+        foreign.quantity != ingest::log::Quantity::current) {
+      continue;
+    }
+    const ColumnSurvey& column = table.columns[foreign.column];
+    told.push_back(fmt::format(
+        "column {} looks like {} in a unit that is not known: --effort-unit states what one of it "
+        "is, '{}' say",
+        in_quotes(column.name), ingest::log::to_string(foreign.quantity),
+        ingest::log::example_of_multiple(foreign.quantity)));
+  }
+  if (!told.empty()) return told;
+  std::vector<std::string> unknown;
+  const std::vector<std::string> voltages = voltages_of(table);
+  for (const ColumnSurvey& column : table.columns) {
+    constexpr std::size_t of_a_flag = 2;
+    const bool may_be = !column.meaning && column.words.empty() && column.distinct > of_a_flag &&
+                        !std::isnan(column.lowest) &&
+                        std::find(voltages.begin(), voltages.end(), column.name) == voltages.end();
+    if (may_be) unknown.push_back(column.name);
+  }
+  if (unknown.empty()) return told;
+  told.push_back("columns that were not understood: " + list_of_names(unknown, 8) +
+                 "; if one is the torque or the current: --column effort=NAME --effort-unit UNIT");
+  return told;
+}
+
 EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
                               const std::vector<JointInLog>& joint,
                               const ProposalOptions& options) {
   EffortProposal proposal;
   const TableSurvey* table = &logs[joint.front().log].tables[joint.front().table];
   const ColumnSurvey* column = nullptr;
+  const ColumnSurvey* angle = nullptr;
   for (const bool is_target : {false, true}) {
     for (const JointInLog& of : joint) {
       const TableSurvey& in = logs[of.log].tables[of.table];
@@ -217,6 +290,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
       if (is_target && present(found.meaning).quantity != ingest::log::Quantity::torque) continue;
       table = &in;
       column = &found;
+      angle = &in.columns[j.angle];
       proposal.is_target = is_target;
     }
   }
@@ -238,9 +312,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const joint::Side side =
       options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
 
-  const bool is_stated_column =
-      std::any_of(options.columns.names.begin(), options.columns.names.end(),
-                  [](const auto& one) { return one.first == "effort"; });
+  const bool is_stated_column = states(options, "effort");
   proposal.remarks.push_back(
       fmt::format("{} in {}{}", in_quotes(column->name),
                   is_taken_as_current ? proposal.unit : printable(meaning.unit),
@@ -276,13 +348,20 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
             : "# torque_constant_Nm_A =  # not in the log, and needed: N·m per ampere on that "
               "side");
   }
-  const bool is_stated =
-      options.effort_kind || is_taken_as_current || (is_current && meaning.unit_is_stated);
+  // A stated kind says nothing of the unit.
+  const bool is_stated = (options.effort_kind && meaning.unit_is_stated) || is_taken_as_current ||
+                         (is_current && meaning.unit_is_stated);
+  const bool is_one_of_several = (column->has_rivals() && !is_stated_column) ||
+                                 (angle->has_rivals() && !states(options, "angle"));
   if (lacks_gear && !options.effort_side) {
     proposal.lines.emplace_back(
         "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "
         "true, or no such line, once it is stated");
-  } else if (!is_stated) {
+  } else if (options.effort_kind && !is_stated) {
+    proposal.lines.emplace_back(
+        "confirmed = false  # the unit in [columns] is a guess; true, or no such line, once it is "
+        "looked at");
+  } else if (!is_stated || is_one_of_several) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "
         "looked at");

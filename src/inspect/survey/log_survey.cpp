@@ -17,6 +17,7 @@
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
 #include "inspect/survey/column_guess.h"
+#include "inspect/survey/survey_parts.h"
 #include "joint/degrees.h"
 #include "joint/wrapped_angle.h"
 #include "method/motion/encoder_resolution.h"
@@ -35,10 +36,20 @@ std::vector<double> numbers_of(const ingest::log::LogColumn& column) {
   return numbers;
 }
 
-ColumnSurvey survey_column(const ingest::log::LogColumn& column) {
+}  // namespace
+
+ColumnSurvey survey_column(const ingest::log::LogColumn& column,
+                           const std::vector<std::string>& names) {
   ColumnSurvey survey;
   survey.name = column.header.full;
+  survey.key = survey.name;
+  const auto alike = std::count(names.begin(), names.end(), survey.name);
+  if (column.header.place > 0 && (survey.name.empty() || alike > 1)) {
+    survey.key = "#" + std::to_string(column.header.place);
+  }
+  if (survey.name.empty()) survey.name = survey.key;
   survey.unit = column.header.unit;
+  survey.words = column.words;
   const std::vector<double> numbers = numbers_of(column);
   survey.gaps = column.values.size() - numbers.size();
   survey.lowest = NAN;
@@ -56,6 +67,8 @@ ColumnSurvey survey_column(const ingest::log::LogColumn& column) {
   return survey;
 }
 
+namespace {
+
 /// Text logs are read in one pass for all columns; a clock that counts from 1970 in a second one.
 std::vector<ingest::log::LogTable> tables_of(const std::string& path, ingest::log::LogFormat format,
                                              const ingest::text::TextLogRules& rules) {
@@ -64,20 +77,16 @@ std::vector<ingest::log::LogTable> tables_of(const std::string& path, ingest::lo
   return {ingest::text::read_csv(bytes, path, {}, rules)};
 }
 
-/// So that no nanosecond is lost of one that counts from 1970.
-void read_clock_again(const std::string& path, const ingest::text::TextLogRules& rules,
-                      std::size_t column, ingest::log::LogTable& table) {
-  const std::vector<double>& values = table.columns[column].values;
-  const bool is_long = std::any_of(values.begin(), values.end(), [](double t) {
-    return std::abs(t) >= ingest::log::counts_from_1970;
-  });
-  if (!is_long) return;
+/// With decimal commas where the log shows them.
+ingest::text::TextLogRules with_decimal_mark(const std::string& path, ingest::log::LogFormat format,
+                                             const ingest::text::TextLogRules& stated) {
+  ingest::text::TextLogRules rules = stated;
+  if (format != ingest::log::LogFormat::text) return rules;
   InputFileSource bytes(path);
-  const std::string name = table.columns[column].header.full;
-  ingest::text::CsvTable again =
-      ingest::text::read_csv(bytes, path, {{name, "", ingest::log::ColumnReading::clock}}, rules);
-  table.columns[column].values = std::move(again.columns.front().values);
-  table.columns[column].origin = again.columns.front().origin;
+  if (ingest::text::shows_decimal_commas(bytes, path, stated)) {
+    rules.decimal_mark = ingest::text::DecimalMark::comma;
+  }
+  return rules;
 }
 
 std::optional<std::size_t> first_of(const TableSurvey& table, ingest::log::Quantity quantity,
@@ -97,6 +106,13 @@ std::optional<std::size_t> of_joint(const TableSurvey& table, ingest::log::Quant
   return own || !is_only ? own : first_of(table, quantity, "", false);
 }
 
+/// From an angle as it is logged to the joint's, in rad.
+double joint_angle_factor(const ColumnSurvey& angle) {
+  return present(ingest::log::find_si_factor(ingest::log::Quantity::angle,
+                                             present(angle.meaning).unit)) /
+         angle.gear_ratio;
+}
+
 /// Time and angle in SI, in the order of time, gaps and repeated stamps left out.
 motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey& table,
                             const JointSurvey& joint) {
@@ -111,8 +127,7 @@ motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [&](std::size_t a, std::size_t b) { return t[a] < t[b]; });
-  const double angle_factor = present(ingest::log::find_si_factor(
-      ingest::log::Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+  const double angle_factor = joint_angle_factor(table.columns[joint.angle]);
   motion::AngleTrace trace;
   for (const std::size_t i : rows) {
     const double time_s = t[i] * present(table.clock).seconds_per_unit;
@@ -121,12 +136,66 @@ motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey
     trace.q_rad.push_back(q[i] * angle_factor);
     if (effort) trace.effort.push_back((*effort)[i]);
   }
-  const auto wraps = joint::find_wraps(trace.t_s, trace.q_rad, {2 * std::numbers::pi});
+  const double turn = 2 * std::numbers::pi / table.columns[joint.angle].gear_ratio;
+  const auto wraps = joint::find_wraps(trace.t_s, trace.q_rad, {turn});
   if (wraps) trace.q_rad = joint::unwrapped(std::move(trace.q_rad), *wraps);
   return trace;
 }
 
+/// The trace's samples from one moment to another.
+motion::AngleTrace part_of(const motion::AngleTrace& trace, std::size_t first, std::size_t end) {
+  const auto part = [&](const std::vector<double>& values) {
+    if (values.empty()) return values;
+    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                               values.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return {part(trace.t_s), part(trace.q_rad), part(trace.effort)};
+}
+
+/// Whether a phase ends while the joint is under way: then it is no phase of the motion.
+bool cut_a_stroke(const motion::AngleTrace& trace,
+                  const std::vector<motion::MotionSegment>& segments,
+                  const std::vector<Phase>& phases) {
+  constexpr std::size_t half = 5;  // samples, or steps of the encoder drown the slope
+  constexpr double slow = 0.3;     // of the segment's speed
+  for (std::size_t k = 0; k + 1 < phases.size(); ++k) {
+    const auto end = std::upper_bound(trace.t_s.begin(), trace.t_s.end(), phases[k].to_s);
+    const auto at = static_cast<std::size_t>(end - trace.t_s.begin());
+    if (at < half || at + half >= trace.size()) continue;
+    const double speed = std::abs(trace.q_rad[at + half] - trace.q_rad[at - half]) /
+                         (trace.t_s[at + half] - trace.t_s[at - half]);
+    for (const motion::MotionSegment& s : segments) {
+      const bool is_in = s.first + half < at && at + half < s.last;
+      if (is_in && s.kind != motion::MotionKind::rest && speed > slow * s.speed_rad_s) return true;
+    }
+  }
+  return false;
+}
+
+/// By the phases that the log names, where it names some, and within them by motion.
+std::vector<motion::MotionSegment> cut_by_phases(const motion::AngleTrace& trace,
+                                                 const std::vector<Phase>& phases) {
+  std::vector<motion::MotionSegment> segments = motion::cut_by_motion(trace);
+  if (phases.empty() || cut_a_stroke(trace, segments, phases)) return segments;
+  segments.clear();
+  for (const Phase& phase : phases) {
+    const auto from = std::lower_bound(trace.t_s.begin(), trace.t_s.end(), phase.from_s);
+    const auto to = std::upper_bound(from, trace.t_s.end(), phase.to_s);
+    if (from == to) continue;
+    const auto first = static_cast<std::size_t>(from - trace.t_s.begin());
+    const auto end = static_cast<std::size_t>(to - trace.t_s.begin());
+    for (motion::MotionSegment& s : motion::cut_by_motion(part_of(trace, first, end))) {
+      s.first += first;
+      s.last += first;
+      s.phase = phase.name;
+      segments.push_back(std::move(s));
+    }
+  }
+  return segments;
+}
+
 void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
+  const std::vector<Phase> phases = phases_in(data, table);
   std::vector<std::string> names;
   for (const ColumnSurvey& c : table.columns) {
     if (!c.meaning || c.meaning->quantity != ingest::log::Quantity::angle || c.meaning->is_target)
@@ -152,14 +221,13 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
       if (target) joint.targets.push_back(*target);
     }
     if (joint.effort && std::isnan(table.columns[*joint.effort].lowest)) joint.effort.reset();
-    const double factor = present(ingest::log::find_si_factor(
-        ingest::log::Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+    const double factor = joint_angle_factor(table.columns[joint.angle]);
     joint.lowest_rad = factor * table.columns[joint.angle].lowest;
     joint.highest_rad = factor * table.columns[joint.angle].highest;
     if (table.clock && table.clock->interval_s > 0) {
       const motion::AngleTrace trace = trace_of(data, table, joint);
       joint.samples = trace.size();
-      joint.segments = motion::cut_by_motion(trace);
+      joint.segments = cut_by_phases(trace, phases);
     }
     table.joints.push_back(std::move(joint));
   }
@@ -244,7 +312,11 @@ void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) 
       if (speed_is_open) of_speed->unit = meaning->unit + "/s";
       continue;
     }
-    if (!looks_like_degrees(data.columns[k].values) || wraps_in_radians(data, table, k)) continue;
+    const double gear_ratio = table.columns[k].gear_ratio;
+    if (!looks_like_degrees(data.columns[k].values, gear_ratio) ||
+        wraps_in_radians(data, table, k)) {
+      continue;
+    }
     if (divides_a_turn(table.columns[k].step, 2 * std::numbers::pi)) {
       table.columns[k].unit_by = "its steps are those of an encoder's turn of 2π";
       continue;
@@ -295,6 +367,53 @@ void name_joints_by_place(const ColumnGroups& groups, std::vector<ColumnSurvey>&
   }
 }
 
+/// Times are known by how they are written, whatever their names; words are no numbers.
+void tell_by_reading(const ingest::log::LogTable& data, ingest::layout::LogLayout& layout) {
+  using ingest::log::ColumnReading;
+  std::erase_if(layout.columns, [&](const ingest::layout::ColumnMeaning& meaning) {
+    return data.columns[meaning.column].reading != ColumnReading::number;
+  });
+  for (std::size_t k = 0; k < data.columns.size(); ++k) {
+    const ColumnReading reading = data.columns[k].reading;
+    if (reading != ColumnReading::iso_time && reading != ColumnReading::time_of_day) continue;
+    ingest::layout::ColumnMeaning meaning;
+    meaning.column = k;
+    meaning.quantity = ingest::log::Quantity::time;
+    meaning.unit = ingest::log::unit_of_time(reading);
+    meaning.unit_is_stated = true;
+    layout.columns.push_back(std::move(meaning));
+  }
+}
+
+/// @throw InputError for a column of words that is stated as one of numbers.
+void refuse_words(const StatedColumns& stated, const ingest::log::LogTable& data,
+                  const ingest::layout::LogLayout& layout) {
+  if (stated.names.empty()) return;
+  for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
+    const ingest::log::LogColumn& column = data.columns[meaning.column];
+    if (column.reading != ingest::log::ColumnReading::words) continue;
+    throw InputError({data.file, 0, 0},
+                     {"column " + in_quotes(column.header.full) + " holds words",
+                      list_of_names(column.words, 3), "numbers", "--column names another?"});
+  }
+}
+
+/// With the gear ratio where an angle or a speed is the motor's: how many times larger it is than
+/// the joint's.
+void look_at_sides(const StatedColumns& stated, TableSurvey& table) {
+  const auto says = [](const std::string& name, std::string_view word) {
+    return std::search(name.begin(), name.end(), word.begin(), word.end(),
+                       [](char a, char b) { return (a | 0x20) == b; }) != name.end();
+  };
+  for (ColumnSurvey& column : table.columns) {
+    const bool turns =
+        column.meaning && (column.meaning->quantity == ingest::log::Quantity::angle ||
+                           column.meaning->quantity == ingest::log::Quantity::angular_speed);
+    column.is_at_motor = turns && (says(column.name, "motor") || says(column.name, "rotor"));
+    if (column.is_at_motor && stated.gear_ratio) column.gear_ratio = *stated.gear_ratio;
+  }
+}
+
 /// @param missing receives the stated columns that the table has not.
 TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
                          const ingest::text::TextLogRules& rules, const StatedColumns& stated,
@@ -306,12 +425,14 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   std::vector<ingest::log::ColumnHeader> header;
   for (const ingest::log::LogColumn& column : data.columns) header.push_back(column.header);
   ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
+  tell_by_reading(data, layout);
   missing = put_stated(stated, header, layout);
+  refuse_words(stated, data, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
   table.has_impossible_values = blank_impossible_values(layout, data);
   for (const ingest::log::LogColumn& column : data.columns)
-    table.columns.push_back(survey_column(column));
+    table.columns.push_back(survey_column(column, data.header));
   for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
     table.columns[meaning.column].meaning = meaning;
   }
@@ -324,41 +445,50 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     table.groups = guessed.groups;
     if (table.groups) name_joints_by_place(*table.groups, table.columns);
   }
-  for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
-    const auto& meaning = table.columns[k].meaning;
-    if (meaning && meaning->quantity == ingest::log::Quantity::time && !meaning->is_target)
-      table.time = k;
-  }
-  if (table.time) {
-    ingest::log::LogColumn& column = data.columns[*table.time];
-    const bool is_iso = format == ingest::log::LogFormat::text && column.origin != 0;
-    if (format != ingest::log::LogFormat::text) {
-      ingest::dataset::count_from_first(column);
-    } else if (!is_iso && !stated.rate_Hz) {
-      read_clock_again(path, rules, *table.time, data);
-    }
-    ingest::layout::ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
-    table.clock = survey_clock(column, meaning, is_iso);
-    meaning.unit = table.clock->unit;
-  }
+  look_at_sides(stated, table);
+  find_clock({path, format, rules, stated}, data, table);
   look_at_angle_units(data, table);
   add_joints(data, table);
   return table;
 }
 
+/// Its joints go by what stands in the column that tells the rows.
+void name_joint(const RowsOfJoint& rows, TableSurvey& table) {
+  table.rows_of = {rows.key, rows.joint};
+  if (table.joints.size() != 1) return;
+  table.joints.front().name = rows.joint;
+  for (ColumnSurvey& column : table.columns) {
+    const bool is_its = column.meaning && column.meaning->quantity != ingest::log::Quantity::time;
+    if (is_its) column.meaning->joint = rows.joint;
+  }
+}
+
 }  // namespace
 
-LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules,
+LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& stated_rules,
                      const StatedColumns& stated) {
   LogSurvey survey;
   survey.file = path;
   survey.format = ingest::dataset::format_of_log(path);
+  const ingest::text::TextLogRules rules = with_decimal_mark(path, survey.format, stated_rules);
+  survey.has_decimal_commas = rules.decimal_mark == ingest::text::DecimalMark::comma;
   std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
+  std::vector<RowsOfJoint> by_joint;
+  if (survey.format == ingest::log::LogFormat::text) {
+    by_joint = rows_of_joints(path, rules, tables.front());
+  }
+  if (!by_joint.empty()) {
+    tables.clear();
+    for (RowsOfJoint& one : by_joint) tables.push_back(std::move(one.table));
+  }
   std::vector<std::string> missing;  // in every table
   std::vector<std::string> there;
   for (ingest::log::LogTable& table : tables) {
     std::vector<std::string> missing_here;
     survey.tables.push_back(survey_table(path, survey.format, rules, stated, table, missing_here));
+    if (!by_joint.empty()) {
+      name_joint(by_joint[survey.tables.size() - 1], survey.tables.back());
+    }
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
     if (&table == &tables.front()) missing = missing_here;

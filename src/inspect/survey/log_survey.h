@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/statement.h"
@@ -25,9 +26,21 @@ struct ClockGap {
   double length_s{};
 };
 
+/// A column that is added to another to make the clock: nanoseconds, or a date.
+struct ClockPartSurvey {
+  std::string column;  ///< As the log names it,
+  std::string key;     ///< and as a manifest does.
+  std::string unit;
+};
+
 struct ClockSurvey {
-  std::string column;     ///< As the log names it.
-  std::string unit;       ///< "s", "ms", "us" or "ns"; "iso8601".
+  std::string column;  ///< As the log names it,
+  std::string key;     ///< and as a manifest does.
+  std::string unit;    ///< "s", "ms", "us", "ns" or a multiple; "iso8601", "hh:mm:ss".
+  std::optional<ClockPartSurvey> plus;
+  /// It counts samples of the rate that was stated: a lost one shows.
+  bool is_counter{};
+  double seconds_per_count{};  ///< Of a counter.
   bool unit_is_stated{};  ///< By the header or the logger; else told by the magnitude of its steps.
   double seconds_per_unit{1};
   double origin{};  ///< In the clock's unit, taken off; 0 unless it counts from 1970.
@@ -46,12 +59,13 @@ struct ClockSurvey {
 
 /// @param column the log's clock. @param meaning its unit, where it is stated.
 ClockSurvey survey_clock(const ingest::log::LogColumn& column,
-                         const ingest::layout::ColumnMeaning& meaning, bool is_iso);
+                         const ingest::layout::ColumnMeaning& meaning);
 
 // The log.
 
 struct ColumnSurvey {
-  std::string name;  ///< As the log has it.
+  std::string name;  ///< As the log has it; "#1" where it has none.
+  std::string key;   ///< What a manifest calls it: "#4" where several have its name.
   std::string unit;  ///< In brackets behind it or below; empty: none.
   std::optional<ingest::layout::ColumnMeaning> meaning;
   std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
@@ -59,8 +73,12 @@ struct ColumnSurvey {
   std::size_t gaps{};      ///< Rows without a number.
   double lowest{};         ///< NaN where all rows are gaps.
   double highest{};
-  double step{};           ///< In which its numbers come; 0: none was found.
-  std::size_t distinct{};  ///< Different numbers, counted up to 1000.
+  double step{};                     ///< In which its numbers come; 0: none was found.
+  std::size_t distinct{};            ///< Different numbers, counted up to 1000.
+  std::vector<std::string> words{};  ///< What it says, where it holds no numbers.
+  bool is_at_motor{};    ///< An angle or a speed whose name says that it is the motor's,
+  double gear_ratio{1};  ///< which is this many times the joint's, as far as it is known.
+  [[nodiscard]] bool has_rivals() const { return key != name; }
   [[nodiscard]] bool is_constant() const { return distinct == 1; }
 };
 
@@ -90,7 +108,13 @@ struct TableSurvey {
   std::vector<ColumnSurvey> columns;
   std::optional<std::size_t> time;  ///< Column of the clock.
   std::optional<ClockSurvey> clock;
-  std::vector<JointSurvey> joints;     ///< Those with an angle.
+  /// A column that counts rows or milliseconds, in a log without a clock; at a stated rate, one
+  /// that shows lost samples and begins anew, so that it is no clock.
+  std::string counter;
+  std::vector<JointSurvey> joints;  ///< Those with an angle.
+  /// Of a log in which each row is one joint's: the column that tells which, as a manifest names
+  /// it, and what stands there in these rows.
+  std::optional<std::pair<std::string, std::string>> rows_of;
   bool has_impossible_values{};        ///< Single numbers that no joint has, taken as gaps.
   std::optional<ColumnGroups> groups;  ///< Of columns without names, where they come in such.
 };
@@ -98,7 +122,8 @@ struct TableSurvey {
 struct LogSurvey {
   std::string file;  ///< As given.
   ingest::log::LogFormat format{};
-  std::string refusal;  ///< Why it cannot be read, for people; nothing else is there then.
+  std::string refusal;        ///< Why it cannot be read, for people; nothing else is there then.
+  bool has_decimal_commas{};  ///< Found, or stated.
   std::vector<TableSurvey> tables;
   std::vector<Statement> notes;
 };

@@ -25,12 +25,6 @@ std::string comment(const std::string& text) {
   return text.empty() ? "" : "  # " + printable(text, 200);
 }
 
-bool has_word(const std::string& name, const std::string& word) {
-  const auto it = std::search(name.begin(), name.end(), word.begin(), word.end(),
-                              [](char a, char b) { return (a | 0x20) == b; });
-  return it != name.end();
-}
-
 class ManifestText {
  public:
   ManifestText(const std::vector<LogSurvey>& logs, const ProposalOptions& options,
@@ -204,7 +198,7 @@ class ManifestText {
   void add_log_rules() {
     const ingest::text::TextLogRules& rules = options_.log_rules;
     std::string lines;
-    if (rules.decimal_mark == ingest::text::DecimalMark::comma) lines += "decimal_comma = true\n";
+    if (has_decimal_commas()) lines += "decimal_comma = true\n";
     if (rules.encoding == ingest::text::TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
     if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
     const bool is_damaged = std::any_of(logs_.begin(), logs_.end(), [](const LogSurvey& log) {
@@ -217,6 +211,23 @@ class ManifestText {
     if (!lines.empty()) text_ += "\n[log]\n" + lines;
   }
 
+  /// @throw InputError: not all logs can be read alike.
+  [[nodiscard]] bool has_decimal_commas() const {
+    const auto is_text = [](const LogSurvey& log) {
+      return log.refusal.empty() && log.format == ingest::log::LogFormat::text;
+    };
+    const bool has_some = std::any_of(logs_.begin(), logs_.end(), [&](const LogSurvey& log) {
+      return is_text(log) && log.has_decimal_commas;
+    });
+    for (const LogSurvey& log : logs_) {
+      if (!has_some || !is_text(log) || log.has_decimal_commas) continue;
+      throw InputError({log.file, 0, 0},
+                       {"shows no decimal commas, and other logs do", "", "logs that are alike",
+                        "a manifest of its own for the others"});
+    }
+    return has_some;
+  }
+
   /// With the table in front where a log has several.
   [[nodiscard]] std::string name_in_log(const JointInLog& of, const std::string& column) const {
     const bool is_only = logs_[of.log].tables.size() == 1 || table(of).group.empty();
@@ -225,20 +236,22 @@ class ManifestText {
   }
 
   [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
-                                   bool turns, bool with_comments) const {
+                                   bool with_comments) const {
     const ColumnSurvey& column = table(of).columns[index];
     const ingest::layout::ColumnMeaning& meaning = present(column.meaning);
     const bool has_other_unit = key == "effort" && !effort_.unit.empty();
     std::string entry =
-        fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.name),
+        fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.key),
                     ingest::manifest::toml_text(has_other_unit ? effort_.unit : meaning.unit));
-    const bool at_motor =
-        turns && (has_word(column.name, "motor") || has_word(column.name, "rotor"));
-    if (at_motor) entry += ", side = \"motor\"";
+    if (column.is_at_motor) entry += ", side = \"motor\"";
     entry += " }";
     if (!with_comments) return entry;
     std::string note;
     if (!column.guessed_by.empty()) note = "guessed: " + column.guessed_by;
+    if (column.has_rivals()) {
+      note += std::string(note.empty() ? "" : "; ") + "one of several columns called " +
+              in_quotes(column.name);
+    }
     if (!meaning.unit_is_stated && !has_other_unit) {
       note += std::string(note.empty() ? "" : "; ") + "unit guessed, the log states none" +
               (column.unit_by.empty() ? "" : ": " + column.unit_by);
@@ -247,16 +260,38 @@ class ManifestText {
   }
 
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
-    if (options_.columns.rate_Hz) {
-      return fmt::format("time = {{ rate_Hz = {} }}", *options_.columns.rate_Hz);
-    }
     const ClockSurvey& clock = present(table(of).clock);
-    std::string entry =
-        fmt::format("time = {{ name = {}, unit = {} }}", name_in_log(of, clock.column),
-                    ingest::manifest::toml_text(clock.unit));
-    if (!with_comments || clock.unit_is_stated) return entry;
+    const auto& rate_Hz = options_.columns.rate_Hz;
+    if (rate_Hz && !clock.is_counter) {
+      const std::string& counter = table(of).counter;
+      return fmt::format("time = {{ rate_Hz = {} }}", *rate_Hz) +
+             comment(counter.empty() || !with_comments
+                         ? ""
+                         : in_quotes(counter) +
+                               " shows that samples are lost, which this does not "
+                               "know; it begins anew and is not used");
+    }
+    const std::string unit = clock.is_counter ? counted_unit(of) : clock.unit;
+    std::string entry = fmt::format("time = {{ name = {}, unit = {}", name_in_log(of, clock.key),
+                                    ingest::manifest::toml_text(unit));
+    if (clock.plus) {
+      entry += fmt::format(", plus = {{ name = {}, unit = {} }}", name_in_log(of, clock.plus->key),
+                           ingest::manifest::toml_text(clock.plus->unit));
+    }
+    entry += " }";
+    if (!with_comments) return entry;
+    if (clock.is_counter) {
+      return entry +
+             comment(fmt::format("counts the samples, of which {} come in a second", *rate_Hz));
+    }
+    if (clock.unit_is_stated) return entry;
     return entry +
            comment(fmt::format("unit guessed: it makes {:.4g} samples a second", clock.rate_Hz()));
+  }
+
+  /// So many seconds as one count of the column that counts the samples.
+  [[nodiscard]] std::string counted_unit(const JointInLog& of) const {
+    return fmt::format("{} s", present(table(of).clock).seconds_per_count);
   }
 
   [[nodiscard]] std::vector<std::string> columns_of(const JointInLog& of,
@@ -264,13 +299,18 @@ class ManifestText {
     const TableSurvey& t = table(of);
     const JointSurvey& j = joint(of);
     std::vector<std::string> lines{time_column(of, with_comments),
-                                   column(of, "angle", j.angle, true, with_comments)};
-    if (j.speed) lines.push_back(column(of, "speed", *j.speed, true, with_comments));
+                                   column(of, "angle", j.angle, with_comments)};
+    if (j.speed) lines.push_back(column(of, "speed", *j.speed, with_comments));
+    if (t.rows_of) {
+      lines.push_back(fmt::format("rows = {{ name = {}, value = {} }}",
+                                  quoted(t.rows_of->first, "the name of a column", of.log),
+                                  quoted(t.rows_of->second, "the joint's name", of.log)));
+    }
     const auto effort = effort_.column_of(j);
-    if (effort) lines.push_back(column(of, "effort", *effort, false, with_comments));
+    if (effort) lines.push_back(column(of, "effort", *effort, with_comments));
     if (j.temperature &&
         present(t.columns[*j.temperature].meaning).quantity == ingest::log::Quantity::temperature) {
-      lines.push_back(column(of, "temperature", *j.temperature, false, with_comments));
+      lines.push_back(column(of, "temperature", *j.temperature, with_comments));
     }
     return lines;
   }
@@ -345,6 +385,7 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options) {
   const JointChoice choice = choose_joint(logs, options.joint);
   ManifestProposal proposal = without_text(logs, choice);
+  proposal.effort = propose_effort(logs, choice.in_logs, options);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
   check_that_it_reads(proposal.text);
   return proposal;
@@ -381,6 +422,7 @@ RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
     of_joint.torque_constant_Nm_A = own(known.torque_constants_Nm_A, k);
     ManifestProposal& joint = robot.joints[k];
     if (k == 0) robot.text = ManifestText(logs, of_joint, moving[k], joint.roles).shared_text();
+    joint.effort = propose_effort(logs, moving[k].in_logs, of_joint);
     joint.text = ManifestText(logs, of_joint, moving[k], joint.roles).part_of_robot();
     robot.text += joint.text;
   }

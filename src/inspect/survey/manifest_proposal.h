@@ -78,11 +78,27 @@ struct ProposalOptions {
   std::string directory;                 ///< Of the manifest: files are named relative to it.
 };
 
+// What the effort of a joint is proposed to be, and how sure that is.
+
+struct EffortProposal {
+  joint::EffortKind kind{joint::EffortKind::none};
+  std::vector<std::string> remarks;  ///< For comments, one line each.
+  std::vector<std::string> lines;    ///< Of [effort], each a key with its value and a comment.
+  std::string unit;                  ///< Of the column, where it is not the survey's; else empty.
+  /// Columns that may be the effort but were not understood, and what to state: a sentence each.
+  std::vector<std::string> not_understood;
+  bool is_target{};  ///< No measured effort is there: a controller's value stands in.
+
+  /// The column in a joint's own log; nothing where it has none of this kind.
+  [[nodiscard]] std::optional<std::size_t> column_of(const JointSurvey& joint) const;
+};
+
 struct ManifestProposal {
   std::string joint;                   ///< As in the logs; empty: they tell none.
   std::vector<JointInLog> in_logs;     ///< Where it is.
   std::vector<std::string> moves_too;  ///< Other joints that move beside it.
   RoleProposal roles;
+  EffortProposal effort;
   std::string text;  ///< TOML that read_manifest() takes, but for a torque
                      ///< constant nobody stated, which is missing.
 };
@@ -130,24 +146,18 @@ std::vector<std::string> joints_in(const std::vector<LogSurvey>& logs);
 JointChoice choose_joint(const std::vector<LogSurvey>& logs,
                          const std::optional<std::string>& name);
 
-// What the effort of a joint is proposed to be, and how sure that is.
-
-struct EffortProposal {
-  joint::EffortKind kind{joint::EffortKind::none};
-  std::vector<std::string> remarks;  ///< For comments, one line each.
-  std::vector<std::string> lines;    ///< Of [effort], each a key with its value and a comment.
-  std::string unit;                  ///< Of the column, where it is not the survey's; else empty.
-  bool is_target{};  ///< No measured effort is there: a controller's value stands in.
-
-  /// The column in a joint's own log; nothing where it has none of this kind.
-  [[nodiscard]] std::optional<std::size_t> column_of(const JointSurvey& joint) const;
-};
-
 /// A current is one of the motor. A torque is taken as the known logger has it, as the motor's
 /// where its name says so, else as the joint's. What no logger states is not confirmed. The first
 /// log of the joint that has an effort decides.
 EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
                               const std::vector<JointInLog>& joint, const ProposalOptions& options);
+
+/// Columns that may be an effort: those known to be one in an unknown unit, else those that nothing
+/// is known of. A sentence each, with what to state.
+std::vector<std::string> not_understood(const TableSurvey& table);
+
+/// Puts what an effort is taken for in the place of what its name says.
+void tell_effort(const ManifestProposal& proposal, std::vector<LogSurvey>& logs);
 
 /// Columns that look like voltages or duty cycles, from which no torque follows.
 std::vector<std::string> voltages_of(const TableSurvey& table);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/closest_match.h"
 #include "inspect/survey/manifest_proposal.h"
 #include "joint/degrees.h"
 
@@ -121,12 +122,19 @@ class RoleChooser {
     return std::nullopt;
   }
 
+  /// No recording of so few samples is read.
+  [[nodiscard]] bool is_too_short(const JointInLog& of, const motion::MotionSegment& s) const {
+    constexpr double fewest_samples = 25;
+    const auto& clock = table_of(logs_, of).clock;
+    return clock && s.duration_s() < fewest_samples * clock->interval_s;
+  }
+
   void propose_for(const JointInLog& of) {
     const std::vector<motion::MotionSegment>& segments = joint_of(logs_, of).segments;
     const std::size_t before = proposal_.recordings.size();
     for (const motion::MotionSegment& s : segments) {
       const auto role = role_of(s);
-      if (role) add(of, s, *role);
+      if (role && !is_too_short(of, s)) add(of, s, *role);
     }
     if (proposal_.recordings.size() > before) return;
     // Beside runs at constant speed, one that never came to its speed.
@@ -186,7 +194,9 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
   return RoleChooser(logs, joint).choose();
 }
 
-std::string describe(const motion::MotionSegment& s) {
+namespace {
+
+std::string describe_motion(const motion::MotionSegment& s) {
   const double travel = s.travel_rad();
   const std::string range = degrees(s.lowest_rad, travel) + " to " + degrees(s.highest_rad, travel);
   const double middle = (s.lowest_rad + s.highest_rad) / 2;
@@ -215,6 +225,12 @@ std::string describe(const motion::MotionSegment& s) {
       return range;
   }
   return range;
+}
+
+}  // namespace
+
+std::string describe(const motion::MotionSegment& s) {
+  return describe_motion(s) + (s.phase.empty() ? "" : ", in " + in_quotes(s.phase));
 }
 
 }  // namespace tribolog::inspect::survey

@@ -103,6 +103,43 @@ std::pair<std::string, std::string> parse_stated_column(const std::string& text)
   return {word, text.substr(sign + 1)};
 }
 
+std::string parse_effort_unit(const std::string& text) {
+  if (ingest::log::find_si_factor(Quantity::torque, text) ||
+      ingest::log::find_si_factor(Quantity::current, text)) {
+    return text;
+  }
+  throw UsageError("--effort-unit '" + printable(text) + "': one of " +
+                   ingest::log::known_units(Quantity::torque) + ", " +
+                   ingest::log::known_units(Quantity::current) + ", or a multiple such as '" +
+                   std::string(ingest::log::example_of_multiple(Quantity::torque)) + "'");
+}
+
+namespace {
+
+/// Also of efforts that were not known for their unit alone.
+void put_effort_unit(const std::string& unit, ingest::layout::LogLayout& layout) {
+  for (const ingest::layout::ForeignUnit& foreign : layout.foreign) {
+    if (!is_effort(foreign.quantity)) continue;
+    ColumnMeaning meaning;
+    meaning.column = foreign.column;
+    meaning.quantity = foreign.quantity;
+    meaning.joint = foreign.joint;
+    layout.columns.push_back(std::move(meaning));
+  }
+  std::erase_if(layout.foreign, [](const ingest::layout::ForeignUnit& foreign) {
+    return is_effort(foreign.quantity);
+  });
+  const bool is_current = ingest::log::find_si_factor(Quantity::current, unit).has_value();
+  for (ColumnMeaning& meaning : layout.columns) {
+    if (!is_effort(meaning.quantity) || meaning.is_target) continue;
+    meaning.quantity = is_current ? Quantity::current : Quantity::torque;
+    meaning.unit = unit;
+    meaning.unit_is_stated = true;
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> put_stated(const StatedColumns& stated,
                                     const std::vector<ingest::log::ColumnHeader>& header,
                                     ingest::layout::LogLayout& layout) {
@@ -135,6 +172,7 @@ std::vector<std::string> put_stated(const StatedColumns& stated,
                   [](const ColumnMeaning& known) { return known.quantity == Quantity::time; });
     layout.columns.push_back(std::move(clock));
   }
+  if (stated.effort_unit) put_effort_unit(*stated.effort_unit, layout);
   if (!stated.angle_unit) return missing;
   for (ColumnMeaning& meaning : layout.columns) {
     if (meaning.quantity != Quantity::angle) continue;

@@ -15,9 +15,14 @@ struct StatedColumns {
   /// "time", "angle", "speed", "effort" or "temperature", and the column's name: with or without
   /// its unit, or "#3" for the third one. With an angle the log's other angles do not count.
   std::vector<std::pair<std::string, std::string>> names;
-  std::optional<std::string> angle_unit;  ///< Of all angles: "rad", "deg".
-  std::optional<double> rate_Hz;          ///< The logs have no clock: their rows come at this rate.
+  std::optional<std::string> angle_unit;   ///< Of all angles: "rad", "deg".
+  std::optional<std::string> effort_unit;  ///< Of all efforts: "Nm", "0.0013 Nm", "mA".
+  std::optional<double> rate_Hz;     ///< The logs have no clock: their rows come at this rate.
+  std::optional<double> gear_ratio;  ///< Of all joints: of angles on the motor's side.
 };
+
+/// @return the unit. @throw UsageError: it is none of a torque or a current.
+std::string parse_effort_unit(const std::string& text);
 
 /// Splits "angle=q_3". @throw UsageError for another key, or no name.
 std::pair<std::string, std::string> parse_stated_column(const std::string& text);

@@ -22,6 +22,10 @@ ordered_json json_of(const ColumnSurvey& c) {
                     {"step", c.step},
                     {"gaps", c.gaps},
                     {"constant", c.is_constant()}};
+  if (!c.words.empty()) {
+    json["words"] = c.words;
+    for (const char* const number : {"lowest", "highest", "step"}) json[number] = nullptr;
+  }
   if (!c.meaning) return json;
   const ingest::layout::ColumnMeaning& m = *c.meaning;
   json["meaning"] = {{"quantity", ingest::log::quantity_word(m.quantity)},

@@ -22,6 +22,8 @@ std::string shown_number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.5g}", value);
 }
 
+constexpr std::size_t longest_list_of_words = 4;
+
 /// Columns of tables that look alike, over all of them.
 struct ColumnOfAll {
   ColumnSurvey column;
@@ -51,6 +53,16 @@ class Remarks {
 
 std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remarks) {
   const ColumnSurvey& c = of_all.column;
+  if (!c.words.empty()) {
+    return {printable(c.name, longest_name),
+            "words",
+            "",
+            "",
+            "",
+            "",
+            "",
+            list_of_names(c.words, longest_list_of_words)};
+  }
   std::vector<std::string> cells{printable(c.name, longest_name)};
   std::vector<std::string> notes;
   if (c.meaning) {
@@ -118,6 +130,8 @@ std::string paragraph(const std::string& first, const std::string& text) {
 
 std::string clock_words(const ClockSurvey& c) {
   std::string words = fmt::format("{} in {}", in_quotes(c.column), printable(c.unit));
+  if (c.plus) words += fmt::format(" plus {} in {}", in_quotes(c.plus->column), c.plus->unit);
+  if (c.is_counter) words = in_quotes(c.column) + ", which counts the samples";
   if (!c.unit_is_stated) words += " (guessed by its steps; the log states no unit)";
   if (!(c.interval_s > 0)) return words + ": it never rises, so it is no clock";
   words += fmt::format(": {:.4g} Hz for {:.5g} s", c.rate_Hz(), c.last_s - c.first_s);
@@ -179,7 +193,15 @@ std::string motion_text(const TableSurvey& table) {
 std::string faults_of(const TableSurvey& table) {
   const std::vector<std::string> voltages = voltages_of(table);
   std::string text;
-  if (!table.clock) text += paragraph("no clock", "no column is known as the time.");
+  if (!table.clock) {
+    text += paragraph("no clock",
+                      table.counter.empty()
+                          ? std::string("no column is known as the time: --column time=NAME, or "
+                                        "--rate HZ of rows without one.")
+                          : in_quotes(table.counter) +
+                                " counts rows or milliseconds: --rate HZ states how many rows come "
+                                "in a second, or --column time=NAME.");
+  }
   if (table.joints.empty()) text += paragraph("no joint", "no column is known as a joint's angle.");
   for (const ingest::layout::ForeignUnit& f : table.foreign) {
     const ColumnSurvey& column = table.columns[f.column];
@@ -197,12 +219,16 @@ std::string faults_of(const TableSurvey& table) {
                                                          : "; no torque follows from " +
                                                                list_of_names(voltages, 6)) +
                                        ".");
+    for (const std::string& told : not_understood(table)) text += paragraph("effort?", told + ".");
   }
   return text;
 }
 
 std::string table_title(const TableSurvey& table) {
   std::string title = plural(table.rows, "row");
+  if (table.rows_of)
+    title +=
+        " in which " + in_quotes(table.rows_of->first) + " is " + in_quotes(table.rows_of->second);
   if (!table.logger.empty()) title += ", columns as " + table.logger + " writes them";
   return table.group.empty() ? title : in_quotes(table.group) + ": " + title;
 }

@@ -79,10 +79,10 @@ std::vector<InputCase> dialect_cases() {
               "\"spaces\""),
       refused("12a", "DecimalComma", case_log(take_commas, "t;q;tau", ";"),
               "log.csv:2:1: column 't', found '0,00', expected a number; hint: decimal comma? "
-              "state it: [log] decimal_comma = true"),
+              "state it: [log] decimal_comma = true, --decimal-comma of inspect and init"),
       with_manifest(accepted("12b", "DecimalCommaAsStated", case_log(take_commas, "t;q;tau", ";"),
                              "log.csv: columns are separated by semicolons\n"
-                             "log.csv: numbers have a decimal comma, as stated"),
+                             "log.csv: numbers have a decimal comma"),
                     with_log_table("decimal_comma = true")),
       refused("13", "DecimalCommaBetweenCommas", case_log(take_commas),
               "log.csv:2: " + other_fields +

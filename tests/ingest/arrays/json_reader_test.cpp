@@ -180,5 +180,40 @@ TEST(Json, DamageIsAnswered) {
   test::expect_changes_answered(read, text, 500);
 }
 
+// As a node of ROS writes sensor_msgs/JointState line by line.
+TEST(JsonReader, NamesTheNumbersOfAListAfterTheJoints) {
+  const auto line = [](int k) {
+    return "{\"stamp\": {\"sec\": " + std::to_string(k) +
+           "}, \"name\": [\"a\", \"b\"], \"position\": [0.5, " + std::to_string(k) +
+           "], \"velocity\": [], \"k\": [7, 8, 9]}\n";
+  };
+  const auto table = read(line(1) + line(2)).at(0);
+  EXPECT_EQ(table.header, (Names{"stamp.sec", "a.position", "b.position", "k_0", "k_1", "k_2"}));
+  EXPECT_EQ(table.columns.at(2).values, (Values{1, 2}));
+  ASSERT_EQ(table.notes.size(), 1U);
+  EXPECT_NE(wording::words(table.notes[0]).find("'velocity' is not read"), std::string::npos);
+  // A path that stands twice would give two numbers a row.
+  EXPECT_EQ(read(R"([{"a": {"b": 1}, "a.b": 2, "t": 0}, {"a": {"b": 1}, "a.b": 2, "t": 1}])")
+                .at(0)
+                .header,
+            Names{"t"});
+}
+
+TEST(JsonReader, ReadsIsoTimes) {
+  for (const char* text :
+       {R"([{"t": "2026-03-01T08:15:00.5Z", "q": 1}, {"t": "2026-03-01T08:15:02.25Z", "q": 2}])",
+        R"({"t": ["2026-03-01T08:15:00.5Z", "2026-03-01T08:15:02.25Z"], "q": [1, 2]})",
+        R"({"t": {"0": "2026-03-01T08:15:00.5Z", "1": "2026-03-01T08:15:02.25Z"},
+            "q": {"0": 1, "1": 2}})"}) {
+    const auto table = read(text).at(0);
+    EXPECT_EQ(table.columns.at(0).reading, ingest::log::ColumnReading::iso_time) << text;
+    EXPECT_EQ(table.columns.at(0).values, (Values{0.5, 2.25})) << text;
+    EXPECT_EQ(table.columns.at(0).origin, 1772352900) << text;
+  }
+  EXPECT_EQ(read(R"([{"t": "2026-03-01T08:15:00Z", "q": 1}, {"t": 5, "q": 2}])").at(0).header,
+            Names{"q"})
+      << "times and numbers";
+}
+
 }  // namespace
 }  // namespace tribolog::json_reader_test

@@ -167,6 +167,51 @@ columns = {angle = {name = "q1", unit = "rad"}}
   EXPECT_EQ(m.recordings[1].columns.effort->name, "i");
 }
 
+TEST(Manifest, ALogOfAnySizeIsToldFromAManifest) {
+  const test::TemporaryDirectory directory;
+  for (const char* header : {"t,q,tau\n", "sep=;\nt;q;tau\n"}) {
+    std::string log = header;
+    while (log.size() <= ingest::manifest::largest_manifest_bytes) log += "0.1,0.2,0.3\n";
+    const std::string path = directory.file("log.csv", log);
+    const std::string said =
+        test::refusal_of<InputError>([&] { return ingest::manifest::read_manifest(path); });
+    EXPECT_NE(said.find("log.csv:1: is no manifest"), std::string::npos) << said;
+  }
+}
+
+TEST(Manifest, AClockMayStandInTwoColumnsAndBeNoNumber) {
+  using enum ingest::log::ColumnReading;
+  const auto time = [](const std::string& entry) {
+    return *ingest::manifest::parse_manifest(with("{name = \"t\", unit = \"s\"}", entry), "m.toml")
+                .recordings.at(0)
+                .columns.time;
+  };
+  const auto seconds =
+      time("{name = \"sec\", unit = \"s\", plus = {name = \"nsec\", unit = \"ns\"}}");
+  EXPECT_EQ(seconds.reading, clock);
+  EXPECT_EQ(seconds.plus->name, "nsec");
+  EXPECT_EQ(seconds.plus->si_factor, 1e-9);
+  const auto day =
+      time("{name = \"t\", unit = \"hh:mm:ss\", plus = {name = \"d\", unit = \"yyyy-mm-dd\"}}");
+  EXPECT_EQ(day.reading, time_of_day);
+  EXPECT_EQ(day.plus->reading, date);
+  EXPECT_EQ(
+      refusal(with("unit = \"s\"", "unit = \"s\", plus = {name = \"d\", unit = \"yyyy-mm-dd\"}")),
+      "m.toml:11:60: key 'columns.time.plus.unit': cannot be added to that of the time, found "
+      "'yyyy-mm-dd', expected one of s, ms, us, ns");
+}
+
+TEST(Manifest, RowsMayBeThoseOfOneJoint) {
+  const auto columns =
+      ingest::manifest::parse_manifest(
+          with("[columns]\n", "[columns]\nrows = {name = \"joint\", value = \"elbow\"}\n"),
+          "m.toml")
+          .recordings.at(0)
+          .columns;
+  EXPECT_EQ(columns.rows->name, "joint");
+  EXPECT_EQ(columns.rows->value, "elbow");
+}
+
 TEST(Manifest, NeverGuessesWhatTheEffortIs) {
   const std::string hint =
       "; hint: state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same "
@@ -235,6 +280,7 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
             "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
   EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
             "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', 'name', "
+            "'plus', "
             "'rate_Hz', 'unit'");
   EXPECT_EQ(
       refusal(with("name = \"t\", unit = \"s\"", "rate_Hz = 1000, unit = \"s\"")).substr(0, 55),

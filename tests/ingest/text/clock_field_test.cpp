@@ -54,5 +54,29 @@ TEST(ClockField, TakesNothingElse) {
   EXPECT_FALSE(ingest::text::read_clock_number("1.5", ingest::text::DecimalMark::comma));
 }
 
+TEST(ClockField, ReadsTimesOfDayAndDates) {
+  const auto of_day = [](std::string_view field) {
+    const auto read = ingest::text::read_time_of_day(field);
+    return read ? static_cast<double>(read->whole) + read->rest : -1;
+  };
+  EXPECT_EQ(of_day("08:15:00.25"), 29700.25);
+  EXPECT_EQ(of_day(" 8:15:00,25 "), 29700.25);
+  EXPECT_EQ(of_day("00:00:00"), 0);
+  for (const char* none :
+       {"24:00:00", "08:60:00", "08:15", "08:15:0", "8.15.00", "08:15:00Z", ""}) {
+    EXPECT_EQ(of_day(none), -1) << none;
+  }
+  const auto day = [](std::string_view field) {
+    const auto read = ingest::text::read_date(field);
+    return read ? read->whole / 86400 : -1;
+  };
+  EXPECT_EQ(day("1970-01-02"), 1);
+  EXPECT_EQ(day("2000/03/01"), 11017);
+  EXPECT_EQ(day("01.03.2000"), 11017);
+  for (const char* none : {"2026-02-29", "01/03/2026", "26-03-01", "2026-3-1", "2026-03/01"}) {
+    EXPECT_EQ(day(none), -1) << none;
+  }
+}
+
 }  // namespace
 }  // namespace tribolog::clock_field_test

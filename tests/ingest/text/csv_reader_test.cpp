@@ -77,7 +77,82 @@ TEST(CsvReader, FindsColumnsByNameWithAndWithoutUnit) {
             Values{2});
 }
 
+TEST(CsvReader, TakesNamesFromACommentAboveTheRows) {
+  for (const char* text :
+       {"# t tau\n0 1.25\n0.5 -3\n", "# t,tau\n0,1.25\n0.5,-3\n", "# t tau\n0,1.25\n0.5,-3\n",
+        "# a log of J3\n#t [s];tau [Nm]\n0;1.25\n0.5;-3\n", "% t,tau\n0,1.25\n0.5,-3\n",
+        "// t,tau\n0,1.25\n// more\n0.5,-3\n", "#,t,tau\n1,0,1.25\n2,0.5,-3\n"}) {
+    expect_two_rows(text);
+  }
+  // As rostopic echo -p writes them, with words in the rows.
+  expect_two_rows("%t,name,tau\n0,elbow,1.25\n0.5,elbow,-3\n");
+  const ingest::text::CsvTable table = read("# t,tau\n# s,Nm\n0,1.25\n0.5,-3\n");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+  EXPECT_EQ(wording::words(table.notes),
+            Notes{"column names are taken from the comment above the rows"});
+  // What may be a sentence names no columns.
+  EXPECT_THROW((void)read("# speed and tau\n0 1 1.25\n0.5 1 -3\n"), InputError);
+}
+
+TEST(CsvReader, TakesTheDelimiterThatALogStatesForExcel) {
+  expect_two_rows("sep=;\nt;tau\n0;1.25\n0.5;-3\n");
+  expect_two_rows("\xef\xbb\xbf\"sep=,\"\r\nt,tau\r\n0,1.25\r\n0.5,-3\r\n");
+  expect_two_rows("sep=\t\nt\ttau\n0\t1.25\n0.5\t-3\n");
+}
+
+TEST(CsvReader, NamesRowsOfJointStates) {
+  const std::string rows =
+      "17,500000000,base,elbow,wrist,0.5,1,2,3,4,5\n18,0,base,elbow,wrist,0.6,1,2,3,4,6\n";
+  const auto table = read(rows, {{"nanosec"}, {"elbow.position"}, {"wrist.effort"}});
+  EXPECT_EQ(table.columns.at(0).values, (Values{5e8, 0}));
+  EXPECT_EQ(table.columns.at(1).values, (Values{0.5, 0.6}));
+  EXPECT_EQ(table.columns.at(2).values, (Values{5, 6}));
+  // A row of words and numbers is no header of whatever log.
+  const auto named = read("elbow,0.5,1\nelbow,0.75,2\n", {});
+  EXPECT_EQ(named.rows, 2U);
+  EXPECT_EQ(named.header, (std::vector<std::string>{"#1", "#2", "#3"}));
+  EXPECT_EQ(read("t,1,2\n0,0.5,1\n", {{"2"}}).rows, 1U) << "joints may be called by numbers";
+  // Of two numbers for each joint it does not show which are there.
+  const auto two = read("17,0,,elbow,0.5,1\n18,0,,elbow,0.6,2\n", {});
+  EXPECT_EQ(two.header,
+            (std::vector<std::string>{"sec", "nanosec", "frame_id", "name_0", "#5", "#6"}));
+}
+
+TEST(CsvReader, ReadsTimesOfDayDatesAndWords) {
+  using enum ingest::log::ColumnReading;
+  const std::string log =
+      "d;t;w\n2026-03-01;23:59:59.5;up\n2026-03-02;0:00:01,25;down\n"
+      "2026-03-02;00:00:02;up\n";
+  const auto table = read(log, {{"t", "", time_of_day}, {"d", "", date}, {"w", "", words}});
+  EXPECT_EQ(table.columns.at(0).values, (Values{86399.5, 1.25, 2}));
+  EXPECT_EQ(table.columns.at(1).values, (Values{0, 86400, 86400}));
+  EXPECT_EQ(table.columns.at(2).values, (Values{0, 1, 0}));
+  EXPECT_EQ(table.columns.at(2).words, (std::vector<std::string>{"up", "down"}));
+  const auto all = read(log, {});
+  EXPECT_EQ(all.columns.at(0).reading, date);
+  EXPECT_EQ(all.columns.at(1).reading, time_of_day);
+}
+
+TEST(CsvReader, TellsDecimalCommasThatAreBeyondDoubt) {
+  const auto shows = [](std::string_view text) {
+    MemorySource source(text);
+    return ingest::text::shows_decimal_commas(source, "run.csv");
+  };
+  EXPECT_TRUE(shows("t;q\n0,1;2\n0,25;3\n"));
+  EXPECT_TRUE(shows("t q\n0 -0,123\n1 2,5\n"));
+  EXPECT_TRUE(shows("0,1\t2,55\n0,2\t2,75\n")) << "without names";
+  EXPECT_FALSE(shows("t;q\n1;2,500\n2;3,125\n")) << "thousands?";
+  EXPECT_FALSE(shows("t;q\n0,1;2.5\n0,25;3\n")) << "both";
+  EXPECT_FALSE(shows("t,q\n0,1\n1,25\n")) << "two columns";
+  EXPECT_FALSE(shows("0,1\n1,25\n"));
+  EXPECT_FALSE(shows("t, q\n0, 1\n1, 25\n"));
+}
+
 TEST(CsvReader, CountsGapsByColumn) {
+  const ingest::text::CsvTable signs = read("t,tau\n0,-\n#N/A,1\n1,--\n2,3\n");
+  EXPECT_EQ(signs.columns.at(0).gaps, 1U) << "no comment";
+  EXPECT_EQ(signs.columns.at(1).gaps, 2U);
+  EXPECT_EQ(read("t,tau\n0,1\n1,-").cut_rows, 1U) << "a number may have been about to come";
   const ingest::text::CsvTable table = read("t,tau,x\n0,nan,\n1,,\n,3,\n3,inf,\n4,5,\n");
   EXPECT_EQ(table.columns.at(0).gaps, 1U);
   EXPECT_EQ(table.columns.at(1).gaps, 3U);
@@ -164,13 +239,15 @@ TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
   const ingest::text::CsvTable table = read(
       "when,state,q,empty,tau\n2026-03-01T08:15:00Z,run,1,,nan\n2026-03-01T08:15:01Z,stop,2,,3\n",
       {});
-  ASSERT_EQ(table.columns.size(), 3U);
+  ASSERT_EQ(table.columns.size(), 4U);
   EXPECT_EQ(table.columns[0].header.name, "when");
   EXPECT_EQ(table.columns[0].values, (Values{0, 1}));
-  EXPECT_EQ(table.columns[1].header.name, "q");
-  EXPECT_EQ(table.columns[2].values[1], 3);
+  EXPECT_EQ(table.columns[1].words, (std::vector<std::string>{"run", "stop"}));
+  EXPECT_EQ(table.columns[1].values, (Values{0, 1}));
+  EXPECT_EQ(table.columns[2].header.name, "q");
+  EXPECT_EQ(table.columns[3].values[1], 3);
   EXPECT_EQ(wording::words(table.notes),
-            (Notes{"columns that hold no numbers are not read: 'state', 'empty'"}));
+            (Notes{"columns that hold no numbers are not read: 'empty'"}));
   EXPECT_EQ(read("0 1 2\n3 4 5\n", {}).columns.size(), 3U);
 }
 

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
              "run.csv:1:1: no column names: the first row holds numbers; hint: put a first line "
              "with the columns' names, without '#', or ask for columns by their position: "
              "\"#1\", \"#2\""},
-        Case{"HeaderInAComment", "# t,tau\n0,1\n1,2\n",
+        Case{"WordsInAComment", "# a log\n0 1\n1 2\n",
              "run.csv:2:1: no column names: the first row holds numbers; hint: put a first line "
              "with the columns' names, without '#', or ask for columns by their position: "
              "\"#1\", \"#2\""},
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
              "header? put '#' in front of it"},
         Case{"DecimalComma", "t;tau\n0;1\n1;1,25\n",
              "run.csv:3:3: column 'tau', found '1,25', expected a number; hint: decimal comma? "
-             "state it: [log] decimal_comma = true"},
+             "state it: [log] decimal_comma = true, --decimal-comma of inspect and init"},
         Case{"DecimalCommaBetweenCommas", "t,tau\n0,1\n0,5,1,25\n",
              "run.csv:3: row has another number of fields than the header, found 4, expected 2; "
              "hint: decimal or thousands commas? write numbers with a point; " +

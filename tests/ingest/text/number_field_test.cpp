@@ -36,8 +36,9 @@ TEST(NumberField, ReadsDecimalNumbersInEveryUsualForm) {
 }
 
 TEST(NumberField, TakesWordsForNothingAsGaps) {
-  for (const char* gap : {"", " ", "nan", "NaN", "-nan", "-nan(ind)", "inf", "-Infinity", "1.#QNAN",
-                          "-1.#IND", "1.#INF", "NULL", "N/A", "NaT", "None"}) {
+  for (const char* gap : {"",          " ",       "nan",     "NaN",    "-nan", "-nan(ind)", "inf",
+                          "-Infinity", "1.#QNAN", "-1.#IND", "1.#INF", "NULL", "N/A",       "NaT",
+                          "None",      "-",       "--",      "#N/A",   "NA",   "#NA"}) {
     EXPECT_EQ(ingest::text::read_number(gap).kind, ingest::text::FieldKind::gap) << gap;
     EXPECT_TRUE(std::isnan(ingest::text::read_number(gap).value)) << gap;
   }
@@ -45,7 +46,7 @@ TEST(NumberField, TakesWordsForNothingAsGaps) {
 
 TEST(NumberField, RefusesEverythingElse) {
   for (const char* text : {"1,25", "1 234.5", "1\u00a0234", "0x1p3", "1d3", "1.2.3", "true", "--1",
-                           "+-1", "++1", "1e", "e5", ".", "-", "+", "٣", "12abc", "1_000"}) {
+                           "+-1", "++1", "1e", "e5", ".", "+", "٣", "12abc", "1_000"}) {
     EXPECT_EQ(ingest::text::read_number(text).kind, ingest::text::FieldKind::text) << text;
   }
 }

@@ -144,7 +144,7 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
 TEST(PlainRows, AQuoteInFrontOfAFieldIsNoPlainRow) {
   const ingest::text::PlainLayout layout{ingest::text::Delimiter::comma,
                                          ingest::text::DecimalMark::point,
-                                         {{0, {}, false}, {1, {}, false}, {2, {}, false}},
+                                         {{0, {}, {}, {}}, {1, {}, {}, {}}, {2, {}, {}, {}}},
                                          3};
   ingest::text::PlainRows rows;
   ingest::text::read_plain_rows("1,2,3\n1,\"2\n", layout, rows);

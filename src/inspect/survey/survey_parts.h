@@ -1,0 +1,56 @@
+#pragma once
+// Parts of survey_log(), a file each.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inspect/survey/log_survey.h"
+
+namespace tribolog::inspect::survey {
+
+/// How the log is read.
+struct HowRead {
+  const std::string& path;
+  ingest::log::LogFormat format;
+  const ingest::text::TextLogRules& rules;
+  const StatedColumns& stated;
+};
+
+/// @param names of all columns of the log, also those that are not read.
+ColumnSurvey survey_column(const ingest::log::LogColumn& column,
+                           const std::vector<std::string>& names);
+
+/// Finds the table's clock, or that there is none, and surveys it: one column, the only one of its
+/// kind or the first; seconds and nanoseconds, or a time of day and its date, in two; at a stated
+/// rate the rows, or a column that counts the samples.
+/// @param data its clock becomes what it says in sum, counted from its first reading where that is
+/// from 1970 on.
+void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& table);
+
+/// One joint's rows of a log in which each row is one joint's.
+struct RowsOfJoint {
+  ingest::log::LogTable table;  ///< Without the column that tells them.
+  std::string key;              ///< What a manifest calls that.
+  std::string joint;            ///< What stands in it.
+};
+
+/// By a column named so that holds a few words or numbers by turns, or one behind the other.
+/// @return none for a log in which a row is all joints'.
+std::vector<RowsOfJoint> rows_of_joints(const std::string& path,
+                                        const ingest::text::TextLogRules& rules,
+                                        const ingest::log::LogTable& table);
+
+/// A stretch of a log to which it gives a name.
+struct Phase {
+  std::string name;
+  double from_s{};
+  double to_s{};
+};
+
+/// By a column of words named so, in a table with a clock.
+/// @return in the order of time; none where it has none, or they are too many or too short to be
+/// experiments, or they are parts of one motion.
+std::vector<Phase> phases_in(const ingest::log::LogTable& data, const TableSurvey& table);
+
+}  // namespace tribolog::inspect::survey
