@@ -21,9 +21,10 @@ sets = [
      ["--effort-kind", "joint_torque"]),
     ("CICESE, joint 2", ["cicese_joint2"], ["--effort-kind", "joint_torque", "--joint", "2"]),
     ("XL330 pendulum", ["bam_xl330_pendulum"], []),
-    ("LuGre servo", ["lugre_servo/LuGre_Fs_1.txt", "lugre_servo/LuGre_Fs_3.txt", "lugre_servo/LuGre_Fs_7.txt"],
+    # Fs_12 has other columns.
+    ("LuGre servo", [f"lugre_servo/LuGre_{name}.txt" for name in ("J_1", "J_2", "Fs_1", "Fs_3", "Fs_7", "sigma0_1")],
      ["--rate", "1000", "--column", "angle=#1", "--column", "effort=#5", "--effort-kind", "motor_torque",
-      "--no-gravity"]),
+      "--effort-unit", "Nm", "--no-gravity"]),
     ("Damiao motor 3", ["damiao/motor_03.npz"], ["--effort-kind", "joint_torque", "--no-gravity"]),
     ("Damiao motor 5", ["damiao/motor_05.npz"], ["--effort-kind", "joint_torque", "--no-gravity"]),
     ("OpenArm, joint 4", ["openarm_joint4"], ["--effort-kind", "joint_torque"]),

@@ -98,6 +98,31 @@ TEST(RecordingRoles, WithoutAnyMotionTheLogIsNamedAsAStopgap) {
   EXPECT_EQ(proposal.recordings.size(), 1U);
 }
 
+TEST(RecordingRoles, WithoutGravityStrokesThereAndBackOfAnyCourseAreASweep) {
+  const auto stroke = [](double from_s, double lowest_rad, double highest_rad, int direction) {
+    inspect::motion::MotionSegment s;
+    s.kind = inspect::motion::MotionKind::varying;
+    s.from_s = from_s;
+    s.to_s = from_s + 1.5;
+    s.lowest_rad = lowest_rad;
+    s.highest_rad = highest_rad;
+    s.strokes = 1;
+    s.direction = direction;
+    return s;
+  };
+  const auto sweeps = [](const std::vector<inspect::motion::MotionSegment>& segments,
+                         bool has_no_gravity) {
+    const std::vector<inspect::survey::LogSurvey> logs{log_of(segments)};
+    const auto proposal = inspect::survey::propose_roles(logs, {{0, 0, 0}}, has_no_gravity);
+    return proposal.is_makeshift ? 0 : proposal.recordings.size();
+  };
+  const std::vector there_and_back{stroke(2, 0, 28, 1), stroke(4, 14, 28, -1)};
+  EXPECT_EQ(sweeps(there_and_back, true), 1U);
+  EXPECT_EQ(sweeps(there_and_back, false), 0U) << "gravity may be anything in them";
+  EXPECT_EQ(sweeps({stroke(2, 0, 28, 1), stroke(4, 28, 40, 1)}, true), 0U) << "one direction";
+  EXPECT_EQ(sweeps({stroke(2, 0, 28, 1), stroke(4, 28, 40, -1)}, true), 0U) << "no common angle";
+}
+
 /// The simulated joint's own roles come back from one recording of everything.
 TEST(RecordingRoles, OfASimulatedProtocolAreThoseSimulated) {
   const test::LongRecording recording = test::long_recording(test::everything(21), 2, 2);

@@ -352,12 +352,13 @@ class ManifestText {
   std::string text_;
 };
 
-ManifestProposal without_text(const std::vector<LogSurvey>& logs, const JointChoice& choice) {
+ManifestProposal without_text(const std::vector<LogSurvey>& logs, const JointChoice& choice,
+                              bool has_no_gravity) {
   ManifestProposal proposal;
   proposal.joint = choice.name;
   proposal.in_logs = choice.in_logs;
   proposal.moves_too = choice.moves_too;
-  proposal.roles = propose_roles(logs, choice.in_logs);
+  proposal.roles = propose_roles(logs, choice.in_logs, has_no_gravity);
   return proposal;
 }
 
@@ -384,7 +385,7 @@ void check_count(const std::vector<double>& values, const char* option,
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options) {
   const JointChoice choice = choose_joint(logs, options.joint);
-  ManifestProposal proposal = without_text(logs, choice);
+  ManifestProposal proposal = without_text(logs, choice, options.has_no_gravity);
   proposal.effort = propose_effort(logs, choice.in_logs, options);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
   check_that_it_reads(proposal.text);
@@ -397,7 +398,7 @@ RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
   RobotProposal robot;
   for (const std::string& name : joints_in(logs)) {
     JointChoice choice = choose_joint(logs, name);
-    ManifestProposal proposal = without_text(logs, choice);
+    ManifestProposal proposal = without_text(logs, choice, options.has_no_gravity);
     if (proposal.roles.is_makeshift) {
       robot.without_role.push_back(name);
       continue;

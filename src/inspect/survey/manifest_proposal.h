@@ -47,8 +47,10 @@ struct RoleProposal {
 /// to 0.5 rad/s), as wide as those of any other speed and wider than the slow ones, and a precise
 /// one where they are the slowest by far, and narrow, beside a sweep. All others are runs at
 /// constant speed.
-RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
-                           const std::vector<JointInLog>& joint);
+/// @param has_no_gravity strokes of any course over the same way in both directions then do as a
+/// sweep where a log holds nothing else.
+RoleProposal propose_roles(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint,
+                           bool has_no_gravity = false);
 
 /// "constant speed 10 deg/s, 2 strokes, -30° to 30°", for people.
 std::string describe(const motion::MotionSegment& segment);

@@ -34,8 +34,9 @@ bool same_speed(double a, double b) { return std::max(a, b) <= other_speed * std
 
 class RoleChooser {
  public:
-  RoleChooser(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint)
-      : logs_(logs), joint_(joint) {}
+  RoleChooser(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint,
+              bool has_no_gravity)
+      : logs_(logs), joint_(joint), has_no_gravity_(has_no_gravity) {}
 
   RoleProposal choose() {
     for (const JointInLog& of : joint_) {
@@ -144,9 +145,45 @@ class RoleChooser {
     const bool is_stroke = only != segments.end() && only->strokes == 1 && only->direction != 0;
     if (is_stroke && is_like_runs(*only)) {
       add(of, *only, joint::Role::constant_speed);
+    } else if (const auto strokes = strokes_there_and_back(segments)) {
+      add(of, *strokes, joint::Role::rough_sweep);
     } else {
       proposal_.without_role.push_back(of.log);
     }
+  }
+
+  /// Strokes of any course over the same way in both directions, in one: without gravity they show
+  /// inertia and friction, as a sweep does.
+  [[nodiscard]] std::optional<motion::MotionSegment> strokes_there_and_back(
+      const std::vector<motion::MotionSegment>& segments) const {
+    constexpr double least_common = 0.5;  // of the shorter one
+    if (!has_no_gravity_) return std::nullopt;
+    std::vector<const motion::MotionSegment*> strokes;
+    for (const motion::MotionSegment& s : segments) {
+      if (s.kind == motion::MotionKind::varying && s.direction != 0) strokes.push_back(&s);
+    }
+    const auto meet = [](const motion::MotionSegment* a, const motion::MotionSegment* b) {
+      const double common =
+          std::min(a->highest_rad, b->highest_rad) - std::max(a->lowest_rad, b->lowest_rad);
+      return a->direction != b->direction &&
+             common >= least_common * std::min(a->travel_rad(), b->travel_rad());
+    };
+    const bool turns_back = std::any_of(strokes.begin(), strokes.end(), [&](const auto* a) {
+      return std::any_of(strokes.begin(), strokes.end(), [&](const auto* b) { return meet(a, b); });
+    });
+    if (!turns_back) return std::nullopt;
+    motion::MotionSegment all = *strokes.front();
+    all.kind = motion::MotionKind::slow_sweep;
+    all.direction = 0;
+    all.last = strokes.back()->last;
+    all.to_s = strokes.back()->to_s;
+    all.strokes = strokes.size();
+    for (const motion::MotionSegment* s : strokes) {
+      all.lowest_rad = std::min(all.lowest_rad, s->lowest_rad);
+      all.highest_rad = std::max(all.highest_rad, s->highest_rad);
+      all.speed_rad_s = std::max(all.speed_rad_s, s->speed_rad_s);
+    }
+    return all;
   }
 
   /// Most logs hold runs, and it travels about as far as the shortest of them.
@@ -172,6 +209,7 @@ class RoleChooser {
 
   const std::vector<LogSurvey>& logs_;
   const std::vector<JointInLog>& joint_;
+  bool has_no_gravity_;
   std::vector<Candidate> steady_;
   double sweep_rad_{};
   RoleProposal proposal_;
@@ -189,9 +227,9 @@ std::string degrees(double rad, double travel_rad) {
 
 }  // namespace
 
-RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
-                           const std::vector<JointInLog>& joint) {
-  return RoleChooser(logs, joint).choose();
+RoleProposal propose_roles(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint,
+                           bool has_no_gravity) {
+  return RoleChooser(logs, joint, has_no_gravity).choose();
 }
 
 namespace {
