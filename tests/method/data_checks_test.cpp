@@ -1,5 +1,6 @@
 // Parts of the checks on data whose answer is known beforehand.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
