@@ -95,7 +95,7 @@ const Messages& reading_messages() {
        text("its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
             "reading, in whole units")},
       {"reading.past_midnight",
-       by_count("midnights", "its clock shows the time of day and passes midnight once",
+       by_count("midnights", "its clock shows the time of day and passes midnight {midnights} time",
                 "its clock shows the time of day and passes midnight {midnights} times")},
       {"reading.time_runs_back",
        by_count("rows", "time runs backwards in {rows} row (first in line {line}); sorted by time",
