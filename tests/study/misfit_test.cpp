@@ -27,6 +27,13 @@ study::MisfitOptions on_the_arm(const std::string& disturbance) {
   return options;
 }
 
+/// Whose logs are a quarter as long.
+study::MisfitOptions on_the_direct_drive(const std::string& disturbance) {
+  study::MisfitOptions options = on_the_arm(disturbance);
+  options.joints = {"direct_drive"};
+  return options;
+}
+
 TEST(MisfitStudy, LaysThirtyDisturbancesInThreeSizesOnFourJoints) {
   EXPECT_GE(study::disturbances().size(), 30U);
   EXPECT_EQ(study::misfit_joints().size(), 7U);  // the last three only when all is sound
@@ -119,9 +126,8 @@ TEST(MisfitStudy, ATorqueOrAJumpOfTheAngleLeavesNothingWrongAndUsable) {
 // What shows as an offset of the torque may be a torque of twice the angle, which adds to gravity
 // in the sweep and in the loops.
 TEST(MisfitStudy, ATorqueThatPassesForAnOffsetIsInTheIntervalOfGravity) {
-  study::MisfitOptions options = on_the_arm("twice_the_angle");
-  options.joints = {"direct_drive"};
-  for (const study::MisfitCase& c : study::run_misfit_study(options)) {
+  for (const study::MisfitCase& c :
+       study::run_misfit_study(on_the_direct_drive("twice_the_angle"))) {
     EXPECT_EQ(quantity(c, joint::Quantity::gravity_torque).wrong_usable, 0U) << c.size;
     EXPECT_EQ(quantity(c, joint::Quantity::surrogate_mass).wrong_usable, 0U) << c.size;
   }
@@ -130,7 +136,7 @@ TEST(MisfitStudy, ATorqueThatPassesForAnOffsetIsInTheIntervalOfGravity) {
 TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
   for (const char* const disturbance :
        test::some_of<const char*>({"torque_saturates", "friction_taken_off"}, 2)) {
-    for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
+    for (const study::MisfitCase& c : study::run_misfit_study(on_the_direct_drive(disturbance))) {
       for (const study::MisfitQuantity& q : c.quantities) {
         EXPECT_EQ(q.wrong_usable, 0U)
             << disturbance << " " << c.size << " " << to_string(q.quantity);
@@ -144,9 +150,8 @@ TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
 
 // The joint is read where it accelerates already; starts and stops do not show by what inertia.
 TEST(MisfitStudy, ACoarseEncoderLeavesTheBreakAwayTorqueRight) {
-  study::MisfitOptions options = on_the_arm("coarse_encoder");
-  options.joints = {"direct_drive"};
-  for (const study::MisfitCase& c : study::run_misfit_study(options)) {
+  for (const study::MisfitCase& c :
+       study::run_misfit_study(on_the_direct_drive("coarse_encoder"))) {
     EXPECT_EQ(quantity(c, joint::Quantity::break_away_torque).wrong_usable, 0U) << c.size;
   }
 }
