@@ -107,8 +107,8 @@ SlowChannel take_slowest(const CheckedDataset& data, Channel channel, DataCheck&
   return slowest;
 }
 
-Statement found(Code code, const DataCheck& check, const SlowChannel& slowest) {
-  return {code,
+Statement found(const DataCheck& check, const SlowChannel& slowest, Code held, Code straight) {
+  return {slowest.is_held ? held : straight,
           {{"samples", static_cast<std::size_t>(*check.measured)},
            {"interval_ms", 1e3 * slowest.interval_s * *check.measured}}};
 }
@@ -131,9 +131,8 @@ DataCheck check_angle_interpolated(const CheckedDataset& data) {
   if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
   if (*check.measured <= most) return passed_by_all(check, {"angle_interpolated.is_not"});
   check.state = CheckState::fails;
-  check.found = found(slowest.is_held ? Code{"angle_interpolated.held_between"}
-                                      : Code{"angle_interpolated.straight_between"},
-                      check, slowest);
+  check.found = found(check, slowest, {"angle_interpolated.held_between"},
+                      {"angle_interpolated.straight_between"});
   check.consequence = {"angle_interpolated.bends_acceleration"};
   check.experiment = {"angle_interpolated.log_each_sample"};
   return check;
@@ -160,9 +159,8 @@ DataCheck check_torque_interpolated(const CheckedDataset& data) {
   if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
   if (*check.measured <= most) return passed_by_all(check, {"torque_interpolated.is_not"});
   check.state = passed_or_warns_up_to(most_harmless, check);
-  check.found = found(slowest.is_held ? Code{"torque_interpolated.held_between"}
-                                      : Code{"torque_interpolated.straight_between"},
-                      check, slowest);
+  check.found = found(check, slowest, {"torque_interpolated.held_between"},
+                      {"torque_interpolated.straight_between"});
   check.consequence = {"torque_interpolated.is_late"};
   check.experiment = {"angle_interpolated.log_each_sample"};
   return check;

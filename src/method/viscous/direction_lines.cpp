@@ -199,16 +199,18 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   constexpr double rounding = 1e-6;
   const double explained = std::hypot(out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
   out.found = size > explained && size > rounding * mass->gravity_Nm.value;
-  out.sentence = {
-      out.found ? Code{"direction_asymmetry.found"} : Code{"direction_asymmetry.does_not_show"},
-      {{"half_difference_Nm", out.mean_Nm.value},
-       {"half_width_Nm", out.mean_Nm.half_width()},
-       {"gravity_error_Nm", out.gravity_could_explain_Nm}}};
-  if (mass->gravity_Nm.value == 0 && out.gravity_could_explain_Nm == 0) {
+  const bool is_without_gravity = mass->gravity_Nm.value == 0 && out.gravity_could_explain_Nm == 0;
+  if (is_without_gravity) {
     out.sentence = {
         out.found ? Code{"direction_asymmetry.found_without_gravity"}
                   : Code{"direction_asymmetry.does_not_show_without_gravity"},
         {{"half_difference_Nm", out.mean_Nm.value}, {"half_width_Nm", out.mean_Nm.half_width()}}};
+  } else {
+    out.sentence = {
+        out.found ? Code{"direction_asymmetry.found"} : Code{"direction_asymmetry.does_not_show"},
+        {{"half_difference_Nm", out.mean_Nm.value},
+         {"half_width_Nm", out.mean_Nm.half_width()},
+         {"gravity_error_Nm", out.gravity_could_explain_Nm}}};
   }
   return out;
 }
