@@ -69,6 +69,28 @@ TEST(AngleChecks, AJumpThatStaysIsFoundAndTheMotionOfAJointIsNone) {
   EXPECT_NEAR(*found.measured, 0.3 * pi / 180, 1e-3);
 }
 
+TEST(AngleChecks, AJumpOfAFewSamplesMotionIsFoundAndARowLostUnderASteadyClockIsNone) {
+  using method::checks::CheckState;
+  // The sweep turns 0.002 degrees from sample to sample.
+  const auto further = [](double samples) {
+    return [samples](joint::Dataset& d) {
+      for (joint::Recording& r : d.recordings) {
+        if (r.role != joint::Role::rough_sweep) continue;
+        const std::size_t at = r.size() / 3;
+        const double step = (r.q_rad[at + 100] - r.q_rad[at]) / 100;
+        for (std::size_t i = at; i < r.size(); ++i) r.q_rad[i] += samples * step;
+      }
+    };
+  };
+  const auto check = method::checks::check_angle_jumps;
+  for (const double lost : {1., 2.}) {
+    EXPECT_EQ(checked(check, further(lost)).state, CheckState::passed) << lost;
+  }
+  for (const double jump : {-50., -20., 20., 50.}) {
+    EXPECT_EQ(checked(check, further(jump)).state, CheckState::fails) << jump;
+  }
+}
+
 TEST(AngleChecks, AMotorThatWouldTurnAbsurdlyFastIsFound) {
   using method::checks::CheckState;
   const auto at_ratio = [](double ratio) {

@@ -49,9 +49,53 @@ struct AngleJump {
   double size_rad{};
 };
 
-/// Whole jumps of a recording: larger than all steps about them, and there to stay.
+/// How the angle moves in the samples on either side of a step.
+struct MotionAbout {
+  double largest_rad{};    ///< Largest step, by magnitude.
+  double before_rad{};     ///< Mean step.
+  double after_rad{};      ///< Mean step.
+  double unevenness_rad{};  ///< Largest difference of a step from their mean.
+};
+
+constexpr std::size_t samples_about = 8;
+
+/// @param i the step is that from i to i + 1.
+MotionAbout motion_about(const std::vector<double>& q_rad, std::size_t i) {
+  MotionAbout out;
+  constexpr auto n = static_cast<double>(samples_about);
+  out.before_rad = (q_rad[i] - q_rad[i - samples_about]) / n;
+  out.after_rad = (q_rad[i + 1 + samples_about] - q_rad[i + 1]) / n;
+  const double mean = (out.before_rad + out.after_rad) / 2;
+  for (std::size_t k = 1; k <= samples_about; ++k) {
+    for (const double step : {q_rad[i - k + 1] - q_rad[i - k], q_rad[i + k + 1] - q_rad[i + k]}) {
+      out.largest_rad = std::max(out.largest_rad, std::abs(step));
+      out.unevenness_rad = std::max(out.unevenness_rad, std::abs(step - mean));
+    }
+  }
+  return out;
+}
+
+/// Whether a joint that moves on as before has been put elsewhere by `step_rad`, beyond its motion.
+bool is_put_aside(double step_rad, const MotionAbout& about, double encoder_step_rad) {
+  constexpr double beyond_unevenness = 4;
+  constexpr double beyond_encoder = 3;  // of its steps
+  constexpr double least_rad = 0.03 / joint::degrees_per_rad;
+  constexpr double same_motion = 0.3;
+  const double mean = (about.before_rad + about.after_rad) / 2;
+  const double aside = step_rad - mean;
+  if (!(std::abs(aside) > std::max({least_rad, beyond_encoder * encoder_step_rad,
+                                    beyond_unevenness * about.unevenness_rad}))) {
+    return false;
+  }
+  if (std::abs(about.after_rad - about.before_rad) > same_motion * std::abs(mean)) return false;
+  // One or two rows that were lost under a clock that runs on.
+  constexpr double most_lost = 2.5;
+  const double lost = aside / mean;
+  return !(lost > 0 && lost < most_lost && std::abs(lost - std::round(lost)) < 0.25);
+}
+
+/// Whole jumps of a recording: larger than the motion about them, and there to stay.
 std::vector<AngleJump> jumps_of(const CheckedRecording& r) {
-  constexpr std::size_t about = 8;      // samples on either side
   constexpr double beyond_motion = 6;   // of the largest step about it
   constexpr double beyond_encoder = 6;  // of its steps
   constexpr double least_rad = 0.01 / joint::degrees_per_rad;
@@ -59,16 +103,15 @@ std::vector<AngleJump> jumps_of(const CheckedRecording& r) {
   const std::vector<double>& q = r.recording->q_rad;
   const std::vector<double>& t = r.recording->t_s;
   std::vector<AngleJump> found;
-  for (std::size_t i = about; i + about + 1 < q.size(); ++i) {
-    const double step = std::abs(q[i + 1] - q[i]);
-    if (!(step > std::max(least_rad, beyond_encoder * r.angle_step_rad))) continue;
+  for (std::size_t i = samples_about; i + samples_about + 1 < q.size(); ++i) {
+    const double step = q[i + 1] - q[i];
     if (t[i + 1] - t[i] > longest_interval * r.interval_s) continue;
-    double largest = 0;
-    for (std::size_t k = 1; k <= about; ++k) {
-      largest =
-          std::max({largest, std::abs(q[i - k + 1] - q[i - k]), std::abs(q[i + k + 1] - q[i + k])});
-    }
-    if (step > beyond_motion * largest) found.push_back({t[i + 1], q[i + 1] - q[i]});
+    // Most steps are those of the motion: only what stands out is looked at in full.
+    if (std::abs(step - (q[i] - q[i - 1])) < least_rad) continue;
+    const MotionAbout about = motion_about(q, i);
+    const bool stands_out = std::abs(step) > std::max({least_rad, beyond_encoder * r.angle_step_rad,
+                                                       beyond_motion * about.largest_rad});
+    if (stands_out || is_put_aside(step, about, r.angle_step_rad)) found.push_back({t[i + 1], step});
   }
   return found;
 }

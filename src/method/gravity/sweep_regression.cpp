@@ -403,22 +403,33 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   const bool is_odd = shows(with_second, odd);
   // A gear that gives under its load is the odd part, with the sign of gravity.
   const bool is_twist = design.twist >= 0 && odd.dot(with_second.regression.coefficients) > 0;
+  const auto fit_spring = [&](SweepDesign& spring) {
+    spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
+    take_kinks(design, spring);
+    return fit_amplitude_and_angle(sweep, spring, middle, blocks);
+  };
+  // No gear twists against its load: a spring then is the likelier of the two, shown or not.
+  const bool twists_against_load = fit.twist_rad && fit.twist_rad->value < 0;
   if (!is_even && (!is_odd || is_twist)) {
     const bool hints_at_odd = design.twist < 0 && shows(with_second, odd, hinted_at);
     if (hints_at_odd || shows(with_second, even, hinted_at)) rivals.push_back(with_second);
-    if (fit.twist_rad && fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width()) {
-      SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
-      take_kinks(design, spring);
-      rivals.push_back(fit_amplitude_and_angle(sweep, spring, middle, blocks));
+    if (!twists_against_load) return fit;
+    SweepDesign spring;
+    SweepGravityFit of_spring = fit_spring(spring);
+    if (fit.twist_rad->high > 0) {
+      rivals.push_back(std::move(of_spring));
+      return fit;
     }
-    return fit;
+    rivals.push_back(fit);
+    design = std::move(spring);
+    return of_spring;
   }
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
-    SweepDesign spring = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
-    take_kinks(design, spring);
-    SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, spring, middle, blocks);
-    if (shows(of_spring, along(spring, spring.spring)) &&
+    SweepDesign spring;
+    SweepGravityFit of_spring = fit_spring(spring);
+    constexpr double half_widths = 1;
+    if (shows(of_spring, along(spring, spring.spring), half_widths) &&
         describes_as_well(of_spring, second, with_second)) {
       // Over less than half a turn neither is certain: the interval holds both.
       rivals.push_back(with_second);
@@ -426,7 +437,11 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
       second = std::move(spring);
     }
   }
-  if (!matters(fit, chosen)) return fit;
+  if (!matters(fit, chosen)) {
+    SweepDesign spring;
+    if (twists_against_load) rivals.push_back(fit_spring(spring));
+    return fit;
+  }
   constexpr double largest_share = 0.05;
   const double amplitude_Nm = present(torque_of_angle(sweep, second, middle, chosen)).amplitude_Nm;
   if (amplitude_Nm > largest_share * fit.gravity_Nm.value) {
