@@ -51,9 +51,9 @@ struct AngleJump {
 
 /// How the angle moves in the samples on either side of a step.
 struct MotionAbout {
-  double largest_rad{};    ///< Largest step, by magnitude.
-  double before_rad{};     ///< Mean step.
-  double after_rad{};      ///< Mean step.
+  double largest_rad{};     ///< Largest step, by magnitude.
+  double before_rad{};      ///< Mean step.
+  double after_rad{};       ///< Mean step.
   double unevenness_rad{};  ///< Largest difference of a step from their mean.
 };
 
@@ -111,7 +111,8 @@ std::vector<AngleJump> jumps_of(const CheckedRecording& r) {
     const MotionAbout about = motion_about(q, i);
     const bool stands_out = std::abs(step) > std::max({least_rad, beyond_encoder * r.angle_step_rad,
                                                        beyond_motion * about.largest_rad});
-    if (stands_out || is_put_aside(step, about, r.angle_step_rad)) found.push_back({t[i + 1], step});
+    if (stands_out || is_put_aside(step, about, r.angle_step_rad))
+      found.push_back({t[i + 1], step});
   }
   return found;
 }
