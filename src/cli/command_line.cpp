@@ -86,7 +86,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   bool quiet = false;
   bool version = false;
   bool verbose = false;
-  app.add_flag("-q,--quiet", quiet, "print errors only");
+  app.add_flag("-q,--quiet", quiet, "print warnings and errors only");
   app.add_flag("--version", version,
                "print the versions of the program and of the libraries it uses");
   app.add_flag("--verbose", verbose, "with --version: start the graphics stack and name it too");

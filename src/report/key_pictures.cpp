@@ -278,6 +278,24 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
   return picture;
 }
 
+/// What the line and its band are; terms of load and direction are not drawn.
+std::string law_and_band(const method::viscous::CurveModel& model) {
+  const StatedValue law{"law", described(model.law)};
+  if (model.load) {
+    return tr(
+        "Blue: {law}, at the mean load; the points lie at loads of their own. Band: 95 % of speeds "
+        "that were held out, at equal load.",
+        {law});
+  }
+  if (model.asymmetry != method::viscous::Asymmetry::none) {
+    return tr(
+        "Blue: {law}, mean of the directions, which differ. Band: 95 % of speeds that were held "
+        "out, about each direction's own curve.",
+        {law});
+  }
+  return tr("Blue: {law}; band: 95 % of speeds that were held out.", {law});
+}
+
 /// Friction along the motion, each direction on its own.
 std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   const method::viscous::ViscousCurve* curve = c.viscous.find(c.selection.recommended);
@@ -352,8 +370,7 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
                         ? tr("Parts of the sweep, forward as dots and backward as rings.")
                         : tr("Runs, forward as dots and backward as rings, with 95 % bars.");
   if (!picture.fitted.empty()) {
-    picture.caption += " " + tr("Blue: {law}; band: 95 % of speeds that were held out.",
-                                {{"law", described(c.curve_model.chosen.law)}});
+    picture.caption += " " + law_and_band(c.curve_model.chosen);
   }
   return picture;
 }

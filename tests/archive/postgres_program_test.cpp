@@ -82,7 +82,7 @@ TEST_F(PostgresProgram, NoPasswordInAnyOutput) {
 TEST_F(PostgresProgram, KilledAtAnyMomentItLosesNothingItAcknowledged) {
   using Time = std::chrono::microseconds;
   constexpr int writers = 4;
-  const int kills_of_each = every_case() ? 80 : 20;
+  const int kills_of_each = every_case() ? 80 : 12;
   constexpr std::size_t at_a_time = 3;
   const ScratchDirectory scratch;
   const std::vector<std::string> files =
