@@ -54,12 +54,12 @@
 </section>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made <a class="self" href="#made" aria-label="Link to this section">#</a></h2>
-<p>From the archive, {{CREATED}}, with:</p>
+<p>From the archive, {{CREATED:x-dates}}, with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-diff</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-diff</code></p></footer>
 <script type="application/json" id="tribolog-diff">{{RESULT_JSON:x-json}}</script>
 {{#REVIEW_DATA}}<script type="application/json" id="tribolog-loops">{{LOOPS_JSON:x-json}}</script>
 <script>{{SCRIPT:x-script}}</script>{{/REVIEW_DATA}}

@@ -24,7 +24,7 @@
 {{>VERDICT}}
 {{#OUTLIERS}}<section id="outliers" aria-labelledby="outliers-title">
 <h2 id="outliers-title">Outliers, furthest first</h2>
-<p><i>z</i> tells by how many standard deviations the latest result is away from the median of the other robots, or of the joint's own past; beyond ±{{LIMIT}} it stands out.</p>
+<p><i>z</i> tells by how many standard deviations the latest result is away from the median of the other robots, or of the joint's own past; beyond ±{{LIMIT}} it stands out. A result may be far from those of the other robots without having changed: a robot's trends show its own past alone.</p>
 <div class="cards">
 {{#CARD}}<article class="outlier">
 <h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="unit"><bdi>{{ROBOT}}</bdi></span></h3>
@@ -54,10 +54,10 @@
 {{/ROBOT_SECTION}}</section>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made</h2>
-<p>Made {{CREATED}} with:</p>
+<p>Made {{CREATED:x-dates}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </main>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}}</p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}}</p></footer>
 </body>
 </html>

@@ -43,6 +43,6 @@
 {{/EXPERIMENT}}
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}}</p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}}</p></footer>
 </body>
 </html>

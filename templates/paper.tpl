@@ -79,7 +79,7 @@
 <p class="on-paper">Checks that hold, further tables, the errata and the simulated joint are folded in the file, and are not printed unless they are unfolded first.</p>
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all checks as JSON are embedded in this file, in the element <code>tribolog-paper</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all checks as JSON are embedded in this file, in the element <code>tribolog-paper</code></p></footer>
 <script type="application/json" id="tribolog-paper">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

@@ -61,7 +61,7 @@
 {{>PROVENANCE}}
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all claims as JSON are embedded in this file, in the element <code>tribolog-claims</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all claims as JSON are embedded in this file, in the element <code>tribolog-claims</code></p></footer>
 <script type="application/json" id="tribolog-claims">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

@@ -71,13 +71,13 @@
 <details><summary>The joint, <code><bdi>{{JOINT_FILE}}</bdi></code></summary>
 <pre class="command"><bdi>{{JOINT_TEXT}}</bdi></pre>
 </details>
-<p>The same file, seed and program give the same plan again. Made {{CREATED}} with:</p>
+<p>The same file, seed and program give the same plan again. Made {{CREATED:x-dates}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </details>
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-plan</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-plan</code></p></footer>
 <script type="application/json" id="tribolog-plan">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

@@ -80,7 +80,7 @@
 </div>
 </div>
 </main>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · the full result as JSON is embedded in this file, in the element <code>tribolog-result</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · the full result as JSON is embedded in this file, in the element <code>tribolog-result</code></p></footer>
 <script type="application/json" id="tribolog-result">{{RESULT_JSON:x-json}}</script>
 {{#REVIEW_DATA}}<script type="application/json" id="tribolog-loops">{{LOOPS_JSON:x-json}}</script>
 <script>{{SCRIPT:x-script}}</script>{{/REVIEW_DATA}}

@@ -41,10 +41,10 @@
 </section>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made</h2>
-<p>In the pictures, dark: measured; light: the fitted model; dashed: no torque. Made {{CREATED}} with:</p>
+<p>In the pictures, dark: measured; light: the fitted model; dashed: no torque. Made {{CREATED:x-dates}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </main>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}}</p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}}</p></footer>
 </body>
 </html>

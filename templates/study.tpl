@@ -56,14 +56,14 @@
 <details><summary>The scenario, <code><bdi>{{SCENARIO_FILE}}</bdi></code></summary>
 <pre class="command"><bdi>{{SCENARIO_TEXT}}</bdi></pre>
 </details>
-<p>The same scenario, seed and program give the same numbers again. Made {{CREATED}} with:</p>
+<p>The same scenario, seed and program give the same numbers again. Made {{CREATED:x-dates}} with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </details>
 <p class="on-paper">Tables of each factor, and how the study was done, are folded in the file, and are not printed unless they are unfolded first.</p>
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-study</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-study</code></p></footer>
 <script type="application/json" id="tribolog-study">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

@@ -42,12 +42,12 @@
 </section>{{/JOINT}}
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made <a class="self" href="#made" aria-label="Link to this section">#</a></h2>
-<p>From the archive, {{CREATED}}, with:</p>
+<p>From the archive, {{CREATED:x-dates}}, with:</p>
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </main>
 </div>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-trend</code></p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · all numbers as JSON are embedded in this file, in the element <code>tribolog-trend</code></p></footer>
 <script type="application/json" id="tribolog-trend">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

@@ -120,19 +120,27 @@ std::size_t index_bytes(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Bytes of the date that stands there, as "2026-01-31", and is no part of a longer name; 0: none.
+/// Whether the text starts with digits where `form` has zeros, and with its other characters.
+bool starts_in_form(std::string_view text, std::string_view form) {
+  const std::string_view start = text.substr(0, form.size());
+  return start.size() == form.size() &&
+         std::equal(start.begin(), start.end(), form.begin(),
+                    [](char c, char wanted) { return wanted == '0' ? is_digit(c) : c == wanted; });
+}
+
+/// Bytes of the date that stands there, as "2026-01-31" or "2026-01-31T09:30:00Z", and is no part
+/// of a longer name; 0: none.
 std::size_t date_bytes(std::string_view text, std::size_t at) {
   constexpr std::string_view form = "0000-00-00";
-  const std::string_view date = text.substr(at, form.size());
-  const bool is_date = date.size() == form.size() &&
-                       std::equal(date.begin(), date.end(), form.begin(), [](char c, char wanted) {
-                         return wanted == '0' ? is_digit(c) : c == wanted;
-                       });
+  constexpr std::string_view with_time = "0000-00-00T00:00:00Z";
+  if (!starts_in_form(text.substr(at), form)) return 0;
+  const bool has_time = starts_in_form(text.substr(at), with_time);
+  const std::size_t bytes = has_time ? with_time.size() : form.size();
   const auto belongs = [&](std::size_t beside) {
     return beside < text.size() && (joins_words(text[beside]) || text[beside] == '-');
   };
-  const bool is_part = (at > 0 && belongs(at - 1)) || belongs(at + form.size());
-  return is_date && !is_part ? form.size() : 0;
+  const bool is_part = (at > 0 && belongs(at - 1)) || belongs(at + bytes);
+  return is_part ? 0 : bytes;
 }
 
 void append_escaped(std::string& html, char c) {

@@ -58,8 +58,10 @@ TEST(Templates, KeepDatesOnOneLine) {
   EXPECT_EQ(html_with_dates("2026-01-31"), date);
   EXPECT_EQ(html_with_dates("from 2026-01-31, <q_c>"), "from " + date + ", &lt;q_c&gt;");
   EXPECT_EQ(html_with_symbols("q_c on 2026-01-31."), "<i>q</i><sub>c</sub> on " + date + ".");
+  EXPECT_EQ(html_with_dates("2026-01-31T12:00:00Z"),
+            "<span class=\"date\">2026-01-31T12:00:00Z</span>");
   for (const char* plain : {"12026-01-31", "2026-01-311", "2026-01-31-b", "a_2026-01-31",
-                            "2026-01-3", "2026-01-31T12:00:00Z", "2026/01/31"}) {
+                            "2026-01-3", "2026-01-31T12:00", "2026/01/31"}) {
     EXPECT_EQ(html_with_dates(plain), plain);
   }
 }
