@@ -122,6 +122,15 @@ std::string joined(const std::string& open, const Row& row, const std::string& c
   return text + close;
 }
 
+/// As pandas writes a table by its columns.
+std::string pandas_column(const std::string& name, int entries, const Row& value) {
+  std::string text = "\"" + name + "\": {";
+  for (int k = 0; k < entries; ++k) {
+    text += fmt::format("{}\"{}\": {}", k == 0 ? "" : ", ", k, value(k));
+  }
+  return text + "}";
+}
+
 std::vector<Dialect> dialects() {
   const std::string names = ",q_rad,i_A\n";
   const auto seconds = [](int k) { return fmt::format("{:.2f}", t_s(k)); };
@@ -180,6 +189,14 @@ std::vector<Dialect> dialects() {
                                    current_A(k));
               }),
        [](auto& options) { options.effort_kind = joint::EffortKind::motor_current; }},
+      {"EchoOfRos2WithoutSpeeds", "log.csv",
+       log_of("",
+              [](int k) {
+                return fmt::format("{},{},base,shoulder,elbow,0.1,{:.6f},,1.5,{:.5f}",
+                                   1'700'000'000 + k / 100, k % 100 * 10'000'000, q_rad(k),
+                                   current_A(k));
+              }),
+       [](auto& options) { options.effort_kind = joint::EffortKind::motor_current; }},
       {"JointStatesAsJsonLines", "log.jsonl", log_of("", json_row)},
       {"NestedJson", "log.json",
        joined(
@@ -199,6 +216,64 @@ std::vector<Dialect> dialects() {
                                 date(k), time_of_day(k), q_rad(k), current_A(k));
            },
            "]")},
+      {"RowsOfJointsInJson", "log.json",
+       joined(
+           "{\"robot\": \"arm\", \"samples\": [",
+           [](int k) {
+             return fmt::format(
+                 "{{\"t_s\": {0:.2f}, \"joint\": \"shoulder\", \"q_rad\": 0.1, \"i_A\": 1.5}},"
+                 "{{\"t_s\": {0:.2f}, \"joint\": \"elbow\", \"q_rad\": {1:.6f}, \"i_A\": "
+                 "{2:.5f}}}",
+                 t_s(k), q_rad(k), current_A(k));
+           },
+           "]}")},
+      {"RowsOfJointsByNumberInJsonLines", "log.jsonl",
+       log_of("",
+              [](int k) {
+                return fmt::format(
+                    "{{\"t_s\": {0:.2f}, \"joint_id\": 1, \"q_rad\": 0.1, \"i_A\": 1.5}}\n"
+                    "{{\"t_s\": {0:.2f}, \"joint_id\": 2, \"q_rad\": {1:.6f}, \"i_A\": {2:.5f}}}",
+                    t_s(k), q_rad(k), current_A(k));
+              }),
+       [](auto& options) { options.joint = "2"; }},
+      {"LongFormatInJson", "log.json",
+       joined(
+           "[",
+           [](int k) {
+             return fmt::format(
+                 "{{\"time\": {0:.2f}, \"signal\": \"q_rad\", \"value\": {1:.6f}}},"
+                 "{{\"time\": {0:.2f}, \"signal\": \"i_A\", \"value\": {2:.5f}}}",
+                 t_s(k), q_rad(k), current_A(k));
+           },
+           "]")},
+      {"LongFormatOfJointsInJson", "log.json",
+       joined(
+           "[",
+           [](int k) {
+             return fmt::format(
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"shoulder\", "
+                 "\"name\": \"position\", \"value\": 0.1}},"
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"elbow\", "
+                 "\"name\": \"position\", \"value\": {2:.6f}}},"
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"elbow\", "
+                 "\"name\": \"current\", \"value\": {3:.5f}}}",
+                 1'700'000'000 + k / 100, k % 100 * 10'000'000, q_rad(k), current_A(k));
+           },
+           "]")},
+      {"MeltedByPandas", "log.json",
+       "{" +
+           pandas_column("t_s", 2 * rows,
+                         [](int k) { return fmt::format("{:.2f}", t_s(k % rows)); }) +
+           ", " +
+           pandas_column("variable", 2 * rows,
+                         [](int k) { return k < rows ? "\"q_rad\"" : "\"i_A\""; }) +
+           ", " +
+           pandas_column("value", 2 * rows,
+                         [](int k) {
+                           return k < rows ? fmt::format("{:.6f}", q_rad(k))
+                                           : fmt::format("{:.5f}", current_A(k - rows));
+                         }) +
+           "}"},
       {"KukaTrace", "log.txt",
        log_of("Zeit [ms]\tAIPos_A2 [Grad]\tMACur_A2 [A]\n",
               [](int k) {
@@ -329,6 +404,71 @@ TEST(LogDialects, RowsOfOtherJointsAreCounted) {
   });
   const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, known());
   EXPECT_EQ(dataset.manifest.joint, "elbow");
+  const joint::Recording& r = dataset.recordings.at(0);
+  EXPECT_EQ(r.rows_read, 2U * rows);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_TRUE(r.skipped[0].reason.is("skipped.other_joint"));
+  EXPECT_EQ(r.skipped[0].count, static_cast<std::size_t>(rows));
+}
+
+// An empty array is an empty cell; what another node publishes, and what is short of cells, is left
+// out.
+TEST(LogDialects, EchoedJointStatesWithEmptyArraysAreReadWhereTheyTell) {
+  const test::ScratchDirectory scratch;
+  std::string log;
+  std::vector<int> kept;
+  std::size_t unclear = 0;
+  std::size_t with_gaps = 0;
+  for (int k = 0; k < rows; ++k) {
+    const std::string stamp = fmt::format("{},{},", 1'700'000'000 + k / 100, k % 100 * 10'000'000);
+    const std::string message = stamp + ",shoulder,elbow";
+    if (k % 10 == 3) {  // the effort is empty
+      log += fmt::format("{},0.1,{:.6f},0,0,\n", message, q_rad(k));
+      ++with_gaps;
+    } else if (k % 10 == 5) {  // the speed is
+      log += fmt::format("{},0.1,{:.6f},,1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      ++with_gaps;
+    } else if (k % 10 == 7) {  // one array is lacking, which one is not told
+      log += fmt::format("{},0.1,{:.6f},1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      ++unclear;
+    } else {
+      log += fmt::format("{},0.1,{:.6f},0,0,1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      kept.push_back(k);
+    }
+    if (k % 4 != 0) continue;  // as many cells, of other joints
+    log += stamp + (k % 8 == 0 ? ",left,right,1,2,3,4,5,6\n" : ",gripper,0.5,0,0\n");
+    ++unclear;
+  }
+  inspect::survey::ProposalOptions options = known();
+  options.effort_kind = joint::EffortKind::motor_current;
+  const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, options);
+  expect_the_same(dataset, kept);
+  const joint::Recording& r = dataset.recordings.at(0);
+  EXPECT_EQ(r.rows_read, rows + static_cast<std::size_t>(rows) / 4);
+  std::size_t skipped_unclear = 0;
+  std::size_t gaps = 0;
+  for (const joint::SkippedRows& skipped : r.skipped) {
+    if (skipped.reason.is("skipped.unclear_joint_state")) skipped_unclear += skipped.count;
+    if (skipped.reason.is("skipped.gap")) gaps += skipped.count;
+  }
+  EXPECT_EQ(skipped_unclear, unclear);
+  EXPECT_EQ(gaps, with_gaps);
+}
+
+// A manifest names the joint's rows by what stands there, whether words or numbers.
+TEST(LogDialects, RowsOfOtherJointsInJsonAreCounted) {
+  const test::ScratchDirectory scratch;
+  const std::string log = joined(
+      "[",
+      [](int k) {
+        return fmt::format(
+            "{{\"t_s\": {0:.2f}, \"joint\": 1, \"q_rad\": 0.1, \"i_A\": 1.5}},"
+            "{{\"t_s\": {0:.2f}, \"joint\": 2, \"q_rad\": {1:.6f}, \"i_A\": {2:.5f}}}",
+            t_s(k), q_rad(k), current_A(k));
+      },
+      "]");
+  const joint::Dataset dataset = dataset_of(scratch, "log.json", log, known());
+  EXPECT_EQ(dataset.manifest.joint, "2");
   const joint::Recording& r = dataset.recordings.at(0);
   EXPECT_EQ(r.rows_read, 2U * rows);
   ASSERT_EQ(r.skipped.size(), 1U);

@@ -63,11 +63,17 @@ constexpr std::array flobaroid = {KnownColumn{"times", time, "s"},
                                               joint::EffortKind::joint_torque, joint::Side::joint},
                                   KnownColumn{"target_positions_{}", angle, "rad", true}};
 
-constexpr std::array joint_states = {KnownColumn{"time", time, "s"},
-                                     KnownColumn{"{}.position", angle, "rad"},
-                                     KnownColumn{"{}.velocity", angular_speed, "rad/s"},
-                                     KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
-                                                 std::nullopt, ampere_or_newton_metre}};
+// Of JointState; a DynamicJointState has the others too.
+constexpr std::array joint_states = {
+    KnownColumn{"time", time, "s"},
+    KnownColumn{"{}.position", angle, "rad"},
+    KnownColumn{"{}.velocity", angular_speed, "rad/s"},
+    KnownColumn{"{}.current", current, "A", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"{}.torque", torque, "Nm", false, std::nullopt, std::nullopt},
+    KnownColumn{"{}.temperature", temperature, "degC"},
+    KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt, std::nullopt,
+                ampere_or_newton_metre}};
 
 constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"},
                                 KnownColumn{"{}.pos", angle, "deg"},

@@ -452,14 +452,20 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   return table;
 }
 
+/// A table with all joints' rows, or with one's.
+struct TableOfJoint {
+  ingest::log::LogTable table;
+  std::optional<std::pair<std::string, std::string>> rows_of;  ///< As TableSurvey has it.
+};
+
 /// Its joints go by what stands in the column that tells the rows.
-void name_joint(const RowsOfJoint& rows, TableSurvey& table) {
-  table.rows_of = {rows.key, rows.joint};
+void name_joint(const std::pair<std::string, std::string>& rows_of, TableSurvey& table) {
+  table.rows_of = rows_of;
   if (table.joints.size() != 1) return;
-  table.joints.front().name = rows.joint;
+  table.joints.front().name = rows_of.second;
   for (ColumnSurvey& column : table.columns) {
     const bool is_its = column.meaning && column.meaning->quantity != ingest::log::Quantity::time;
-    if (is_its) column.meaning->joint = rows.joint;
+    if (is_its) column.meaning->joint = rows_of.second;
   }
 }
 
@@ -473,25 +479,26 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
   const ingest::text::TextLogRules rules = with_decimal_mark(path, survey.format, stated_rules);
   survey.has_decimal_commas = rules.decimal_mark == ingest::text::DecimalMark::comma;
   std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
-  std::vector<RowsOfJoint> by_joint;
-  if (survey.format == ingest::log::LogFormat::text) {
-    by_joint = rows_of_joints(path, rules, tables.front());
-  }
-  if (!by_joint.empty()) {
-    tables.clear();
-    for (RowsOfJoint& one : by_joint) tables.push_back(std::move(one.table));
+  const bool has_words = survey.format == ingest::log::LogFormat::text ||
+                         survey.format == ingest::log::LogFormat::json;
+  std::vector<TableOfJoint> of_joints;
+  for (ingest::log::LogTable& table : tables) {
+    std::vector<RowsOfJoint> rows;
+    if (has_words) rows = rows_of_joints(path, survey.format, rules, table);
+    if (rows.empty()) of_joints.push_back({std::move(table), std::nullopt});
+    for (RowsOfJoint& one : rows) {
+      of_joints.push_back({std::move(one.table), std::pair{one.key, one.joint}});
+    }
   }
   std::vector<std::string> missing;  // in every table
   std::vector<std::string> there;
-  for (ingest::log::LogTable& table : tables) {
+  for (auto& [table, rows_of] : of_joints) {
     std::vector<std::string> missing_here;
     survey.tables.push_back(survey_table(path, survey.format, rules, stated, table, missing_here));
-    if (!by_joint.empty()) {
-      name_joint(by_joint[survey.tables.size() - 1], survey.tables.back());
-    }
+    if (rows_of) name_joint(*rows_of, survey.tables.back());
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
-    if (&table == &tables.front()) missing = missing_here;
+    if (survey.tables.size() == 1) missing = missing_here;
     std::erase_if(missing, [&](const std::string& name) {
       return std::find(missing_here.begin(), missing_here.end(), name) == missing_here.end();
     });

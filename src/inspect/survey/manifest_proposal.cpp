@@ -303,7 +303,7 @@ class ManifestText {
     if (j.speed) lines.push_back(column(of, "speed", *j.speed, with_comments));
     if (t.rows_of) {
       lines.push_back(fmt::format("rows = {{ name = {}, value = {} }}",
-                                  quoted(t.rows_of->first, "the name of a column", of.log),
+                                  name_in_log(of, t.rows_of->first),
                                   quoted(t.rows_of->second, "the joint's name", of.log)));
     }
     const auto effort = effort_.column_of(j);
