@@ -72,20 +72,25 @@ std::string lower(std::string text) {
 /// Of a time alone: "q_min" is the smallest angle.
 constexpr std::array endings_of_time = {Ending{"min", "min"}, Ending{"100ns", "100 ns"}};
 
-/// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
-std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
-  std::vector<Ending> all(endings.begin(), endings.end());
-  if (quantity == log::Quantity::time) {
-    all.insert(all.end(), endings_of_time.begin(), endings_of_time.end());
-  }
-  for (const Ending& e : all) {
+/// The unit at a name's end, which is taken off: of these the first that the quantity has.
+template <class Endings>
+std::optional<std::string_view> take_one_of(const Endings& units, log::Quantity quantity,
+                                            std::string& name) {
+  for (const Ending& e : units) {
     const std::size_t length = e.ending.size() + 1;
-    if (name.size() <= length || !log::find_si_factor(quantity, e.unit)) continue;
-    if (name[name.size() - length] != '_' || !name.ends_with(e.ending)) continue;
+    if (name.size() <= length || !name.ends_with(e.ending)) continue;
+    if (name[name.size() - length] != '_' || !log::find_si_factor(quantity, e.unit)) continue;
     name.resize(name.size() - length);
     return e.unit;
   }
   return std::nullopt;
+}
+
+/// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
+std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
+  const auto unit = take_one_of(endings, quantity, name);
+  return unit || quantity != log::Quantity::time ? unit
+                                                 : take_one_of(endings_of_time, quantity, name);
 }
 
 bool is_number(std::string_view text) {

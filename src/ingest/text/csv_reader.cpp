@@ -354,6 +354,14 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
+  if (rules.decimal_mark == DecimalMark::comma && !rules.delimiter && !stated_by_log) {
+    const std::size_t names =
+        split_row(first.row(), Delimiter::comma, {file, first.line(), 0}).size();
+    const bool is_one_column = fields_of(first, table, table.delimiter).size() == 1;
+    if (is_one_column && names > 1) {
+      refuse_commas_between_commas(first.rest(), names, {file, first.line() + 1, 0});
+    }
+  }
   const Header header = read_names(cursor, columns, rules, table);
   const std::vector<log::WantedColumn> wanted =
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;

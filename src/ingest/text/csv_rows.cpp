@@ -257,7 +257,9 @@ class RowReader {
     if (trimmed(cursor_.row()) == trimmed(layout_.header_row)) refuse_second_header(row());
   }
 
-  [[nodiscard]] RefusedRow row() const { return {table_, layout_, cursor_.line()}; }
+  [[nodiscard]] RefusedRow row() const {
+    return {table_, layout_, cursor_.line(), cursor_.row(), cursor_.rest()};
+  }
 
   RowCursor& cursor_;
   const RowLayout& layout_;

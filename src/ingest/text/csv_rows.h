@@ -124,13 +124,22 @@ struct RefusedRow {
   const CsvTable& table;  ///< As far as it is read.
   const RowLayout& layout;
   long line{};
+  std::string_view text{};    ///< The row,
+  std::string_view behind{};  ///< and what follows it, as far as it is in memory.
 };
+
+/// @param rows from the first data row on, as far as they are in memory.
+/// @param names columns of the header.
+/// @throw InputError where all cells are whole numbers and the first row has more of them than
+///        names: decimal commas are cut by commas between the columns. The hint says what to export
+///        instead, and how to mend a log in which all numbers have a fraction.
+void refuse_commas_between_commas(std::string_view rows, std::size_t names, const Location& first);
 
 /// @throw InputError: the row is the header once more.
 [[noreturn]] void refuse_second_header(const RefusedRow& row);
 
 /// @param found number of fields.
-/// @throw InputError: it is not the header's.
+/// @throw InputError: it is not the header's; as refuse_commas_between_commas() for a first row.
 [[noreturn]] void refuse_ragged_row(const RefusedRow& row, std::size_t found);
 
 /// @param column index of the field in the file.
