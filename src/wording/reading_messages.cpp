@@ -101,6 +101,8 @@ const Messages& reading_messages() {
 
       // Recordings.
       {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
+      {"reading.effort_not_read",
+       text("columns that may be the torque or the current are not read: {columns}")},
       {"reading.gaps", text("column {column}: {percent:.0f} % of the rows are gaps (nan)")},
       {"reading.impossible_values",
        text(

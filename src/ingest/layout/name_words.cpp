@@ -89,11 +89,13 @@ constexpr std::array quantity_words = {QuantityWord{"time", time},
                                        QuantityWord{"temp", temperature},
                                        QuantityWord{"temperature", temperature}};
 
-constexpr std::array target_words = {
-    "target",    "goal",      "cmd",     "command", "commanded", "des",     "desired",   "ref",
-    "reference", "setpoint",  "set",     "d",       "plan",      "planned", "demand",    "demanded",
-    "req",       "requested", "request", "nominal", "nom",       "sim",     "simulated", "model",
-    "soll",      "sollwert",  "zadany",  "zadana",  "zadane",    "zad",     "consigne"};
+constexpr std::array target_words = {"target", "goal", "cmd", "command", "commanded", "des",
+                                     "desired", "ref", "reference", "setpoint", "set", "d", "plan",
+                                     "planned", "demand", "demanded", "req", "requested", "request",
+                                     "nominal", "nom", "sim", "simulated", "model", "soll",
+                                     "sollwert", "zadany", "zadana", "zadane", "zad", "consigne",
+                                     // No measurement of the drive.
+                                     "external", "ext"};
 // Of no joint, and of no signal that is looked for.
 constexpr std::array other_words = {
     "error",        "err",    "enable", "enabled", "flag",    "status", "state",   "mode",

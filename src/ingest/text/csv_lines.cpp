@@ -101,13 +101,17 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view export_it = "export or unpack it as CSV";
-// The distributions have no library for these, and no package of pyarrow.
+// The distributions have no library for these, and no package of pyarrow; Debian has one for
+// Feather as it was in 2016.
 constexpr std::string_view by_parquet =
     "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
     "pandas.read_parquet('LOG').to_csv('LOG.csv')\"";
 constexpr std::string_view by_feather =
     "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
     "pandas.read_feather('LOG').to_csv('LOG.csv')\"";
+constexpr std::string_view by_old_feather =
+    "apt-get install python3-feather-format; /usr/bin/python3 -c \"import feather; "
+    "feather.read_dataframe('LOG').to_csv('LOG.csv')\"";
 constexpr std::string_view by_stream =
     "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import "
     "pyarrow; "
@@ -137,7 +141,7 @@ constexpr std::array formats = {
     BinaryFormat{"PAR1"sv, "Parquet", by_parquet},
     BinaryFormat{"PARE"sv, "Parquet, encrypted", "decrypt it and export it as CSV"},
     BinaryFormat{"ARROW1"sv, "Arrow (also .feather)", by_feather},
-    BinaryFormat{"FEA1"sv, "Feather (of 2016)", by_feather},
+    BinaryFormat{"FEA1"sv, "Feather (of 2016)", by_old_feather},
     BinaryFormat{"\xff\xff\xff\xff"sv, "Arrow (a stream)", by_stream},
     BinaryFormat{"SQLite format 3"sv, "SQLite (also .db3 bags)"},
     BinaryFormat{"\x93NUMPY"sv, "NumPy"},
