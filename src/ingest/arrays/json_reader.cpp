@@ -22,7 +22,7 @@ bool are_records(const JsonValue& value) {
 }
 
 bool is_time_or_gap(const JsonValue& value) {
-  return value.kind == JsonKind::null || iso_time_in(value).has_value();
+  return value.kind == JsonKind::null || is_iso_time(value);
 }
 
 bool is_time_list(const JsonValue& value) {

@@ -4,22 +4,27 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
+#include "ingest/text/fields.h"
+
 namespace tribolog::ingest::arrays {
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<text::ClockReading> iso_time_in(const JsonValue& value) {
   if (value.kind != JsonKind::text) return std::nullopt;
   return text::read_iso_time(value.content->text);
 }
 
-namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
+
+bool is_iso_time(const JsonValue& value) { return iso_time_in(value).has_value(); }
 
 void append_number(const JsonValue& value, NamedArray& array) {
   if (const auto time = iso_time_in(value)) {
@@ -49,7 +54,7 @@ class JsonColumn {
     ++count_;
     if (is_number_or_gap(value)) {
       has_number_ = has_number_ || value.kind == JsonKind::number;
-    } else if (iso_time_in(value)) {
+    } else if (is_iso_time(value)) {
       has_time_ = true;
     } else if (is_text(value)) {
       if (places_.size() <= most_words) places_.emplace(value.content->text, places_.size());

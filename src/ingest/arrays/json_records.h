@@ -2,13 +2,11 @@
 // Columns from a JSON log: of what stands under one name in many rows.
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
-#include "ingest/text/fields.h"
 
 namespace tribolog::ingest::arrays {
 
@@ -27,8 +25,8 @@ inline bool is_number_list(const JsonValue& value) {
   return value.kind == JsonKind::array && all_are(value, is_number_or_gap);
 }
 
-/// Of a text that is a time.
-std::optional<text::ClockReading> iso_time_in(const JsonValue& value);
+/// Whether it is a text that is a time.
+bool is_iso_time(const JsonValue& value);
 
 /// A number or a time; anything else is a gap.
 void append_number(const JsonValue& value, NamedArray& array);

@@ -16,7 +16,8 @@ inline constexpr std::string_view is_stored_of_objects =
 inline constexpr std::string_view unnamed = "(no name)";
 
 /// Why an object is not read, with the line that makes plain vectors of it in MATLAB.
-/// @param name as the user has it there, "run.tt"; "x" stands for any. @param class_name empty: not known.
+/// @param name as the user has it there, "run.tt"; "x" stands for any. @param class_name empty: not
+/// known.
 std::string why_object_is_not_read(const std::string& name, const std::string& class_name);
 
 }  // namespace tribolog::ingest::arrays
