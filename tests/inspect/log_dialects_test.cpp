@@ -693,6 +693,7 @@ TEST(LogDialects, ADatasetWithoutATorqueNamesTheColumnsThatMayHoldOne) {
   EXPECT_EQ(notes("Torque [%]"), "'Torque [%]'");
   EXPECT_EQ(notes("load"), "'load'");
   EXPECT_EQ(notes("humidity"), "");
+  EXPECT_EQ(notes("torque_enable"), "");
 }
 
 TEST(LogDialects, InspectShowsTheEffortAsTheManifestHasIt) {

@@ -289,7 +289,7 @@ std::vector<std::string> possible_efforts(const std::vector<log::ColumnHeader>& 
     });
     const bool may_be = (known != layout.columns.end() && is_effort(known->quantity)) ||
                         (foreign != layout.foreign.end() && is_effort(foreign->quantity)) ||
-                        (!is_known && is_called_so);
+                        (!is_known && is_called_so && !says_other_signal(header[k].full));
     if (may_be) names.push_back(header[k].full);
   }
   return names;

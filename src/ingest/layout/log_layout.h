@@ -128,6 +128,9 @@ std::vector<std::string> words_of_name(std::string_view name);
 /// "torque_percent", "pos_inc": a share of a rated value, or counts; in no unit that is known.
 bool says_foreign_unit(std::string_view name);
 
+/// "torque_enable", "position_error": none of the signals that are looked for.
+bool says_other_signal(std::string_view name);
+
 /// The quantity is that of the first word that names one and does not contradict the unit; of a
 /// name without such a word that of the unit alone. "target", "goal", "cmd" and the like make it a
 /// set point, "external" what is no measurement of the drive either; "error", "enable", "limit" and

@@ -175,6 +175,12 @@ bool says_foreign_unit(std::string_view name) {
                      [](const std::string& word) { return holds(foreign_words, word); });
 }
 
+bool says_other_signal(std::string_view name) {
+  const std::vector<std::string> words = words_of_name(name);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return holds(other_words, word); });
+}
+
 std::vector<std::string> words_of_name(std::string_view name) {
   std::vector<std::string> words;
   char before = ' ';
