@@ -325,6 +325,17 @@ Statement note_of(Delimiter delimiter) {
   return {};
 }
 
+/// With decimal commas stated, commas are no delimiter, and a header with others is one name.
+/// @throw InputError as refuse_commas_between_commas().
+void refuse_commas_between_columns(const RowCursor& header, const CsvTable& table) {
+  const bool is_one_name = fields_of(header, table, table.delimiter).size() == 1;
+  if (!is_one_name || header.row().find('"') != std::string_view::npos) return;
+  const std::size_t names = fields_of(header, table, Delimiter::comma).size();
+  if (names > 1) {
+    refuse_commas_between_commas(header.rest(), names, {table.file, header.line() + 1, 0});
+  }
+}
+
 /// Rows to make room for; a guess from the first row's length, bounded by the file's size.
 std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
   const std::size_t first_row = std::min(first_rows.find('\n'), first_rows.size()) + 1;
@@ -355,12 +366,7 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
   if (rules.decimal_mark == DecimalMark::comma && !rules.delimiter && !stated_by_log) {
-    const std::size_t names =
-        split_row(first.row(), Delimiter::comma, {file, first.line(), 0}).size();
-    const bool is_one_column = fields_of(first, table, table.delimiter).size() == 1;
-    if (is_one_column && names > 1) {
-      refuse_commas_between_commas(first.rest(), names, {file, first.line() + 1, 0});
-    }
+    refuse_commas_between_columns(first, table);
   }
   const Header header = read_names(cursor, columns, rules, table);
   const std::vector<log::WantedColumn> wanted =
