@@ -55,11 +55,8 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files) {
 /// @throw InputError of the only log, or of the first one if all are refused.
 std::vector<inspect::survey::LogSurvey> survey_logs(const std::vector<SurveyedFile>& files,
                                                     const InspectedLogs& options,
+                                                    const inspect::survey::StatedColumns& stated,
                                                     Console& console) {
-  inspect::survey::StatedColumns stated = options.known.columns;
-  if (options.of_joints.gear_ratios.size() == 1) {
-    stated.gear_ratio = options.of_joints.gear_ratios.front();
-  }
   std::vector<inspect::survey::LogSurvey> logs;
   std::optional<InputError> first;
   for (std::size_t k = 0; k < files.size(); ++k) {
@@ -84,6 +81,35 @@ std::vector<inspect::survey::LogSurvey> survey_logs(const std::vector<SurveyedFi
                   [](const inspect::survey::LogSurvey& log) { return !log.refusal.empty(); });
   if (first && all_refused) throw InputError(*first);
   return logs;
+}
+
+/// Surveys the logs with what is known of the gears. Where several ratios are stated and angles of
+/// motors are logged, whose ratio is whose follows from a first survey without them.
+/// @param of_joints receives whose they are.
+std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<SurveyedFile>& files,
+                                                          const InspectedLogs& options,
+                                                          inspect::survey::KnownOfJoints& of_joints,
+                                                          Console& console) {
+  inspect::survey::StatedColumns stated = options.known.columns;
+  const std::vector<double>& ratios = of_joints.gear_ratios;
+  if (ratios.size() == 1) stated.gear_ratio = ratios.front();
+  std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options, stated, console);
+  bool is_at_motor = false;
+  for (const inspect::survey::LogSurvey& log : logs) {
+    for (const inspect::survey::TableSurvey& table : log.tables) {
+      is_at_motor = is_at_motor || std::any_of(table.columns.begin(), table.columns.end(),
+                                               [](const inspect::survey::ColumnSurvey& column) {
+                                                 return column.is_at_motor;
+                                               });
+    }
+  }
+  if (ratios.size() <= 1 || !is_at_motor) return logs;
+  of_joints.joints = inspect::survey::joints_of_numbers(logs, options.known, ratios.size());
+  if (of_joints.joints.empty()) return logs;  // of another number of joints: refused with a list
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    stated.gear_ratio_of[of_joints.joints[k]] = ratios[k];
+  }
+  return survey_logs(files, options, stated, console);
 }
 
 /// 3 if a log was refused.
@@ -151,7 +177,7 @@ inspect::survey::ProposalOptions known_of_one(const InspectedLogs& logs) {
 
 /// @return the manifest's text.
 std::string propose(const InitOptions& options, const std::vector<inspect::survey::LogSurvey>& logs,
-                    Console& console) {
+                    const inspect::survey::KnownOfJoints& of_joints, Console& console) {
   const std::string directory = std::filesystem::path(options.output).parent_path().string();
   if (!options.all_joints) {
     inspect::survey::ProposalOptions known = known_of_one(options.logs);
@@ -163,7 +189,7 @@ std::string propose(const InitOptions& options, const std::vector<inspect::surve
   inspect::survey::ProposalOptions known = options.logs.known;
   known.directory = directory;
   const inspect::survey::RobotProposal robot =
-      inspect::survey::propose_robot_manifest(logs, known, options.logs.of_joints);
+      inspect::survey::propose_robot_manifest(logs, known, of_joints);
   for (const inspect::survey::ManifestProposal& joint : robot.joints) {
     tell_proposal(joint, console);
   }
@@ -179,7 +205,9 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   const std::vector<SurveyedFile> files = files_of(options.logs.files);
   if (!options.json.empty()) check_output_can_be_written(options.json, paths_of(files));
   console.make_way_for(options.json);
-  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options.logs, console);
+  inspect::survey::KnownOfJoints of_joints = options.logs.of_joints;
+  const std::vector<inspect::survey::LogSurvey> logs =
+      survey_with_gears(files, options.logs, of_joints, console);
   const Proposed proposed = try_to_propose(logs, known_of_one(options.logs));
   console.say(inspect::survey::survey_text(proposed.logs, proposed.joint));
   if (!proposed.text.empty()) {
@@ -203,8 +231,10 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   const std::vector<SurveyedFile> files = files_of(options.logs.files);
   check_output_can_be_written(options.output, paths_of(files));
   console.make_way_for(options.output);
-  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options.logs, console);
-  const std::string text = propose(options, logs, console);
+  inspect::survey::KnownOfJoints of_joints = options.logs.of_joints;
+  const std::vector<inspect::survey::LogSurvey> logs =
+      survey_with_gears(files, options.logs, of_joints, console);
+  const std::string text = propose(options, logs, of_joints, console);
   write_file_atomically(options.output, text);
   console.say("manifest: " + printable(options.output, 400));
   return status_of(logs);

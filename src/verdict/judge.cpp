@@ -313,6 +313,10 @@ Statement sentence_of(const calibration::Calibration& c,
                       bool has_disagreement, bool limit_broken) {
   const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
   if (c.manifest.drive.kind() == joint::EffortKind::none) {
+    for (const Statement& note : c.notes) {
+      if (!note.is("reading.effort_not_read")) continue;
+      return Statement::with("verdict.torque_not_read", note.values());
+    }
     return {"verdict.no_torque"};
   }
   if (overall == calibration::Verdict::not_identifiable) {

@@ -14,6 +14,12 @@ const Messages& reading_messages() {
       {"reading.echoed_joint_states",
        text("no column names; the rows are sensor_msgs/JointState, as ros2 topic echo --csv "
             "writes them")},
+      {"reading.unclear_joint_states",
+       by_count("rows",
+                "{unclear} of {rows} row is left out (line {line}): it is of other joints, or does "
+                "not show which of position, velocity and effort it has",
+                "{unclear} of {rows} rows are left out (the first in line {line}): they are of "
+                "other joints, or do not show which of position, velocity and effort they have")},
       {"reading.repeated_names", text("column names that occur more than once: {columns}")},
       {"reading.units_in_second_row", text("units are taken from the row under the header")},
       {"reading.columns_without_numbers",
@@ -56,6 +62,15 @@ const Messages& reading_messages() {
        text("column name {column} occurs twice; that of array {array} is now {name}")},
       {"reading.integers_rounded",
        text("{array} holds integers of 2^53 and more: they are rounded")},
+      {"reading.long_format",
+       by_count("readings",
+                "{readings} row is a signal's reading ({signals}); those of the same time are one "
+                "row here",
+                "{readings} rows are a signal's reading each ({signals}); those of the same time "
+                "are one row here")},
+      {"reading.repeated_readings",
+       by_count("readings", "{readings} reading is left out: its signal has one at that time",
+                "{readings} readings are left out: their signal has one at that time")},
       {"reading.long_array", text("{topic}: {path} has more than 64 elements and was not read")},
       {"reading.too_many_columns",
        text("{topic}: a message has more numbers than columns can be kept")},
@@ -86,6 +101,8 @@ const Messages& reading_messages() {
 
       // Recordings.
       {"reading.column_not_used", text("columns of the logs that are not used: {columns}")},
+      {"reading.effort_not_read",
+       text("columns that may be the torque or the current are not read: {columns}")},
       {"reading.gaps", text("column {column}: {percent:.0f} % of the rows are gaps (nan)")},
       {"reading.impossible_values",
        text(
@@ -132,6 +149,8 @@ const Messages& reading_messages() {
       {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},
       {"skipped.other_joint", text("another joint's row, as stated")},
+      {"skipped.unclear_joint_state",
+       text("of other joints, or not told which of position, velocity and effort it has")},
       {"skipped.not_usable", text("cannot be used (skip_bad_rows)")},
       {"skipped.at_rest", text("at rest before or after the motion")}};
   return all;

@@ -399,6 +399,10 @@ const Messages& verdict_messages() {
        text("The joint's friction curve is known; friction points show nothing else.")},
       {"verdict.no_torque",
        text("No torque was recorded: the motion alone shows neither gravity nor friction.")},
+      {"verdict.torque_not_read",
+       text("No torque was read, though {columns} may hold one; tribolog init LOG --column "
+            "effort=NAME --effort-unit UNIT states it. The motion alone shows neither gravity nor "
+            "friction.")},
       {"verdict.data_cannot_carry", text("The data do not support an identification: {found}.")},
       {"verdict.neither_angle_nor_mass",
        text("Neither the centre of gravity nor the surrogate mass can be found in these "

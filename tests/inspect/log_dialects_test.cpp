@@ -122,6 +122,15 @@ std::string joined(const std::string& open, const Row& row, const std::string& c
   return text + close;
 }
 
+/// As pandas writes a table by its columns.
+std::string pandas_column(const std::string& name, int entries, const Row& value) {
+  std::string text = "\"" + name + "\": {";
+  for (int k = 0; k < entries; ++k) {
+    text += fmt::format("{}\"{}\": {}", k == 0 ? "" : ", ", k, value(k));
+  }
+  return text + "}";
+}
+
 std::vector<Dialect> dialects() {
   const std::string names = ",q_rad,i_A\n";
   const auto seconds = [](int k) { return fmt::format("{:.2f}", t_s(k)); };
@@ -180,6 +189,14 @@ std::vector<Dialect> dialects() {
                                    current_A(k));
               }),
        [](auto& options) { options.effort_kind = joint::EffortKind::motor_current; }},
+      {"EchoOfRos2WithoutSpeeds", "log.csv",
+       log_of("",
+              [](int k) {
+                return fmt::format("{},{},base,shoulder,elbow,0.1,{:.6f},,1.5,{:.5f}",
+                                   1'700'000'000 + k / 100, k % 100 * 10'000'000, q_rad(k),
+                                   current_A(k));
+              }),
+       [](auto& options) { options.effort_kind = joint::EffortKind::motor_current; }},
       {"JointStatesAsJsonLines", "log.jsonl", log_of("", json_row)},
       {"NestedJson", "log.json",
        joined(
@@ -199,10 +216,91 @@ std::vector<Dialect> dialects() {
                                 date(k), time_of_day(k), q_rad(k), current_A(k));
            },
            "]")},
+      {"RowsOfJointsInJson", "log.json",
+       joined(
+           "{\"robot\": \"arm\", \"samples\": [",
+           [](int k) {
+             return fmt::format(
+                 "{{\"t_s\": {0:.2f}, \"joint\": \"shoulder\", \"q_rad\": 0.1, \"i_A\": 1.5}},"
+                 "{{\"t_s\": {0:.2f}, \"joint\": \"elbow\", \"q_rad\": {1:.6f}, \"i_A\": "
+                 "{2:.5f}}}",
+                 t_s(k), q_rad(k), current_A(k));
+           },
+           "]}")},
+      {"RowsOfJointsByNumberInJsonLines", "log.jsonl",
+       log_of("",
+              [](int k) {
+                return fmt::format(
+                    "{{\"t_s\": {0:.2f}, \"joint_id\": 1, \"q_rad\": 0.1, \"i_A\": 1.5}}\n"
+                    "{{\"t_s\": {0:.2f}, \"joint_id\": 2, \"q_rad\": {1:.6f}, \"i_A\": {2:.5f}}}",
+                    t_s(k), q_rad(k), current_A(k));
+              }),
+       [](auto& options) { options.joint = "2"; }},
+      {"LongFormatInJson", "log.json",
+       joined(
+           "[",
+           [](int k) {
+             return fmt::format(
+                 "{{\"time\": {0:.2f}, \"signal\": \"q_rad\", \"value\": {1:.6f}}},"
+                 "{{\"time\": {0:.2f}, \"signal\": \"i_A\", \"value\": {2:.5f}}}",
+                 t_s(k), q_rad(k), current_A(k));
+           },
+           "]")},
+      {"LongFormatOfJointsInJson", "log.json",
+       joined(
+           "[",
+           [](int k) {
+             return fmt::format(
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"shoulder\", "
+                 "\"name\": \"position\", \"value\": 0.1}},"
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"elbow\", "
+                 "\"name\": \"position\", \"value\": {2:.6f}}},"
+                 "{{\"stamp\": {{\"sec\": {0}, \"nanosec\": {1}}}, \"joint\": \"elbow\", "
+                 "\"name\": \"current\", \"value\": {3:.5f}}}",
+                 1'700'000'000 + k / 100, k % 100 * 10'000'000, q_rad(k), current_A(k));
+           },
+           "]")},
+      {"MeltedByPandas", "log.json",
+       "{" +
+           pandas_column("t_s", 2 * rows,
+                         [](int k) { return fmt::format("{:.2f}", t_s(k % rows)); }) +
+           ", " +
+           pandas_column("variable", 2 * rows,
+                         [](int k) { return k < rows ? "\"q_rad\"" : "\"i_A\""; }) +
+           ", " +
+           pandas_column("value", 2 * rows,
+                         [](int k) {
+                           return k < rows ? fmt::format("{:.6f}", q_rad(k))
+                                           : fmt::format("{:.5f}", current_A(k - rows));
+                         }) +
+           "}"},
       {"KukaTrace", "log.txt",
        log_of("Zeit [ms]\tAIPos_A2 [Grad]\tMACur_A2 [A]\n",
               [](int k) {
                 return fmt::format("{}\t{:.8f}\t{:.5f}", 10 * k, 57.29577951 * q_rad(k),
+                                   current_A(k));
+              })},
+      // As UR's RTDE client writes it: the fields of the recipe with an index, blanks between them.
+      {"UrRtde", "log.csv",
+       log_of("timestamp actual_q_0 actual_q_1 actual_qd_1 actual_current_0 actual_current_1 "
+              "target_moment_1\n",
+              [](int k) {
+                return fmt::format("{:.3f} 0.1 {:.6f} {:.5f} 1.5 {:.5f} 0.0", 1234 + t_s(k),
+                                   q_rad(k), t_s(k) < 20 ? 0.09 : -0.09, current_A(k));
+              })},
+      // Tags and attributes of the telegram of KUKA's RSI; IPOC counts milliseconds.
+      {"KukaRsi", "log.csv",
+       log_of("Timestamp,Send.IPOC,Send.RIst.X,Send.AIPos.A1,Send.AIPos.A2,Send.MACur.A1,"
+              "Send.MACur.A2\n",
+              [](int k) {
+                return fmt::format("{:.2f},{},1234.5,5.7,{:.8f},1.5,{:.5f}", t_s(k),
+                                   4208163634 + 10 * k, 57.29577951 * q_rad(k), current_A(k));
+              })},
+      // A table as pendants export it, with the axes' numbers.
+      {"FanucPendant", "log.csv",
+       log_of("Time (ms),J1 (deg),J2 (deg),J1 Current (A),J2 Current (A)\n",
+              [](int k) {
+                return fmt::format("{},5.7,{:.8f},1.5,{:.5f}", 10 * k, 57.29577951 * q_rad(k),
                                    current_A(k));
               })},
       {"KukaVariables", "log.csv",
@@ -336,6 +434,156 @@ TEST(LogDialects, RowsOfOtherJointsAreCounted) {
   EXPECT_EQ(r.skipped[0].count, static_cast<std::size_t>(rows));
 }
 
+// An empty array is an empty cell; what another node publishes, and what is short of cells, is left
+// out.
+TEST(LogDialects, EchoedJointStatesWithEmptyArraysAreReadWhereTheyTell) {
+  const test::ScratchDirectory scratch;
+  std::string log;
+  std::vector<int> kept;
+  std::size_t unclear = 0;
+  std::size_t with_gaps = 0;
+  for (int k = 0; k < rows; ++k) {
+    const std::string stamp = fmt::format("{},{},", 1'700'000'000 + k / 100, k % 100 * 10'000'000);
+    const std::string message = stamp + ",shoulder,elbow";
+    if (k % 10 == 3) {  // the effort is empty
+      log += fmt::format("{},0.1,{:.6f},0,0,\n", message, q_rad(k));
+      ++with_gaps;
+    } else if (k % 10 == 5) {  // the speed is
+      log += fmt::format("{},0.1,{:.6f},,1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      ++with_gaps;
+    } else if (k % 10 == 7) {  // one array is lacking, which one is not told
+      log += fmt::format("{},0.1,{:.6f},1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      ++unclear;
+    } else {
+      log += fmt::format("{},0.1,{:.6f},0,0,1.5,{:.5f}\n", message, q_rad(k), current_A(k));
+      kept.push_back(k);
+    }
+    if (k % 4 != 0) continue;  // as many cells, of other joints
+    log += stamp + (k % 8 == 0 ? ",left,right,1,2,3,4,5,6\n" : ",gripper,0.5,0,0\n");
+    ++unclear;
+  }
+  inspect::survey::ProposalOptions options = known();
+  options.effort_kind = joint::EffortKind::motor_current;
+  const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, options);
+  expect_the_same(dataset, kept);
+  const joint::Recording& r = dataset.recordings.at(0);
+  EXPECT_EQ(r.rows_read, rows + static_cast<std::size_t>(rows) / 4);
+  std::size_t skipped_unclear = 0;
+  std::size_t gaps = 0;
+  for (const joint::SkippedRows& skipped : r.skipped) {
+    if (skipped.reason.is("skipped.unclear_joint_state")) skipped_unclear += skipped.count;
+    if (skipped.reason.is("skipped.gap")) gaps += skipped.count;
+  }
+  EXPECT_EQ(skipped_unclear, unclear);
+  EXPECT_EQ(gaps, with_gaps);
+}
+
+/// A log in a vendor's columns whose effort is a torque at the joint, ten times the current.
+struct TorqueLog {
+  const char* names;  ///< Of time, angle in rad, torque.
+  bool is_measured;
+};
+
+TEST(LogDialects, TorquesOfVendorsAreThoseOfTheJoint) {
+  const test::ScratchDirectory scratch;
+  for (const TorqueLog& of :
+       {TorqueLog{"time,state.q[1],state.tau_J[1]", true},  // libfranka's logToCSV, in milliseconds
+        TorqueLog{"time,q[1],tau_J[1]", true},              // fields of franka::RobotState
+        TorqueLog{"time,measured_joint_position_1,measured_torque_1", true},   // LBRState of FRI
+        TorqueLog{"time,Joint position 1 [rad],torque_ref 1 [Nm]", false}}) {  // ABB's test signals
+    const std::string log = log_of(std::string(of.names) + "\n", [](int k) {
+      return fmt::format("{},{:.6f},{:.5f}", 10 * k, q_rad(k), 10 * current_A(k));
+    });
+    const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, known());
+    SCOPED_TRACE(of.names);
+    EXPECT_EQ(dataset.manifest.drive.kind(),
+              of.is_measured ? joint::EffortKind::joint_torque : joint::EffortKind::target_torque);
+    const joint::Recording& r = dataset.recordings.at(0);
+    ASSERT_EQ(r.t_s.size(), static_cast<std::size_t>(rows));
+    for (int k = 0; k < rows; ++k) {
+      const auto row = static_cast<std::size_t>(k);
+      ASSERT_NEAR(r.t_s[row], t_s(k), 2e-6) << k;
+      ASSERT_NEAR(r.q_rad[row], q_rad(k), 2e-6) << k;
+      ASSERT_NEAR(r.torque_Nm[row], 10 * current_A(k) / gear_ratio, 2e-6) << k;
+    }
+  }
+}
+
+// Whose ratio is whose is known after a first look alone: a motor's 90 rad are no degrees, and what
+// a joint behind a gear of five moves by is no motor's way.
+TEST(LogDialects, AnglesOfMotorsGoByTheGearOfTheirJoint) {
+  const test::ScratchDirectory scratch;
+  const std::vector<double> ratios{100, 5};
+  const std::string path = scratch.write(
+      "log.csv", log_of("t_s,motor_position_1,motor_position_2,i_1_A,i_2_A\n", [&](int k) {
+        return fmt::format("{:.2f},{:.5f},{:.5f},{:.5f},{:.5f}", t_s(k), ratios[0] * q_rad(k),
+                           ratios[1] * q_rad(k), current_A(k), current_A(k));
+      }));
+  inspect::survey::ProposalOptions options;
+  options.directory = scratch.path();
+  inspect::survey::KnownOfJoints known_of{ratios, {0.1}};
+  const std::vector<inspect::survey::LogSurvey> first{inspect::survey::survey_log(path)};
+  known_of.joints = inspect::survey::joints_of_numbers(first, options, 2);
+  ASSERT_EQ(known_of.joints, (std::vector<std::string>{"1", "2"}));
+  EXPECT_TRUE(inspect::survey::joints_of_numbers(first, options, 3).empty());
+  inspect::survey::StatedColumns stated;
+  for (std::size_t k = 0; k < 2; ++k) stated.gear_ratio_of[known_of.joints[k]] = ratios[k];
+  const auto robot = inspect::survey::propose_robot_manifest(
+      {inspect::survey::survey_log(path, {}, stated)}, options, known_of);
+  SCOPED_TRACE(robot.text);
+  const std::string manifest = scratch.write("robot.toml", robot.text);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const joint::Dataset dataset = ingest::dataset::read_dataset(manifest, known_of.joints[k]);
+    expect_the_same(dataset, all_rows());
+    EXPECT_EQ(dataset.manifest.drive.gear_ratio(), ratios[k]);
+  }
+}
+
+TEST(LogDialects, OfTwoAnglesTheOneAtTheJointIsTaken) {
+  const test::ScratchDirectory scratch;
+  const std::string log = log_of("t_s,motor_position,position,i_A\n", [](int k) {
+    return fmt::format("{:.2f},{:.5f}{}", t_s(k), 17 * q_rad(k), cells(k));
+  });
+  expect_the_same(dataset_of(scratch, "log.csv", log, known()), all_rows());
+}
+
+// EGM logs no torque: the motion is read.
+TEST(LogDialects, AnEgmLogHasAMotionAndNoEffort) {
+  const test::ScratchDirectory scratch;
+  const std::string log = log_of("TIMESTAMP,R_FB_POS_RJ1,R_FB_POS_RJ2,R_PL_POS_RJ2\n", [](int k) {
+    return fmt::format("{:.2f},5.7,{:.8f},0", t_s(k), 57.29577951 * q_rad(k));
+  });
+  const joint::Dataset dataset = dataset_of(scratch, "log.csv", log, known());
+  EXPECT_EQ(dataset.manifest.joint, "2");
+  EXPECT_EQ(dataset.manifest.drive.kind(), joint::EffortKind::none);
+  const joint::Recording& r = dataset.recordings.at(0);
+  ASSERT_EQ(r.q_rad.size(), static_cast<std::size_t>(rows));
+  for (int k = 0; k < rows; ++k) {
+    ASSERT_NEAR(r.q_rad[static_cast<std::size_t>(k)], q_rad(k), 2e-6);
+  }
+}
+
+// A manifest names the joint's rows by what stands there, whether words or numbers.
+TEST(LogDialects, RowsOfOtherJointsInJsonAreCounted) {
+  const test::ScratchDirectory scratch;
+  const std::string log = joined(
+      "[",
+      [](int k) {
+        return fmt::format(
+            "{{\"t_s\": {0:.2f}, \"joint\": 1, \"q_rad\": 0.1, \"i_A\": 1.5}},"
+            "{{\"t_s\": {0:.2f}, \"joint\": 2, \"q_rad\": {1:.6f}, \"i_A\": {2:.5f}}}",
+            t_s(k), q_rad(k), current_A(k));
+      },
+      "]");
+  const joint::Dataset dataset = dataset_of(scratch, "log.json", log, known());
+  EXPECT_EQ(dataset.manifest.joint, "2");
+  const joint::Recording& r = dataset.recordings.at(0);
+  EXPECT_EQ(r.rows_read, 2U * rows);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_TRUE(r.skipped[0].reason.is("skipped.other_joint"));
+  EXPECT_EQ(r.skipped[0].count, static_cast<std::size_t>(rows));
+}
+
 TEST(LogDialects, OfSeveralColumnsOfOneNameAnUnstatedOneLeavesTheEffortUnconfirmed) {
   const test::ScratchDirectory scratch;
   const std::string log = log_of(
@@ -424,6 +672,28 @@ TEST(LogDialects, AnEffortThatWasNotUnderstoodIsNamedWithWhatToState) {
   const joint::Dataset dataset = dataset_of(scratch, "log.csv", log("torque_percent"), options);
   EXPECT_TRUE(dataset.manifest.effort_is_confirmed);
   EXPECT_NEAR(dataset.recordings.at(0).torque_Nm.at(0), 0.02 * current_A(0), 1e-6);
+}
+
+TEST(LogDialects, ADatasetWithoutATorqueNamesTheColumnsThatMayHoldOne) {
+  const test::ScratchDirectory scratch;
+  const auto notes = [&](const char* name) {
+    const std::string log = log_of(fmt::format("t_s,q_rad,{},status\n", name), [](int k) {
+      return fmt::format("{:.2f}{},1", t_s(k), cells(k));
+    });
+    inspect::survey::ProposalOptions options = known();
+    options.torque_constant_Nm_A.reset();
+    std::string said;
+    for (const Statement& note : dataset_of(scratch, "log.csv", log, options).notes) {
+      if (!note.is("reading.effort_not_read")) continue;
+      said += std::get<std::string>(note.values().at(0).value);
+    }
+    return said;
+  };
+  EXPECT_EQ(notes("torque_percent"), "'torque_percent'");
+  EXPECT_EQ(notes("Torque [%]"), "'Torque [%]'");
+  EXPECT_EQ(notes("load"), "'load'");
+  EXPECT_EQ(notes("humidity"), "");
+  EXPECT_EQ(notes("torque_enable"), "");
 }
 
 TEST(LogDialects, InspectShowsTheEffortAsTheManifestHasIt) {

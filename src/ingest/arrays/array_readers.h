@@ -26,8 +26,11 @@ std::vector<log::LogTable> parse_npz(std::string_view bytes, const std::string& 
 // Logs of MATLAB.
 
 /// Tables of a MAT file (version 4, 5, 7, 7.3) by the rule of tables_of(); fields of structs are
-/// named "struct.field", of an array of structs "struct_0.field". Complex, sparse and text arrays,
-/// cells, functions and objects are left out with the reason. Of a file that is cut off the
+/// named "struct.field", of an array of structs "struct_0.field". The elements of a cell array are
+/// "cell_0", "cell_1", or as a cell of as many different texts beside it says, where there is just
+/// one. Complex, sparse and text arrays, functions and objects are left out with the reason; for
+/// tables, timetables and timeseries that is the line that makes vectors of them in MATLAB. Of a
+/// file that is cut off the
 /// complete variables are read, which is noted; one whose compressed variables are damaged is
 /// refused. matio runs in a process of its own, see isolated_reading.h; a 7.3 file that leads to
 /// other files is refused.
@@ -55,13 +58,13 @@ inline constexpr std::uint64_t largest_json_bytes = std::uint64_t{256} << 20;
 
 /// Tables of a JSON file by the rule of tables_of().
 ///
-/// An array of objects gives one column for each key: `entries` of Rhoban/bam its `timestamp`,
-/// `position`, `speed`, `load`, `input_volts`, `goal_position`, `torque_enable`. Where there are
-/// several such arrays their names come in front ("run/position"). An array of numbers is a vector,
-/// an array of equally long arrays of numbers a matrix; within objects "outer.inner". Booleans
-/// count 0 and 1; null, NaN and Infinity (which Python writes) are gaps, as is a key that a row
-/// lacks; a key in less than a sixteenth of the rows is left out. Single numbers (`mass`, `kp`) and
-/// texts become notes.
+/// An array of objects gives one column for each key, of numbers, times or words: `entries` of
+/// Rhoban/bam its `timestamp`, `position`, `speed`, `load`, `input_volts`, `goal_position`,
+/// `torque_enable`. Where there are several such arrays their names come in front ("run/position").
+/// An array of numbers is a vector, an array of equally long arrays of numbers a matrix; within
+/// objects "outer.inner". Booleans count 0 and 1; null, NaN and Infinity (which Python writes) are
+/// gaps, as is a key that a row lacks; a key in less than a sixteenth of the rows is left out.
+/// Single numbers (`mass`, `kp`) and texts become notes. Long format is spread, see long_format.h.
 /// @throw InputError: the file cannot be read, is no JSON (with line and column), names a key twice
 ///        in one object, or holds no rows of numbers.
 std::vector<log::LogTable> read_bam_json(const std::string& path);

@@ -55,6 +55,8 @@ log::LogColumn column_of(const NamedArray& array, std::size_t column, const std:
   log::LogColumn result{text::read_header_field(name), {}, 0};
   if (!array.unit.empty() && result.header.unit.empty()) result.header.unit = array.unit;
   if (array.is_time) result.reading = log::ColumnReading::iso_time;
+  if (!array.words.empty()) result.reading = log::ColumnReading::words;
+  result.words = array.words;
   result.origin = array.origin;
   result.values.resize(array.rows);
   for (std::size_t row = 0; row < array.rows; ++row) {
@@ -119,7 +121,7 @@ void name_groups(std::vector<log::LogTable>& tables, const std::vector<std::stri
 std::vector<Statement> notes_of(const FileArrays& found) {
   std::vector<Statement> facts;
   for (const NamedArray& array : found.arrays) {
-    if (!is_scalar(array)) continue;
+    if (!is_scalar(array) || !array.words.empty()) continue;
     facts.push_back(
         {"reading.value",
          {{"name", printable(array.name)}, {"value", fmt::format("{}", array.values.front())}}});
@@ -149,6 +151,19 @@ std::vector<Statement> notes_of(const FileArrays& found) {
   throw InputError({file, 0, 0},
                    {"no rows of numbers", held.empty() ? "nothing" : wording::words(held),
                     "arrays of two or more numbers", ""});
+}
+
+/// Words without numbers beside them are no log.
+void leave_out_lone_words(FileArrays& found) {
+  std::set<std::size_t> lengths_of_numbers;
+  for (const NamedArray& array : found.arrays) {
+    if (array.words.empty()) lengths_of_numbers.insert({array.rows, array.columns});
+  }
+  std::erase_if(found.arrays, [&](const NamedArray& array) {
+    const bool is_alone = !array.words.empty() && !lengths_of_numbers.contains(array.rows);
+    if (is_alone) found.leave_out(array.name, "it holds texts");
+    return is_alone;
+  });
 }
 
 constexpr std::string_view simulink_values = ".signals.values";
@@ -195,6 +210,7 @@ void name_as_simulink_means(FileArrays& found) {
 
 std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file) {
   name_as_simulink_means(found);
+  leave_out_lone_words(found);
   std::vector<Statement> notes = notes_of(found);
   std::set<std::size_t> vector_lengths;
   for (const NamedArray& array : found.arrays) {

@@ -32,6 +32,8 @@ struct NamedArray {
   bool was_rounded{};          ///< Holds integers that no double can hold exactly.
   bool is_time{};              ///< ISO 8601 texts, as seconds
   double origin{};             ///< since this one: the whole ones of the first reading.
+  /// Not empty: a vector of words, whose values are their places in this list. Of JSON alone.
+  std::vector<std::string> words{};
 };
 
 /// What a file holds.
@@ -62,7 +64,8 @@ bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array
 /// long as a vector of the file, along the longer one where both or none are; along the first one
 /// where they are equal, which is noted. A dimension of more than 64 that fits no vector is not
 /// taken for columns. Of two columns with the same name the later one gets a number, which is
-/// noted. Scalars, texts and what was left out become notes of the first table.
+/// noted. Scalars, texts and what was left out become notes of the first table. Vectors of words
+/// are columns where numbers stand beside them, and are left out where they are alone.
 /// @throw InputError naming what the file holds, where nothing has two rows.
 std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file);
 

@@ -12,6 +12,7 @@
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/arrays/mat_stream.h"
+#include "ingest/arrays/matlab_objects.h"
 
 namespace tribolog::ingest::arrays {
 
@@ -22,8 +23,9 @@ namespace {
 enum class MatVersion { mat_4, mat_5, mat_7_3 };
 
 struct MatElements {
-  std::size_t complete{};  ///< Variables that are in the file as a whole.
-  bool ends_inside{};      ///< One more is begun: the file is cut off.
+  std::size_t complete{};                  ///< Variables that are in the file as a whole.
+  bool ends_inside{};                      ///< One more is begun: the file is cut off.
+  std::vector<MatObjects> with_objects{};  ///< Those that are or hold objects.
 };
 
 constexpr std::size_t header_bytes_5 = 128;
@@ -55,9 +57,11 @@ MatElements check_version_5(MatBytes& file) {
     const bool is_packed = type == compressed;
     MatStream stream(file, is_packed ? at + tag_bytes_5 : at,
                      is_packed ? length : tag_bytes_5 + length, is_packed);
-    const std::string misfit = check_mat_matrix(stream, big_endian);
+    MatObjects objects;
+    const std::string misfit = check_mat_matrix(stream, big_endian, objects);
     if (!stream.finish()) refuse(found.complete + 1, "has a wrong checksum");
     if (!misfit.empty()) refuse(found.complete + 1, misfit);
+    if (!objects.classes.empty()) found.with_objects.push_back(std::move(objects));
     at += tag_bytes_5 + length;
     ++found.complete;
   }
@@ -125,6 +129,38 @@ MatElements check_mat_elements(const std::string& path, MatVersion version) {
   return version == MatVersion::mat_5 ? check_version_5(file) : check_version_4(file);
 }
 
+/// Says of the objects what the library does not: their names, their classes and the way out. What
+/// MATLAB stores of them in a variable without a name is no array.
+void tell_objects(const std::vector<MatObjects>& with_objects, FileArrays& found) {
+  std::size_t next = 0;
+  std::vector<std::pair<std::string, std::string>> told;
+  for (const auto& [name, reason] : found.left_out) {
+    if (reason == is_stored_of_objects && !with_objects.empty()) continue;
+    told.emplace_back(name, reason);
+    if (reason != is_matlab_object) continue;
+    // Of cells and of arrays of structs the names have numbers: "runs_0.tt".
+    const auto is_in = [&](const std::string& variable) {
+      return name.starts_with(variable) &&
+             name.find_first_of("._", variable.size()) == variable.size();
+    };
+    const auto it = std::find_if(
+        with_objects.begin() + static_cast<std::ptrdiff_t>(next), with_objects.end(),
+        [&](const MatObjects& of) { return of.is_object ? name == unnamed : is_in(of.variable); });
+    if (it == with_objects.end()) continue;
+    std::string& shown = told.back().first;
+    if (it->is_object) {
+      next = static_cast<std::size_t>(it - with_objects.begin()) + 1;
+      shown = it->variable;
+    }
+    const bool are_alike = std::all_of(it->classes.begin(), it->classes.end(),
+                                       [&](const auto& one) { return one == it->classes[0]; });
+    const bool is_called_so = it->is_object || name[it->variable.size()] == '.';
+    told.back().second =
+        why_object_is_not_read(is_called_so ? shown : "x", are_alike ? it->classes[0] : "");
+  }
+  found.left_out = std::move(told);
+}
+
 FileArrays read_variables(const std::string& path, const ArrayLibraries& libraries) {
   const MatVersion version = mat_version(path);
   MatElements elements{std::numeric_limits<std::size_t>::max(), false};
@@ -138,6 +174,7 @@ FileArrays read_variables(const std::string& path, const ArrayLibraries& librari
   FileArrays found;
   const std::size_t number =
       elements.complete == 0 ? 0 : libraries.read_mat_variables(path, elements.complete, found);
+  tell_objects(elements.with_objects, found);
   if (version != MatVersion::mat_7_3 && number < elements.complete) {
     found.leave_out(fmt::format("variable {}", number + 1), "damaged, as may be those behind it");
   }

@@ -118,8 +118,11 @@ enum Class : unsigned {
   structure = 2,
   character = 4,
   first_number = 6,
-  last_number = 15
+  last_number = 15,
+  opaque =
+      17  ///< An object: its name, "MCOS", its class, and a number of what is stored elsewhere.
 };
+constexpr std::uint64_t longest_name = 4096;
 
 struct Misfit : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -142,7 +145,8 @@ std::uint64_t value_bytes(std::uint32_t kind) {
 
 class Walk {
  public:
-  Walk(MatStream& stream, bool big_endian) : stream_(stream), big_endian_(big_endian) {}
+  Walk(MatStream& stream, bool big_endian, MatObjects& objects)
+      : stream_(stream), big_endian_(big_endian), objects_(objects) {}
 
   void check_element(std::uint64_t end, int depth) {
     const Part part = next_part(end);
@@ -163,14 +167,36 @@ class Walk {
     const bool is_complex = (word & 0x800U) != 0;
     const bool has_values =
         array_class == character || (array_class >= first_number && array_class <= last_number);
+    if (array_class == opaque) return check_object(end, depth);
     if (array_class != cell && array_class != structure && !has_values) return;
 
     const std::uint64_t count = count_of(next_part(end));
-    pass_values(next_part(end), end);  // its name
+    const Part name = next_part(end);
+    if (depth == 0) {
+      objects_.variable = text_of(name, end);
+    } else {
+      pass_values(name, end);
+    }
     if (array_class == cell) return check_elements(count, end, depth);
     if (array_class == structure) return check_structs(count, end, depth);
     if (count == 0) return;
     for (int i = 0; i < (is_complex ? 2 : 1); ++i) check_values(next_part(end), count, end);
+  }
+
+  void check_object(std::uint64_t end, int depth) {
+    const std::string name = text_of(next_part(end), end);
+    if (depth == 0) objects_.variable = name;
+    objects_.is_object = depth == 0;
+    pass_values(next_part(end), end);  // "MCOS"
+    objects_.classes.push_back(text_of(next_part(end), end));
+  }
+
+  std::string text_of(const Part& part, std::uint64_t end) {
+    if (part.is_short) return part.short_values.substr(0, static_cast<std::size_t>(part.bytes));
+    if (part.bytes > longest_name) throw Misfit("has a name that is too long");
+    std::string text = take(static_cast<std::size_t>(std::min(padded(part.bytes), end - at_)));
+    text.resize(std::min(text.size(), static_cast<std::size_t>(part.bytes)));
+    return text;
   }
 
   Part next_part(std::uint64_t end) {
@@ -246,14 +272,15 @@ class Walk {
 
   MatStream& stream_;
   bool big_endian_;
+  MatObjects& objects_;
   std::uint64_t at_{0};
 };
 
 }  // namespace
 
-std::string check_mat_matrix(MatStream& stream, bool big_endian) {
+std::string check_mat_matrix(MatStream& stream, bool big_endian, MatObjects& objects) {
   try {
-    Walk(stream, big_endian).check_element(std::numeric_limits<std::uint64_t>::max(), 0);
+    Walk(stream, big_endian, objects).check_element(std::numeric_limits<std::uint64_t>::max(), 0);
     return "";
   } catch (const Misfit& misfit) {
     return misfit.what();

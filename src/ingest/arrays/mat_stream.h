@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <zlib.h>
 
@@ -55,10 +56,18 @@ class MatStream {
 
 // Whether a variable of a MAT 5 file holds what its header claims.
 
+/// The objects of MATLAB's classes that a variable is, or holds.
+struct MatObjects {
+  std::string variable;              ///< Its name.
+  bool is_object{};                  ///< It is one itself.
+  std::vector<std::string> classes;  ///< Of each object, in their order; empty: it has none.
+};
+
 /// Walks a variable and all within it, from its own tag on. The library makes room for what the
 /// headers claim, and gives zeros for what is not there.
 /// @return "", or what is wrong with it: fewer values than its sides claim, a part longer than what
 ///         holds it, no array, nested too deeply.
-std::string check_mat_matrix(MatStream& stream, bool big_endian);
+/// @param objects receives what there is of them.
+std::string check_mat_matrix(MatStream& stream, bool big_endian, MatObjects& objects);
 
 }  // namespace tribolog::ingest::arrays

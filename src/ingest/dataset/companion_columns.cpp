@@ -65,11 +65,13 @@ std::optional<log::WantedColumn> time_to_compare(const manifest::ColumnEntry& ti
 }
 
 void refuse_left_out_rows(const log::LogTable& table) {
-  if (table.bad_rows == 0) return;
+  const std::size_t left_out = table.bad_rows + table.unclear_rows;
+  if (left_out == 0) return;
   throw InputError({table.file, 0, 0},
-                   {"the rows of several files are matched one by one, and rows are left out here "
-                    "(skip_bad_rows)",
-                    fmt::format("{}", table.bad_rows), "none", "mend them, or write nan"});
+                   {std::string("the rows of several files are matched one by one, and rows are "
+                                "left out here") +
+                        (table.bad_rows > 0 ? " (skip_bad_rows)" : ""),
+                    fmt::format("{}", left_out), "none", "mend them, or write nan"});
 }
 
 void refuse_other_number_of_rows(const manifest::RecordingEntry& entry, const log::LogTable& own,

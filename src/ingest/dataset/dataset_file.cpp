@@ -21,6 +21,7 @@
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
+#include "ingest/text/csv_dialect.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::dataset {
@@ -34,8 +35,11 @@ class UnusedColumns {
   void add(const log::LogTable& table);
   /// One for all logs; empty if every column is used.
   [[nodiscard]] Statement note() const;
+  /// Names those that may hold the torque that no recording has; empty: there are none.
+  [[nodiscard]] Statement note_of_efforts() const;
 
  private:
+  [[nodiscard]] std::vector<std::string> unused() const;
   std::vector<std::string> names_;  ///< Of all columns, in the order in which they came.
   std::set<std::string> known_;
   std::set<std::string> used_;
@@ -48,13 +52,27 @@ void UnusedColumns::add(const log::LogTable& table) {
   for (const log::LogColumn& column : table.columns) used_.insert(column.header.full);
 }
 
-Statement UnusedColumns::note() const {
+std::vector<std::string> UnusedColumns::unused() const {
   std::vector<std::string> unused;
   for (const std::string& name : names_) {
     if (used_.count(name) == 0) unused.push_back(name);
   }
-  if (unused.empty()) return {};
-  return {"reading.column_not_used", {{"columns", list_of_names(unused)}}};
+  return unused;
+}
+
+Statement UnusedColumns::note() const {
+  const std::vector<std::string> names = unused();
+  if (names.empty()) return {};
+  return {"reading.column_not_used", {{"columns", list_of_names(names)}}};
+}
+
+Statement UnusedColumns::note_of_efforts() const {
+  constexpr std::size_t most_listed = 6;
+  std::vector<log::ColumnHeader> header;
+  for (const std::string& name : unused()) header.push_back(text::read_header_field(name));
+  const std::vector<std::string> efforts = layout::possible_efforts(header);
+  if (efforts.empty()) return {};
+  return {"reading.effort_not_read", {{"columns", list_of_names(efforts, most_listed)}}};
 }
 
 constexpr double noticeable_rad = 1e-3;  // of an angle beyond a limit that is given in degrees
@@ -219,6 +237,11 @@ joint::Dataset read_dataset(const std::string& manifest_path, const std::string&
   const bool is_of_robot = !joint.empty();
   if (const Statement note = unused.note(); !note.empty() && !is_of_robot) {
     dataset.notes.push_back(note);
+  }
+  if (dataset.manifest.drive.kind() == joint::EffortKind::none && !is_of_robot) {
+    if (const Statement note = unused.note_of_efforts(); !note.empty()) {
+      dataset.notes.push_back(note);
+    }
   }
   if (dataset.robot) compare_angles(dataset);
   return dataset;

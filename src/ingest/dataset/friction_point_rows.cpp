@@ -58,7 +58,7 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   joint::FrictionPoints points;
   points.name = entry.file;
-  points.rows_read = table.rows + table.cut_rows + table.bad_rows;
+  points.rows_read = table.rows + table.cut_rows + table.bad_rows + table.unclear_rows;
   const auto skip = [&](const Statement& reason, std::size_t count) {
     if (count > 0) points.skipped.push_back({reason, count});
   };
@@ -100,6 +100,7 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
   }
   skip(Code{"skipped.cut_off"}, table.cut_rows);
   skip(Code{"skipped.not_usable"}, table.bad_rows);
+  skip(Code{"skipped.unclear_joint_state"}, table.unclear_rows);
   skip(Code{"skipped.point_at_rest"}, at_rest);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const std::string column = in_quotes(table.columns[k].header.full);

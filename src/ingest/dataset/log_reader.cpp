@@ -112,9 +112,11 @@ namespace {
 /// Texts that are times are read as such, whatever a manifest says of them.
 void refuse_other_reading(const log::WantedColumn& wanted, const log::LogColumn& column,
                           const std::string& file) {
-  const bool are_words = wanted.reading == log::ColumnReading::words;
-  const std::string_view stated = are_words ? "words" : log::unit_of_time(wanted.reading);
-  const std::string_view found = log::unit_of_time(column.reading);
+  const auto name_of = [](log::ColumnReading reading) {
+    return reading == log::ColumnReading::words ? "words" : log::unit_of_time(reading);
+  };
+  const std::string_view stated = name_of(wanted.reading);
+  const std::string_view found = name_of(column.reading);
   if (stated == found) return;
   throw InputError({file, 0, 0},
                    {"column " + in_quotes(wanted.name) + " is read otherwise",
@@ -146,6 +148,9 @@ log::LogTable take_columns(std::vector<log::LogTable> tables,
     const auto index = index_of(table, wanted.name);
     if (!index) continue;
     chosen.push_back(table.columns[*index]);
+    const bool are_names = wanted.reading == log::ColumnReading::words &&
+                           chosen.back().reading == log::ColumnReading::number;
+    if (are_names) chosen.back() = log::as_words(std::move(chosen.back()));
     refuse_other_reading(wanted, chosen.back(), table.file);
     if (wanted.reading == log::ColumnReading::clock) log::count_from_first(chosen.back());
   }
@@ -198,11 +203,11 @@ namespace {
 /// Puts the clock of a log that has none in front of its columns.
 /// @throw InputError where rows were left out: when the others were written is not known then.
 void make_clock(const manifest::ColumnEntry& time, const std::string& path, log::LogTable& table) {
-  if (table.bad_rows > 0) {
-    throw InputError(
-        {path, 0, 0},
-        {fmt::format("{} rows cannot be used, in a log without a clock", table.bad_rows), "",
-         "rows without a gap, of which each is one step of the rate", ""});
+  const std::size_t lost = table.bad_rows + table.unclear_rows;
+  if (lost > 0) {
+    throw InputError({path, 0, 0},
+                     {fmt::format("{} rows cannot be used, in a log without a clock", lost), "",
+                      "rows without a gap, of which each is one step of the rate", ""});
   }
   table.columns.insert(table.columns.begin(), log::row_clock(present(time.rate_Hz), table.rows));
 }

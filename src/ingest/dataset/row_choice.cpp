@@ -16,6 +16,7 @@ constexpr Code outside_window{"skipped.outside_window"};
 constexpr Code cut_off{"skipped.cut_off"};
 constexpr Code not_usable{"skipped.not_usable"};
 constexpr Code other_joint{"skipped.other_joint"};
+constexpr Code unclear{"skipped.unclear_joint_state"};
 constexpr std::size_t fewest_rows = 20;
 constexpr double largest_step_back_s = 1.0;    ///< Beyond: two logs, not a clock being set.
 constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
@@ -33,6 +34,7 @@ class RowChooser {
     refuse_long_steps_back();
     skip(cut_off, table_.cut_rows);
     skip(not_usable, table_.bad_rows);
+    skip(unclear, table_.unclear_rows);
     skip(other_joint, table_.other_rows);
     drop_outside_and_gaps();
     if (steps_back_ > 0) put_in_order();
@@ -176,7 +178,7 @@ bool is_outside_window(const joint::SkippedRows& skipped) {
 
 bool is_of_whole_file(const joint::SkippedRows& skipped) {
   return skipped.reason.is(cut_off) || skipped.reason.is(not_usable) ||
-         skipped.reason.is(other_joint);
+         skipped.reason.is(unclear) || skipped.reason.is(other_joint);
 }
 
 RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable& table,

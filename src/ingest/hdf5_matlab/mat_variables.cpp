@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <matio.h>
 
 #include "ingest/arrays/isolated_reading.h"
+#include "ingest/arrays/matlab_objects.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
 
 namespace tribolog::ingest::hdf5_matlab {
@@ -110,15 +117,13 @@ bool convert_all(const matvar_t& variable, arrays::NamedArray& array) {
 std::string why_left_out(const matvar_t& variable) {
   if (variable.isComplex != 0) return "it holds complex numbers";
   switch (variable.class_type) {
-    case MAT_C_CELL:
-      return "it is a cell array";
     case MAT_C_SPARSE:
       return "it is a sparse matrix";
     case MAT_C_FUNCTION:
       return "it is a function";
     case MAT_C_OBJECT:
     case MAT_C_OPAQUE:
-      return "it is an object of a MATLAB class";
+      return std::string(arrays::is_matlab_object);
     case MAT_C_EMPTY:
       return "it is empty";
     default:
@@ -137,19 +142,78 @@ std::string read_values(const matvar_t& variable, arrays::NamedArray& array) {
   return convert_all(variable, array) ? "" : "its type is not known";
 }
 
-/// A row of characters with what is not ASCII as '?'.
-void add_text(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
+/// A row of characters with what is not ASCII as '?'; nothing where it cannot be read as one.
+std::optional<std::string> text_of(const matvar_t& variable) {
+  if (variable.class_type != MAT_C_CHAR || variable.isComplex != 0) return std::nullopt;
   const bool is_row = variable.rank == 2 && variable.dims[0] == 1;
-  if (!is_row || count_of(variable) > longest_text) return found.leave_out(name, "it holds texts");
+  if (!is_row || count_of(variable) > longest_text) return std::nullopt;
   arrays::NamedArray codes;
-  const std::string reason = read_values(variable, codes);
-  if (!reason.empty()) return found.leave_out(name, reason);
+  if (!read_values(variable, codes).empty()) return std::nullopt;
   std::string text;
   for (const double code : codes.values) {
     text += code >= 32 && code < 127 ? static_cast<char>(code) : '?';
   }
-  found.texts.emplace_back(name, text);
+  return text;
 }
+
+void add_text(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
+  if (const auto text = text_of(variable)) {
+    found.texts.emplace_back(name, *text);
+  } else {
+    found.leave_out(name, "it holds texts");
+  }
+}
+
+/// A cell array: its elements are called after it and their places, until another one names them.
+struct ReadCells {
+  std::string name;
+  std::size_t elements{};
+  std::vector<std::string> texts;  ///< Where all of them are texts; else empty.
+};
+
+/// What stands in front of the last name of "run.data".
+std::string_view struct_of(std::string_view path) {
+  const std::size_t end = path.rfind('.');
+  return end == std::string_view::npos ? std::string_view() : path.substr(0, end + 1);
+}
+
+/// "data_0" of a cell of vectors, and "runs_0.t" of one of structs, get the names that a cell of as
+/// many different texts beside it holds, where there is just one.
+void name_cells(const std::vector<ReadCells>& cells, arrays::FileArrays& found) {
+  for (const ReadCells& of : cells) {
+    if (!of.texts.empty()) continue;
+    const ReadCells* names = nullptr;
+    std::size_t possible = 0;
+    for (const ReadCells& other : cells) {
+      const std::set<std::string> different(other.texts.begin(), other.texts.end());
+      const bool may_be = different.size() == of.elements && !different.contains("") &&
+                          struct_of(other.name) == struct_of(of.name);
+      if (!may_be) continue;
+      names = &other;
+      ++possible;
+    }
+    if (possible != 1) continue;
+    const auto rename = [&](std::string& name) {
+      for (std::size_t i = 0; i < of.elements; ++i) {
+        const std::string element = fmt::format("{}_{}", of.name, i);
+        const bool is_it = name.starts_with(element) &&
+                           (name.size() == element.size() || name[element.size()] == '.');
+        if (!is_it) continue;
+        name = std::string(struct_of(of.name)) + names->texts[i] + name.substr(element.size());
+        return;
+      }
+    };
+    for (arrays::NamedArray& array : found.arrays) rename(array.name);
+    for (auto& text : found.texts) rename(text.first);
+    for (auto& one : found.left_out) rename(one.first);
+  }
+}
+
+/// What is read so far.
+struct FoundInMat {
+  arrays::FileArrays& found;
+  std::vector<ReadCells> cells;
+};
 
 void add_numbers(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
   arrays::NamedArray array;
@@ -161,11 +225,42 @@ void add_numbers(const std::string& name, const matvar_t& variable, arrays::File
   found.arrays.push_back(std::move(array));
 }
 
-void add_variable(const std::string& name, matvar_t& variable, int depth,
-                  arrays::FileArrays& found) {
+void add_variable(const std::string& name, matvar_t& variable, int depth, FoundInMat& in);
+
+void add_cells(const std::string& name, matvar_t& variable, int depth, FoundInMat& in) {
+  const std::uint64_t count = count_of(variable);
+  if (count == 0 || variable.data == nullptr) return in.found.leave_out(name, "it is empty");
+  if (count > most_structs || depth == deepest_struct) {
+    return in.found.leave_out(name, count > most_structs ? "it is a cell array of more than 64"
+                                                         : "cells are nested too deeply");
+  }
+  ReadCells cells{name, static_cast<std::size_t>(count), {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const matvar_t* member = Mat_VarGetCell(&variable, static_cast<int>(i));
+    const auto text = member == nullptr ? std::nullopt : text_of(*member);
+    if (text) cells.texts.push_back(*text);
+  }
+  const bool are_texts = cells.texts.size() == count;
+  if (!are_texts) cells.texts.clear();
+  in.cells.push_back(std::move(cells));
+  if (are_texts) return in.found.leave_out(name, "it is a cell array of texts");
+  for (std::size_t i = 0; i < count; ++i) {
+    matvar_t* member = Mat_VarGetCell(&variable, static_cast<int>(i));
+    const std::string full = fmt::format("{}_{}", name, i);
+    if (member == nullptr) {
+      in.found.leave_out(full, "it is empty");
+    } else {
+      add_variable(full, *member, depth + 1, in);
+    }
+  }
+}
+
+void add_variable(const std::string& name, matvar_t& variable, int depth, FoundInMat& in) {
+  arrays::FileArrays& found = in.found;
   const std::string reason = why_left_out(variable);
   if (!reason.empty()) return found.leave_out(name, reason);
   if (variable.class_type == MAT_C_CHAR) return add_text(name, variable, found);
+  if (variable.class_type == MAT_C_CELL) return add_cells(name, variable, depth, in);
   if (variable.class_type != MAT_C_STRUCT) return add_numbers(name, variable, found);
 
   const std::uint64_t structs = count_of(variable);
@@ -186,14 +281,66 @@ void add_variable(const std::string& name, matvar_t& variable, int depth,
       if (member == nullptr) {
         found.leave_out(full, "it is empty");
       } else {
-        add_variable(full, *member, depth + 1, found);
+        add_variable(full, *member, depth + 1, in);
       }
     }
   }
 }
 
-void read_variable(mat_t* file, matvar_t& variable, arrays::FileArrays& found) {
-  const std::string name = variable.name == nullptr ? "(no name)" : variable.name;
+/// Variables of a 7.3 file that are objects, with their classes.
+using ObjectsIn73 = std::map<std::string, std::string>;
+
+/// @return "timetable" for a dataset that stands for an object; "" for any other.
+std::string class_of_object(hid_t root, const char* name) {
+  constexpr std::size_t longest = 256;
+  const Hdf5Handle dataset(H5Oopen(root, name, H5P_DEFAULT), H5Oclose);
+  if (!dataset.is_open() || H5Aexists(dataset.get(), "MATLAB_object_decode") <= 0) return "";
+  if (H5Aexists(dataset.get(), "MATLAB_class") <= 0) return "?";
+  const Hdf5Handle attribute(H5Aopen(dataset.get(), "MATLAB_class", H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  const std::size_t length = H5Tget_size(type.get());
+  const bool is_plain = H5Tget_class(type.get()) == H5T_STRING &&
+                        H5Tis_variable_str(type.get()) == 0 && length > 0 && length <= longest;
+  std::string text(is_plain ? length : 0, '\0');
+  if (!is_plain || H5Aread(attribute.get(), type.get(), text.data()) < 0) return "?";
+  return text.substr(0, text.find('\0'));
+}
+
+herr_t keep_name(hid_t, const char* name, const H5L_info_t* info, void* names) {
+  constexpr std::size_t most_names = 100'000;
+  auto& list = *static_cast<std::vector<std::string>*>(names);
+  if (info->type == H5L_TYPE_HARD) list.emplace_back(name);
+  return list.size() > most_names ? -1 : 0;
+}
+
+/// The library takes them for empty arrays.
+ObjectsIn73 objects_in_73(const std::string& path) {
+  ObjectsIn73 objects;
+  if (H5Fis_hdf5(path.c_str()) <= 0) return objects;
+  const Hdf5Handle file(open_hdf5_file(path), H5Fclose);
+  if (H5Lexists(file.get(), "#subsystem#", H5P_DEFAULT) <= 0) return objects;
+  std::vector<std::string> names;
+  hsize_t position = 0;
+  if (H5Literate(file.get(), H5_INDEX_NAME, H5_ITER_INC, &position, keep_name, &names) < 0) {
+    return objects;
+  }
+  for (const std::string& name : names) {
+    const std::string class_name = class_of_object(file.get(), name.c_str());
+    if (!class_name.empty()) objects[name] = class_name == "?" ? "" : class_name;
+  }
+  return objects;
+}
+
+void read_variable(mat_t* file, matvar_t& variable, const ObjectsIn73& objects, FoundInMat& in) {
+  arrays::FileArrays& found = in.found;
+  const bool has_name = variable.name != nullptr && variable.name[0] != '\0';
+  const std::string name = has_name ? variable.name : std::string(arrays::unnamed);
+  if (!has_name && variable.class_type != MAT_C_OPAQUE) {
+    return found.leave_out(name, std::string(arrays::is_stored_of_objects));
+  }
+  if (const auto object = objects.find(name); object != objects.end()) {
+    return found.leave_out(name, arrays::why_object_is_not_read(name, object->second));
+  }
   const std::uint64_t left = arrays::most_values - std::min(found.values, arrays::most_values);
   if (values_claimed(variable) > left) {
     return found.leave_out(name, "it would give more than 2^31 numbers in one file");
@@ -203,7 +350,7 @@ void read_variable(mat_t* file, matvar_t& variable, arrays::FileArrays& found) {
   if (Mat_VarReadDataAll(file, &variable) != 0) {
     return found.leave_out(name, "damaged: its values cannot be read");
   }
-  add_variable(name, variable, 0, found);
+  add_variable(name, variable, 0, in);
 }
 
 }  // namespace
@@ -211,14 +358,17 @@ void read_variable(mat_t* file, matvar_t& variable, arrays::FileArrays& found) {
 std::size_t read_mat_variables(const std::string& path, std::size_t count,
                                arrays::FileArrays& found) {
   prepare_hdf5();  // which matio reads version 7.3 with
+  const ObjectsIn73 objects = objects_in_73(path);
+  FoundInMat in{found, {}};
   const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw arrays::UnreadableFile("damaged or no MAT file");
   std::size_t number = 0;
   for (; number < count; ++number) {
     const Variable variable(Mat_VarReadNextInfo(file.get()));
     if (!variable) break;
-    read_variable(file.get(), *variable, found);
+    read_variable(file.get(), *variable, objects, in);
   }
+  name_cells(in.cells, found);
   return number;
 }
 

@@ -48,13 +48,77 @@ constexpr std::array libfranka = {
     KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, joint::EffortKind::target_torque,
                 joint::Side::joint, "a command, no measurement"}};
 
+constexpr std::string_view of_outer_torque =
+    "the controller's estimate of the outer torque, no measurement of the drive";
+
+// Programs that write the fields of franka::RobotState by their names, in a unit of time of theirs.
+constexpr std::array franka_state = {
+    KnownColumn{"time", time, ""},
+    KnownColumn{"timestamp", time, ""},
+    KnownColumn{"t", time, ""},
+    KnownColumn{"q[{}]", angle, "rad"},
+    KnownColumn{"dq[{}]", angular_speed, "rad/s"},
+    KnownColumn{"tau_J[{}]", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, behind_the_gear, true},
+    KnownColumn{"q_d[{}]", angle, "rad", true},
+    KnownColumn{"dq_d[{}]", angular_speed, "rad/s", true},
+    KnownColumn{"tau_J_d[{}]", torque, "Nm", true, joint::EffortKind::target_torque,
+                joint::Side::joint, "a command, no measurement"}};
+
+// KUKA's RobotSensorInterface: the telegram's tags and attributes, as RSIPI and others log them,
+// with or without who sends it in front. IPOC counts milliseconds.
+constexpr std::string_view ampere_or_share =
+    "RSI does not say its unit: amperes, or per cent of the largest current?";
+constexpr std::array kuka_rsi = {
+    KnownColumn{"time", time, ""},
+    KnownColumn{"timestamp", time, ""},
+    KnownColumn{"IPOC", time, "ms"},
+    KnownColumn{"Send.IPOC", time, "ms"},
+    KnownColumn{"AIPos.A{}", angle, "deg"},
+    KnownColumn{"Send.AIPos.A{}", angle, "deg"},
+    KnownColumn{"ASPos.A{}", angle, "deg", true},
+    KnownColumn{"Send.ASPos.A{}", angle, "deg", true},
+    KnownColumn{"MACur.A{}", current, "", false, joint::EffortKind::motor_current,
+                joint::Side::motor, ampere_or_share},
+    KnownColumn{"Send.MACur.A{}", current, "", false, joint::EffortKind::motor_current,
+                joint::Side::motor, ampere_or_share},
+    KnownColumn{"GearTorque.A{}", torque, "Nm", false, std::nullopt, joint::Side::joint},
+    KnownColumn{"Send.GearTorque.A{}", torque, "Nm", false, std::nullopt, joint::Side::joint}};
+
+// LBRState of lbr_fri_ros2_stack, with an index as it is flattened.
+constexpr std::array kuka_fri_state = {
+    KnownColumn{"time", time, ""},
+    KnownColumn{"timestamp", time, ""},
+    KnownColumn{"time_stamp_sec", time, "s"},
+    KnownColumn{"measured_joint_position_{}", angle, "rad"},
+    KnownColumn{"measured_joint_position[{}]", angle, "rad"},
+    KnownColumn{"measured_torque_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, behind_the_gear, true},
+    KnownColumn{"measured_torque[{}]", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, behind_the_gear, true},
+    KnownColumn{"commanded_joint_position_{}", angle, "rad", true},
+    KnownColumn{"commanded_joint_position[{}]", angle, "rad", true},
+    KnownColumn{"external_torque_{}", torque, "Nm", true, joint::EffortKind::target_torque,
+                joint::Side::joint, of_outer_torque},
+    KnownColumn{"external_torque[{}]", torque, "Nm", true, joint::EffortKind::target_torque,
+                joint::Side::joint, of_outer_torque}};
+
+// abb_libegm's EGMLogger; EGM sends degrees, and no torque.
+constexpr std::array abb_egm = {KnownColumn{"TIMESTAMP", time, ""},
+                                KnownColumn{"R_FB_POS_RJ{}", angle, "deg"},
+                                KnownColumn{"R_FB_VEL_RJ{}", angular_speed, "deg/s"},
+                                KnownColumn{"R_PL_POS_RJ{}", angle, "deg", true},
+                                KnownColumn{"R_PL_VEL_RJ{}", angular_speed, "deg/s", true},
+                                KnownColumn{"S_REF_POS_RJ{}", angle, "deg", true},
+                                KnownColumn{"S_REF_VEL_RJ{}", angular_speed, "deg/s", true}};
+
 constexpr std::array kuka_fri = {
     KnownColumn{"time", time, "s"}, KnownColumn{"mp{}", angle, "rad"},
     KnownColumn{"ip{}", angle, "rad", true},
     KnownColumn{"mt{}", torque, "Nm", false, joint::EffortKind::joint_torque, joint::Side::joint,
                 behind_the_gear, true},
     KnownColumn{"et{}", torque, "Nm", true, joint::EffortKind::target_torque, joint::Side::joint,
-                "the controller's estimate of the outer torque, no measurement of the drive"}};
+                of_outer_torque}};
 
 constexpr std::array flobaroid = {KnownColumn{"times", time, "s"},
                                   KnownColumn{"positions_{}", angle, "rad"},
@@ -63,11 +127,17 @@ constexpr std::array flobaroid = {KnownColumn{"times", time, "s"},
                                               joint::EffortKind::joint_torque, joint::Side::joint},
                                   KnownColumn{"target_positions_{}", angle, "rad", true}};
 
-constexpr std::array joint_states = {KnownColumn{"time", time, "s"},
-                                     KnownColumn{"{}.position", angle, "rad"},
-                                     KnownColumn{"{}.velocity", angular_speed, "rad/s"},
-                                     KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
-                                                 std::nullopt, ampere_or_newton_metre}};
+// Of JointState; a DynamicJointState has the others too.
+constexpr std::array joint_states = {
+    KnownColumn{"time", time, "s"},
+    KnownColumn{"{}.position", angle, "rad"},
+    KnownColumn{"{}.velocity", angular_speed, "rad/s"},
+    KnownColumn{"{}.current", current, "A", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"{}.torque", torque, "Nm", false, std::nullopt, std::nullopt},
+    KnownColumn{"{}.temperature", temperature, "degC"},
+    KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt, std::nullopt,
+                ampere_or_newton_metre}};
 
 constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"},
                                 KnownColumn{"{}.pos", angle, "deg"},
@@ -82,18 +152,27 @@ constexpr std::array figaroh = {KnownColumn{"t", time, "s"},
                                 KnownColumn{"- {}_joint_effort", torque, "Nm", false, std::nullopt,
                                             std::nullopt, ampere_or_newton_metre}};
 
-constexpr std::array loggers = {KnownLogger{"UR RTDE", "actual_q_{}", ur_rtde},
-                                KnownLogger{"libfranka", "state.q[{}]", libfranka},
-                                KnownLogger{"KUKA FRI", "mp1", kuka_fri},
-                                KnownLogger{"FloBaRoID", "positions_{}", flobaroid},
-                                KnownLogger{"figaroh", "- {}_joint_position", figaroh},
-                                KnownLogger{"figaroh", "- {}_joint_velocity", figaroh},
-                                KnownLogger{"figaroh", "- {}_joint_effort", figaroh},
-                                KnownLogger{"joint states", "{}.position", joint_states},
-                                KnownLogger{"LeRobot", "{}.pos", lerobot}};
+constexpr std::array loggers = {
+    KnownLogger{"UR RTDE", "actual_q_{}", ur_rtde},
+    KnownLogger{"libfranka", "state.q[{}]", libfranka},
+    KnownLogger{"libfranka", "tau_J[{}]", franka_state},
+    KnownLogger{"KUKA FRI", "mp1", kuka_fri},
+    KnownLogger{"KUKA FRI", "measured_joint_position_{}", kuka_fri_state},
+    KnownLogger{"KUKA FRI", "measured_joint_position[{}]", kuka_fri_state},
+    KnownLogger{"KUKA RSI", "AIPos.A{}", kuka_rsi},
+    KnownLogger{"KUKA RSI", "Send.AIPos.A{}", kuka_rsi},
+    KnownLogger{"ABB EGM", "R_FB_POS_RJ{}", abb_egm},
+    KnownLogger{"FloBaRoID", "positions_{}", flobaroid},
+    KnownLogger{"figaroh", "- {}_joint_position", figaroh},
+    KnownLogger{"figaroh", "- {}_joint_velocity", figaroh},
+    KnownLogger{"figaroh", "- {}_joint_effort", figaroh},
+    KnownLogger{"joint states", "{}.position", joint_states},
+    KnownLogger{"LeRobot", "{}.pos", lerobot}};
 
-// KUKA's KRC: system variables, and the names of its trace, which states units in brackets.
+// KUKA's KRC: system variables, and the names of its trace, which states units in brackets; FANUC's
+// system variable of the axes' angles.
 constexpr std::array single_names = {
+    KnownColumn{"$SCR_GRP[1].$MCH_ANG[{}]", angle, "rad"},
     KnownColumn{"$AXIS_ACT[{}]", angle, "deg"},
     KnownColumn{"$AXIS_ACT.A{}", angle, "deg"},
     KnownColumn{"$AXIS_ACT_MEAS[{}]", angle, "deg"},

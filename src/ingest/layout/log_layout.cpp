@@ -72,20 +72,25 @@ std::string lower(std::string text) {
 /// Of a time alone: "q_min" is the smallest angle.
 constexpr std::array endings_of_time = {Ending{"min", "min"}, Ending{"100ns", "100 ns"}};
 
-/// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
-std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
-  std::vector<Ending> all(endings.begin(), endings.end());
-  if (quantity == log::Quantity::time) {
-    all.insert(all.end(), endings_of_time.begin(), endings_of_time.end());
-  }
-  for (const Ending& e : all) {
+/// The unit at a name's end, which is taken off: of these the first that the quantity has.
+template <class Endings>
+std::optional<std::string_view> take_one_of(const Endings& units, log::Quantity quantity,
+                                            std::string& name) {
+  for (const Ending& e : units) {
     const std::size_t length = e.ending.size() + 1;
-    if (name.size() <= length || !log::find_si_factor(quantity, e.unit)) continue;
-    if (name[name.size() - length] != '_' || !name.ends_with(e.ending)) continue;
+    if (name.size() <= length || !name.ends_with(e.ending)) continue;
+    if (name[name.size() - length] != '_' || !log::find_si_factor(quantity, e.unit)) continue;
     name.resize(name.size() - length);
     return e.unit;
   }
   return std::nullopt;
+}
+
+/// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
+std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
+  const auto unit = take_one_of(endings, quantity, name);
+  return unit || quantity != log::Quantity::time ? unit
+                                                 : take_one_of(endings_of_time, quantity, name);
 }
 
 bool is_number(std::string_view text) {
@@ -193,6 +198,30 @@ const KnownLogger* logger_of(const std::vector<log::ColumnHeader>& header) {
   return nullptr;
 }
 
+/// "1" of "J1", "Joint 1" and "axis_1".
+std::optional<std::string> joint_alone(const log::ColumnHeader& header) {
+  const std::vector<std::string> name = words_of_name(header.full);
+  const bool is_one = name.size() == 2 && is_number(name[1]) &&
+                      (name[0] == "j" || name[0] == "joint" || name[0] == "axis");
+  return is_one ? std::optional(name[1]) : std::nullopt;
+}
+
+void take_joints_for_angles(const std::vector<log::ColumnHeader>& header, LogLayout& layout) {
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    const auto joint = joint_alone(header[k]);
+    if (!joint) continue;
+    ColumnMeaning meaning;
+    meaning.column = k;
+    meaning.quantity = log::Quantity::angle;
+    meaning.joint = *joint;
+    meaning.unit = si_unit(meaning.quantity);
+    layout.columns.push_back(std::move(meaning));
+  }
+  std::stable_sort(
+      layout.columns.begin(), layout.columns.end(),
+      [](const ColumnMeaning& a, const ColumnMeaning& b) { return a.column < b.column; });
+}
+
 }  // namespace
 
 const ColumnMeaning* LogLayout::find(log::Quantity quantity, const std::string& joint) const {
@@ -234,7 +263,36 @@ LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
     }
     layout.columns.push_back(std::move(*meaning));
   }
+  const bool has_angle =
+      std::any_of(layout.columns.begin(), layout.columns.end(),
+                  [](const ColumnMeaning& of) { return of.quantity == log::Quantity::angle; });
+  if (logger == nullptr && !has_angle) take_joints_for_angles(header, layout);
   return layout;
+}
+
+std::vector<std::string> possible_efforts(const std::vector<log::ColumnHeader>& header) {
+  constexpr std::array parts = {"load", "torq", "curr", "amp", "effort", "moment"};
+  const auto is_effort = [](log::Quantity quantity) {
+    return quantity == log::Quantity::torque || quantity == log::Quantity::current;
+  };
+  const LogLayout layout = guess_layout(header);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    const auto of_column = [&](const auto& one) { return one.column == k; };
+    const auto known = std::find_if(layout.columns.begin(), layout.columns.end(), of_column);
+    const auto foreign = std::find_if(layout.foreign.begin(), layout.foreign.end(), of_column);
+    const bool is_known = known != layout.columns.end() || foreign != layout.foreign.end();
+    const std::vector<std::string> words = words_of_name(header[k].full);
+    const bool is_called_so = std::any_of(words.begin(), words.end(), [&](const auto& word) {
+      return std::any_of(parts.begin(), parts.end(),
+                         [&](const char* part) { return word.starts_with(part); });
+    });
+    const bool may_be = (known != layout.columns.end() && is_effort(known->quantity)) ||
+                        (foreign != layout.foreign.end() && is_effort(foreign->quantity)) ||
+                        (!is_known && is_called_so && !says_other_signal(header[k].full));
+    if (may_be) names.push_back(header[k].full);
+  }
+  return names;
 }
 
 }  // namespace tribolog::ingest::layout

@@ -2,9 +2,9 @@
 // What the names of a log's columns say of them. A guess, for `inspect` to propose and for the user
 // to confirm: nothing here enters a recording unasked.
 //
-// Loggers that are known by their columns: UR's RTDE client, libfranka's logToCSV, KUKA's FRI,
-// FloBaRoID, figaroh, joint states of ROS, LeRobot. Other logs are read word by word: "q_deg", "tau
-// [Nm]".
+// Loggers that are known by their columns: UR's RTDE client, libfranka's logToCSV, KUKA's FRI and
+// RSI, ABB's EGM, FloBaRoID, figaroh, joint states of ROS, LeRobot. Other logs are read word by
+// word: "q_deg", "tau [Nm]".
 
 #include <cstddef>
 #include <optional>
@@ -60,6 +60,8 @@ struct LogLayout {
   [[nodiscard]] std::vector<std::string> joints() const;
 };
 
+/// Columns called after joints alone, "J1" and "Joint 2", are angles where no others are, as in
+/// what ABB's and FANUC's robots log.
 /// @param header of all columns.
 LogLayout guess_layout(const std::vector<log::ColumnHeader>& header);
 
@@ -87,6 +89,10 @@ std::span<const KnownLogger> known_loggers();
 
 /// Columns that are known whatever else a log holds; one without a unit is logged in several.
 std::span<const KnownColumn> known_names();
+
+/// Those of these columns that may hold a torque or a current: known to be one, in whatever unit,
+/// or called so, as "load" is.
+std::vector<std::string> possible_efforts(const std::vector<log::ColumnHeader>& header);
 
 /// Whether a column is a share of a rated value though its name does not say so: "$CURR_ACT[1]".
 bool is_share_by_name(const std::string& name);
@@ -122,11 +128,14 @@ std::vector<std::string> words_of_name(std::string_view name);
 /// "torque_percent", "pos_inc": a share of a rated value, or counts; in no unit that is known.
 bool says_foreign_unit(std::string_view name);
 
+/// "torque_enable", "position_error": none of the signals that are looked for.
+bool says_other_signal(std::string_view name);
+
 /// The quantity is that of the first word that names one and does not contradict the unit; of a
 /// name without such a word that of the unit alone. "target", "goal", "cmd" and the like make it a
-/// set point; "error", "enable", "limit" and the like make it none of these. What other words there
-/// are name the joint, and of them the number alone if there is one; words such as "actual",
-/// "motor" and "joint" do not.
+/// set point, "external" what is no measurement of the drive either; "error", "enable", "limit" and
+/// the like make it none of these. What other words there are name the joint, and of them the
+/// number alone if there is one; words such as "actual", "motor" and "joint" do not.
 /// @param unit of the header, or behind the name's last underscore; empty: none.
 std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string_view unit);
 

@@ -89,11 +89,13 @@ constexpr std::array quantity_words = {QuantityWord{"time", time},
                                        QuantityWord{"temp", temperature},
                                        QuantityWord{"temperature", temperature}};
 
-constexpr std::array target_words = {
-    "target",    "goal",      "cmd",     "command", "commanded", "des",     "desired",   "ref",
-    "reference", "setpoint",  "set",     "d",       "plan",      "planned", "demand",    "demanded",
-    "req",       "requested", "request", "nominal", "nom",       "sim",     "simulated", "model",
-    "soll",      "sollwert",  "zadany",  "zadana",  "zadane",    "zad",     "consigne"};
+constexpr std::array target_words = {"target", "goal", "cmd", "command", "commanded", "des",
+                                     "desired", "ref", "reference", "setpoint", "set", "d", "plan",
+                                     "planned", "demand", "demanded", "req", "requested", "request",
+                                     "nominal", "nom", "sim", "simulated", "model", "soll",
+                                     "sollwert", "zadany", "zadana", "zadane", "zad", "consigne",
+                                     // No measurement of the drive.
+                                     "external", "ext"};
 // Of no joint, and of no signal that is looked for.
 constexpr std::array other_words = {
     "error",        "err",    "enable", "enabled", "flag",    "status", "state",   "mode",
@@ -171,6 +173,12 @@ bool says_foreign_unit(std::string_view name) {
   const std::vector<std::string> words = words_of_name(name);
   return std::any_of(words.begin(), words.end(),
                      [](const std::string& word) { return holds(foreign_words, word); });
+}
+
+bool says_other_signal(std::string_view name) {
+  const std::vector<std::string> words = words_of_name(name);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return holds(other_words, word); });
 }
 
 std::vector<std::string> words_of_name(std::string_view name) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+
+#include <fmt/format.h>
 
 namespace tribolog::ingest::log {
 
@@ -13,6 +16,19 @@ long LogTable::line_of(std::size_t row) const {
   if (after == line_breaks.begin()) return 0;
   const auto& [first_row, first_line] = *std::prev(after);
   return first_line + static_cast<long>(row - first_row);
+}
+
+LogColumn as_words(LogColumn column) {
+  if (column.reading == ColumnReading::words) return column;
+  std::map<double, std::size_t> places;
+  for (double& value : column.values) {
+    if (std::isnan(value)) continue;
+    const auto [place, is_new] = places.emplace(value, column.words.size());
+    if (is_new) column.words.push_back(fmt::format("{}", value));
+    value = static_cast<double>(place->second);
+  }
+  column.reading = ColumnReading::words;
+  return column;
 }
 
 void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table) {

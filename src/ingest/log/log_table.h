@@ -51,6 +51,9 @@ struct LogColumn {
   std::shared_ptr<const LogTable> stands_in{};
 };
 
+/// What stands in a column, of numbers "1" and the like: for those that name joints.
+LogColumn as_words(LogColumn column);
+
 struct LogTable {
   std::string file;   ///< As given, for messages.
   std::string group;  ///< Topic or variable whose rows these are; empty: the only one.
@@ -59,8 +62,11 @@ struct LogTable {
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
   std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
-  std::size_t other_rows{};         ///< Those left out because they are another joint's, as stated.
-  std::vector<Statement> notes;     ///< Peculiarities that the user should know.
+  /// Those left out of ros2 topic echo --csv: other joints', or nothing tells what their numbers
+  /// are.
+  std::size_t unclear_rows{};
+  std::size_t other_rows{};      ///< Those left out because they are another joint's, as stated.
+  std::vector<Statement> notes;  ///< Peculiarities that the user should know.
   /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
   /// and take_columns() refuses them; other tables of the log are not concerned.
   std::string refusal;

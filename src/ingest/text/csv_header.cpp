@@ -127,45 +127,6 @@ std::optional<std::vector<Field>> names_in_comment(std::string_view comment, std
   return std::nullopt;
 }
 
-std::optional<std::vector<Field>> names_of_joint_states(const std::vector<Field>& first,
-                                                        const std::vector<Field>& second) {
-  constexpr std::size_t in_front = 3;  // sec, nanosec, frame_id
-  constexpr std::size_t per_joint = 3;
-  constexpr std::size_t most_digits = 10;
-  const auto is_whole = [](const Field& field) {
-    return !field.text.empty() && field.text.size() <= most_digits &&
-           std::all_of(field.text.begin(), field.text.end(), is_digit);
-  };
-  if (first.size() <= in_front || second.size() != first.size()) return std::nullopt;
-  if (!is_whole(first[0]) || !is_whole(first[1]) || is_whole(first[2])) return std::nullopt;
-  if (!is_whole(second[0]) || !is_whole(second[1])) return std::nullopt;
-  const auto is_word = [](const Field& field) {
-    return read_number(field.text).kind == FieldKind::text;
-  };
-  std::size_t end = in_front;
-  while (end < first.size() && is_word(first[end]) && first[end].text == second[end].text) ++end;
-  const std::size_t joints = end - in_front;
-  const std::size_t numbers = first.size() - end;
-  if (joints == 0 || numbers == 0 || numbers % joints != 0 || numbers > per_joint * joints) {
-    return std::nullopt;
-  }
-  if (std::any_of(first.begin() + static_cast<std::ptrdiff_t>(end), first.end(), is_word)) {
-    return std::nullopt;
-  }
-  std::vector<Field> names = names_by_position(first.size());
-  names[0].text = "sec";
-  names[1].text = "nanosec";
-  names[2].text = "frame_id";
-  constexpr std::array arrays = {"position", "velocity", "effort"};
-  for (std::size_t k = 0; k < joints; ++k) {
-    names[in_front + k].text = fmt::format("name_{}", k);
-    for (std::size_t a = 0; a < arrays.size() && numbers == per_joint * joints; ++a) {
-      names[end + a * joints + k].text = fmt::format("{}.{}", first[in_front + k].text, arrays[a]);
-    }
-  }
-  return names;
-}
-
 std::string_view without_brackets(std::string_view unit) {
   const bool is_bracketed = unit.size() > 2 && ((unit.front() == '[' && unit.back() == ']') ||
                                                 (unit.front() == '(' && unit.back() == ')'));

@@ -100,9 +100,27 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr std::string_view export_it = "export or unpack it as CSV";
+// The distributions have no library for these, and no package of pyarrow; Debian has one for
+// Feather as it was in 2016.
+constexpr std::string_view by_parquet =
+    "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
+    "pandas.read_parquet('LOG').to_csv('LOG.csv')\"";
+constexpr std::string_view by_feather =
+    "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
+    "pandas.read_feather('LOG').to_csv('LOG.csv')\"";
+constexpr std::string_view by_old_feather =
+    "apt-get install python3-feather-format; /usr/bin/python3 -c \"import feather; "
+    "feather.read_dataframe('LOG').to_csv('LOG.csv')\"";
+constexpr std::string_view by_stream =
+    "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import "
+    "pyarrow; "
+    "pyarrow.ipc.open_stream('LOG').read_pandas().to_csv('LOG.csv')\"";
+
 struct BinaryFormat {
   std::string_view start;
   std::string_view name;
+  std::string_view hint{export_it};
 };
 
 constexpr std::array formats = {
@@ -120,7 +138,11 @@ constexpr std::array formats = {
     BinaryFormat{"\x89MCAP"sv, "MCAP"},
     BinaryFormat{"#ROSBAG V"sv, "rosbag"},
     BinaryFormat{"\x89HDF"sv, "HDF5"},
-    BinaryFormat{"PAR1"sv, "Parquet"},
+    BinaryFormat{"PAR1"sv, "Parquet", by_parquet},
+    BinaryFormat{"PARE"sv, "Parquet, encrypted", "decrypt it and export it as CSV"},
+    BinaryFormat{"ARROW1"sv, "Arrow (also .feather)", by_feather},
+    BinaryFormat{"FEA1"sv, "Feather (of 2016)", by_old_feather},
+    BinaryFormat{"\xff\xff\xff\xff"sv, "Arrow (a stream)", by_stream},
     BinaryFormat{"SQLite format 3"sv, "SQLite (also .db3 bags)"},
     BinaryFormat{"\x93NUMPY"sv, "NumPy"},
     BinaryFormat{"MATLAB 5.0 MAT"sv, "MATLAB"},
@@ -152,7 +174,7 @@ std::string_view start_of_text(std::string_view bytes, const std::string& file) 
   if (bytes.empty()) throw InputError({file, 0, 0}, {"file is empty", "", "", ""});
   for (const BinaryFormat& format : formats) {
     if (!bytes.starts_with(format.start)) continue;
-    refuse(file, "is a binary file: " + std::string(format.name), "export or unpack it as CSV");
+    refuse(file, "is a binary file: " + std::string(format.name), std::string(format.hint));
   }
   if (is_utf16(bytes)) {
     refuse(file, "looks like UTF-16 (byte 0)", "convert it: iconv -f UTF-16 -t UTF-8");

@@ -66,7 +66,8 @@ class TextWindow {
 /// Refuses what does not start as a text of lines and returns it without its byte order mark.
 /// @throw InputError: the file is empty, UTF-16, holds a NUL byte, or starts as a known binary
 /// format does (gzip, zip,
-///        PNG, ELF, MCAP, rosbag, HDF5, Parquet, SQLite, NumPy, MATLAB).
+///        PNG, ELF, MCAP, rosbag, HDF5, Parquet, Arrow, SQLite, NumPy, MATLAB), with what to run
+///        where no library reads it.
 std::string_view start_of_text(std::string_view first_bytes, const std::string& file);
 
 /// A longer line is refused: memory stays bounded whatever stands in a file.

@@ -40,6 +40,7 @@ struct Header {
   std::vector<Field> fields;
   std::string row;  ///< Empty: the log has none.
   std::vector<std::string> units;
+  std::optional<EchoedJointStates> joint_states;  ///< Whose rows these are.
 };
 
 std::vector<Field> fields_of(const RowCursor& cursor, const log::LogTable& table,
@@ -82,6 +83,23 @@ bool read_commented_names(const RowCursor& first, std::size_t columns, const Tex
   return true;
 }
 
+/// What the first rows show, the cursor standing in front of them.
+std::optional<EchoedJointStates> joint_states_in(RowCursor cursor, const TextLogRules& rules,
+                                                 const CsvTable& table) {
+  constexpr std::size_t looked_at_rows = 200;
+  std::vector<std::vector<Field>> rows;
+  while (rows.size() < looked_at_rows && cursor.next() &&
+         cursor.row().size() <= longest_line_bytes) {
+    if (!rows.empty() && !cursor.has_line_end()) break;
+    try {
+      rows.push_back(words_of(cursor, table, rules));
+    } catch (const InputError&) {
+      return std::nullopt;  // which reading the rows tells
+    }
+  }
+  return EchoedJointStates::in(rows);
+}
+
 void note_repeated_names(const std::vector<Field>& header, CsvTable& table) {
   if (const auto repeated = repeated_names(header); !repeated.empty()) {
     table.notes.push_back({"reading.repeated_names", {{"columns", list_of_names(repeated)}}});
@@ -109,8 +127,9 @@ Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& colum
   const bool has_second = second.next() && second.row().size() <= longest_line_bytes;
   const std::vector<Field> below =
       has_second ? words_of(second, table, rules) : std::vector<Field>();
-  if (auto names = names_of_joint_states(header.fields, below)) {
-    header.fields = std::move(*names);
+  header.joint_states = joint_states_in(cursor, rules, table);
+  if (header.joint_states) {
+    header.fields = header.joint_states->header();
     table.notes.push_back(Code{"reading.echoed_joint_states"});
     return header;
   }
@@ -175,6 +194,7 @@ RowLayout lay_out(const Header& header, const std::vector<log::WantedColumn>& co
   RowLayout layout;
   layout.header_row = header.row;
   layout.header = header.fields;
+  layout.joint_states = header.joint_states;
   layout.mark = rules.decimal_mark;
   layout.skip_bad_rows = rules.skip_bad_rows;
   layout.slots.assign(layout.header.size(), -1);
@@ -240,10 +260,11 @@ void count_field(const std::string& field, const TextLogRules& rules, Sample& sa
 }
 
 /// Of the first rows, and of as many more as it takes until no column holds gaps alone.
-std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const TextLogRules& rules,
+std::vector<Sample> sample_rows(RowCursor cursor, const Header& header, const TextLogRules& rules,
                                 const CsvTable& table) {
   constexpr std::size_t sampled_rows = 20;
   constexpr std::size_t most_rows = 100'000;
+  const std::size_t columns = header.fields.size();
   std::vector<Sample> samples(columns);
   const auto is_settled = [&] {
     return std::none_of(samples.begin(), samples.end(),
@@ -252,7 +273,8 @@ std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const Tex
   for (std::size_t row = 0; row < most_rows && cursor.next(); ++row) {
     if (row >= sampled_rows && is_settled()) break;
     if (cursor.row().size() > longest_line_bytes || !cursor.has_line_end()) break;
-    const std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
+    std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
+    if (header.joint_states && !header.joint_states->lay_out(fields)) continue;
     for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
       count_field(fields[k].text, rules, samples[k]);
     }
@@ -263,7 +285,7 @@ std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const Tex
 /// All columns that can be read, by their position; the others in a note.
 std::vector<log::WantedColumn> readable_columns(const RowCursor& cursor, const Header& header,
                                                 const TextLogRules& rules, CsvTable& table) {
-  const std::vector<Sample> samples = sample_rows(cursor, header.fields.size(), rules, table);
+  const std::vector<Sample> samples = sample_rows(cursor, header, rules, table);
   std::vector<log::WantedColumn> columns;
   std::vector<std::string> others;
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -303,6 +325,17 @@ Statement note_of(Delimiter delimiter) {
   return {};
 }
 
+/// With decimal commas stated, commas are no delimiter, and a header with others is one name.
+/// @throw InputError as refuse_commas_between_commas().
+void refuse_commas_between_columns(const RowCursor& header, const CsvTable& table) {
+  const bool is_one_name = fields_of(header, table, table.delimiter).size() == 1;
+  if (!is_one_name || header.row().find('"') != std::string_view::npos) return;
+  const std::size_t names = fields_of(header, table, Delimiter::comma).size();
+  if (names > 1) {
+    refuse_commas_between_commas(header.rest(), names, {table.file, header.line() + 1, 0});
+  }
+}
+
 /// Rows to make room for; a guess from the first row's length, bounded by the file's size.
 std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
   const std::size_t first_row = std::min(first_rows.find('\n'), first_rows.size()) + 1;
@@ -332,6 +365,9 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
+  if (rules.decimal_mark == DecimalMark::comma && !rules.delimiter && !stated_by_log) {
+    refuse_commas_between_columns(first, table);
+  }
   const Header header = read_names(cursor, columns, rules, table);
   const std::vector<log::WantedColumn> wanted =
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;

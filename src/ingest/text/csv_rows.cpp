@@ -115,14 +115,26 @@ class RowReader {
         count_bad_row(refusal);
         continue;
       }
+      if (std::exchange(is_unclear_, false)) {
+        if (table_.unclear_rows++ == 0) first_unclear_line_ = cursor_.line();
+        continue;
+      }
       if (cursor_.line() != expected_line_) {
         table_.line_breaks.emplace_back(table_.rows, cursor_.line());
       }
       expected_line_ = cursor_.line() + 1;
       keep();
-      if (++rows_since_stretch_ >= patience_ && slots_.plain_layout(table_)) read_stretch();
+      if (!layout_.joint_states && ++rows_since_stretch_ >= patience_ &&
+          slots_.plain_layout(table_))
+        read_stretch();
     }
     if (table_.bad_rows > 0) judge_bad_rows();
+    if (table_.unclear_rows > 0) {
+      table_.notes.push_back({"reading.unclear_joint_states",
+                              {{"unclear", table_.unclear_rows},
+                               {"rows", table_.rows + table_.unclear_rows},
+                               {"line", first_unclear_line_}}});
+    }
   }
 
  private:
@@ -155,7 +167,8 @@ class RowReader {
     expected_line_ = cursor_.line() + 1;
   }
 
-  /// Any row. @return false for a last row that is cut off. @throw InputError
+  /// Any row; `is_unclear_` where nothing tells what its numbers are.
+  /// @return false for a last row that is cut off. @throw InputError
   bool read_any_row() {
     const Location line{table_.file, cursor_.line(), 0};
     const bool may_be_cut = cursor_.is_last() && !cursor_.has_line_end();
@@ -165,6 +178,10 @@ class RowReader {
     } catch (const InputError&) {
       if (may_be_cut && table_.rows > 0) return false;
       throw;
+    }
+    if (layout_.joint_states && !layout_.joint_states->lay_out(fields)) {
+      is_unclear_ = !may_be_cut;
+      return is_unclear_;
     }
     const std::size_t columns = layout_.slots.size();
     if (fields.size() == columns + 1 && fields.back().text.empty()) {
@@ -240,7 +257,9 @@ class RowReader {
     if (trimmed(cursor_.row()) == trimmed(layout_.header_row)) refuse_second_header(row());
   }
 
-  [[nodiscard]] RefusedRow row() const { return {table_, layout_, cursor_.line()}; }
+  [[nodiscard]] RefusedRow row() const {
+    return {table_, layout_, cursor_.line(), cursor_.row(), cursor_.rest()};
+  }
 
   RowCursor& cursor_;
   const RowLayout& layout_;
@@ -252,6 +271,8 @@ class RowReader {
   std::size_t rows_since_stretch_{0};
   std::size_t patience_{1};
   bool has_trailing_delimiter_{false};
+  bool is_unclear_{false};
+  long first_unclear_line_{0};
   std::optional<InputError> first_bad_row_;
 };
 

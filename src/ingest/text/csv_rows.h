@@ -33,13 +33,27 @@ std::vector<Field> names_by_position(std::size_t columns);
 std::optional<std::vector<Field>> names_in_comment(std::string_view comment, std::size_t columns,
                                                    Delimiter delimiter, const Location& line);
 
-/// Names for rows of sensor_msgs/JointState as `ros2 topic echo --csv` writes them, without a
-/// header: sec, nanosec and frame_id; the joints' names; then "NAME.position", "NAME.velocity" and
-/// "NAME.effort" where there are three numbers for each joint, or else, since it does not show
-/// which are there, "#7" and so on.
-/// @return nothing for rows that are none.
-std::optional<std::vector<Field>> names_of_joint_states(const std::vector<Field>& first,
-                                                        const std::vector<Field>& second);
+/// Rows of sensor_msgs/JointState as `ros2 topic echo --csv` writes them, without a header: sec,
+/// nanosec and frame_id; the joints' names; then position, velocity and effort, each a number for
+/// each joint or, where the message has none, a single empty cell.
+class EchoedJointStates {
+ public:
+  /// @param rows the first ones of a log. @return nothing for rows that are none. The joints are
+  /// those that most rows have.
+  static std::optional<EchoedJointStates> in(const std::vector<std::vector<Field>>& rows);
+
+  /// "sec", "nanosec", "frame_id", "name_0" and so on, then "NAME.position", "NAME.velocity" and
+  /// "NAME.effort"; or else, where all rows lack cells and do not show of which array, "#7" and so
+  /// on.
+  [[nodiscard]] std::vector<Field> header() const;
+  /// Gives a row the header's columns: gaps for an array that the message does not have.
+  /// @return false for a row of other joints, and one that lacks cells and does not show which.
+  [[nodiscard]] bool lay_out(std::vector<Field>& row) const;
+
+ private:
+  std::vector<std::string> joints_;
+  std::optional<std::size_t> unknown_numbers_;  ///< In a row, where their names are not known.
+};
 
 /// "Nm" of "[Nm]" and "(Nm)".
 std::string_view without_brackets(std::string_view unit);
@@ -94,6 +108,7 @@ struct RowLayout {
   std::string header_row;  ///< As it stands in the file; empty: there is none.
   std::vector<int> slots;  ///< For each column of the file: index in `columns`, or -1.
   std::vector<log::ColumnReading> readings;  ///< Of each of `columns`.
+  std::optional<EchoedJointStates> joint_states;
   DecimalMark mark{DecimalMark::point};
   bool skip_bad_rows{};  ///< Leaves out and counts what is refused otherwise.
 };
@@ -109,13 +124,22 @@ struct RefusedRow {
   const CsvTable& table;  ///< As far as it is read.
   const RowLayout& layout;
   long line{};
+  std::string_view text{};    ///< The row,
+  std::string_view behind{};  ///< and what follows it, as far as it is in memory.
 };
+
+/// @param rows from the first data row on, as far as they are in memory.
+/// @param names columns of the header.
+/// @throw InputError where all cells are whole numbers and the first row has more of them than
+///        names: decimal commas are cut by commas between the columns. The hint says what to export
+///        instead, and how to mend a log in which all numbers have a fraction.
+void refuse_commas_between_commas(std::string_view rows, std::size_t names, const Location& first);
 
 /// @throw InputError: the row is the header once more.
 [[noreturn]] void refuse_second_header(const RefusedRow& row);
 
 /// @param found number of fields.
-/// @throw InputError: it is not the header's.
+/// @throw InputError: it is not the header's; as refuse_commas_between_commas() for a first row.
 [[noreturn]] void refuse_ragged_row(const RefusedRow& row, std::size_t found);
 
 /// @param column index of the field in the file.

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
@@ -41,7 +45,51 @@ std::string likely_cause(const RefusedRow& row, const std::string& field,
   return row.table.rows == 0 ? "a row of units under the header? put '#' in front of it" : "";
 }
 
+/// Cells of a row between commas that are all whole numbers, as numbers with decimal commas leave
+/// them; 0 for any other row.
+std::size_t whole_numbers_in(std::string_view row) {
+  constexpr std::string_view digits = "0123456789";
+  std::size_t count = 0;
+  for (std::size_t at = 0; at <= row.size(); ++count) {
+    const std::size_t end = std::min(row.find(',', at), row.size());
+    std::string_view cell = trimmed(row.substr(at, end - at));
+    if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
+    if (cell.empty() || cell.find_first_not_of(digits) != std::string_view::npos) return 0;
+    at = end + 1;
+  }
+  return count;
+}
+
 }  // namespace
+
+void refuse_commas_between_commas(std::string_view rows, std::size_t names, const Location& first) {
+  constexpr std::size_t looked_at_rows = 200;
+  RowCursor cursor(rows);
+  std::size_t cells_of_first = 0;
+  bool are_all_cut = true;
+  for (std::size_t row = 0; row < looked_at_rows && cursor.next(); ++row) {
+    if (row > 0 && !cursor.has_line_end()) break;
+    const std::size_t cells = whole_numbers_in(cursor.row());
+    if (cells < names) return;
+    if (row == 0) cells_of_first = cells;
+    are_all_cut = are_all_cut && cells == 2 * names;
+  }
+  if (cells_of_first <= names) return;
+  const std::string mend =
+      are_all_cut ? fmt::format(
+                        "; in every row that was looked at each number is cut in two, which "
+                        "can be mended: sed -E '{},$ s/([0-9]+),([0-9]+)/\\1.\\2/g' LOG "
+                        ">POINTS.csv",
+                        first.line)
+                  : "; numbers without a fraction have no comma, so that the cells cannot be put "
+                    "together again";
+  throw InputError(first, {"numbers with decimal commas between columns that commas separate",
+                           fmt::format("{} cells for {} names", cells_of_first, names),
+                           "semicolons or tabs between the columns, or numbers with a point",
+                           "export it so (Excel: list separator \";\"; pandas: to_csv(..., "
+                           "decimal='.'))" +
+                               mend});
+}
 
 void refuse_second_header(const RefusedRow& row) {
   throw InputError({row.table.file, row.line, 1},
@@ -52,6 +100,13 @@ void refuse_second_header(const RefusedRow& row) {
 void refuse_ragged_row(const RefusedRow& row, std::size_t found) {
   const std::size_t expected = row.layout.slots.size();
   const bool is_first = row.table.rows == 0 && !row.layout.skip_bad_rows;
+  if (row.table.rows == 0 && row.table.delimiter == Delimiter::comma && found > expected) {
+    const auto between = static_cast<std::size_t>(row.behind.data() - row.text.data());
+    const std::string_view rows =
+        row.behind.empty() ? row.text
+                           : std::string_view(row.text.data(), between + row.behind.size());
+    refuse_commas_between_commas(rows, expected, {row.table.file, row.line, 0});
+  }
   const bool comma_suspect = found > expected && row.table.delimiter == Delimiter::comma;
   throw InputError(
       {row.table.file, row.line, 0},

@@ -99,6 +99,20 @@ std::optional<std::size_t> first_of(const TableSurvey& table, ingest::log::Quant
   return std::nullopt;
 }
 
+/// The first measured one at the joint, or else at the motor: that needs a gear ratio to be one of
+/// the joint.
+std::optional<std::size_t> angle_of(const TableSurvey& table, const std::string& joint) {
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    if (!meaning || meaning->quantity != ingest::log::Quantity::angle || meaning->is_target) {
+      continue;
+    }
+    const bool is_there = !std::isnan(table.columns[k].lowest);
+    if (meaning->joint == joint && !table.columns[k].is_at_motor && is_there) return k;
+  }
+  return first_of(table, ingest::log::Quantity::angle, joint, false);
+}
+
 /// The joint's own; or one that names no joint, if there is but one joint.
 std::optional<std::size_t> of_joint(const TableSurvey& table, ingest::log::Quantity quantity,
                                     const std::string& joint, bool is_only) {
@@ -208,7 +222,7 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
     const bool is_only = names.size() == 1;
     JointSurvey joint;
     joint.name = name;
-    joint.angle = present(first_of(table, ingest::log::Quantity::angle, name, false));
+    joint.angle = present(angle_of(table, name));
     if (std::isnan(table.columns[joint.angle].lowest)) continue;
     joint.speed = of_joint(table, ingest::log::Quantity::angular_speed, name, is_only);
     joint.effort = of_joint(table, ingest::log::Quantity::torque, name, is_only);
@@ -410,7 +424,8 @@ void look_at_sides(const StatedColumns& stated, TableSurvey& table) {
         column.meaning && (column.meaning->quantity == ingest::log::Quantity::angle ||
                            column.meaning->quantity == ingest::log::Quantity::angular_speed);
     column.is_at_motor = turns && (says(column.name, "motor") || says(column.name, "rotor"));
-    if (column.is_at_motor && stated.gear_ratio) column.gear_ratio = *stated.gear_ratio;
+    if (!column.is_at_motor) continue;
+    column.gear_ratio = stated.gear_ratio_for(column.meaning->joint).value_or(1);
   }
 }
 
@@ -452,14 +467,20 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   return table;
 }
 
+/// A table with all joints' rows, or with one's.
+struct TableOfJoint {
+  ingest::log::LogTable table;
+  std::optional<std::pair<std::string, std::string>> rows_of;  ///< As TableSurvey has it.
+};
+
 /// Its joints go by what stands in the column that tells the rows.
-void name_joint(const RowsOfJoint& rows, TableSurvey& table) {
-  table.rows_of = {rows.key, rows.joint};
+void name_joint(const std::pair<std::string, std::string>& rows_of, TableSurvey& table) {
+  table.rows_of = rows_of;
   if (table.joints.size() != 1) return;
-  table.joints.front().name = rows.joint;
+  table.joints.front().name = rows_of.second;
   for (ColumnSurvey& column : table.columns) {
     const bool is_its = column.meaning && column.meaning->quantity != ingest::log::Quantity::time;
-    if (is_its) column.meaning->joint = rows.joint;
+    if (is_its) column.meaning->joint = rows_of.second;
   }
 }
 
@@ -473,25 +494,29 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
   const ingest::text::TextLogRules rules = with_decimal_mark(path, survey.format, stated_rules);
   survey.has_decimal_commas = rules.decimal_mark == ingest::text::DecimalMark::comma;
   std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
-  std::vector<RowsOfJoint> by_joint;
-  if (survey.format == ingest::log::LogFormat::text) {
-    by_joint = rows_of_joints(path, rules, tables.front());
-  }
-  if (!by_joint.empty()) {
-    tables.clear();
-    for (RowsOfJoint& one : by_joint) tables.push_back(std::move(one.table));
+  const bool has_words = survey.format == ingest::log::LogFormat::text ||
+                         survey.format == ingest::log::LogFormat::json;
+  std::vector<TableOfJoint> of_joints;
+  for (ingest::log::LogTable& table : tables) {
+    std::vector<RowsOfJoint> rows;
+    if (has_words) rows = rows_of_joints(path, survey.format, rules, table);
+    if (rows.empty()) of_joints.push_back({std::move(table), std::nullopt});
+    for (RowsOfJoint& one : rows) {
+      of_joints.push_back({std::move(one.table), std::pair{one.key, one.joint}});
+    }
   }
   std::vector<std::string> missing;  // in every table
   std::vector<std::string> there;
-  for (ingest::log::LogTable& table : tables) {
+  for (auto& [table, rows_of] : of_joints) {
     std::vector<std::string> missing_here;
-    survey.tables.push_back(survey_table(path, survey.format, rules, stated, table, missing_here));
-    if (!by_joint.empty()) {
-      name_joint(by_joint[survey.tables.size() - 1], survey.tables.back());
-    }
+    StatedColumns of_table = stated;
+    if (rows_of) of_table.gear_ratio = stated.gear_ratio_for(rows_of->second);
+    survey.tables.push_back(
+        survey_table(path, survey.format, rules, of_table, table, missing_here));
+    if (rows_of) name_joint(*rows_of, survey.tables.back());
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
-    if (&table == &tables.front()) missing = missing_here;
+    if (survey.tables.size() == 1) missing = missing_here;
     std::erase_if(missing, [&](const std::string& name) {
       return std::find(missing_here.begin(), missing_here.end(), name) == missing_here.end();
     });

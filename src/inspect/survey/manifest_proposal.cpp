@@ -303,7 +303,7 @@ class ManifestText {
     if (j.speed) lines.push_back(column(of, "speed", *j.speed, with_comments));
     if (t.rows_of) {
       lines.push_back(fmt::format("rows = {{ name = {}, value = {} }}",
-                                  quoted(t.rows_of->first, "the name of a column", of.log),
+                                  name_in_log(of, t.rows_of->first),
                                   quoted(t.rows_of->second, "the joint's name", of.log)));
     }
     const auto effort = effort_.column_of(j);
@@ -368,9 +368,14 @@ void check_that_it_reads(const std::string& text) {
 }
 
 /// The joint's own of numbers that are stated for all, or for each.
-std::optional<double> own(const std::vector<double>& values, std::size_t joint) {
+/// @param joints whose they are.
+std::optional<double> own(const std::vector<double>& values, const std::vector<std::string>& joints,
+                          const std::string& joint) {
   if (values.empty()) return std::nullopt;
-  return values.size() == 1 ? values.front() : values[joint];
+  if (values.size() == 1) return values.front();
+  const auto at = std::find(joints.begin(), joints.end(), joint) - joints.begin();
+  const auto place = static_cast<std::size_t>(at);
+  return place < values.size() ? std::optional(values[place]) : std::nullopt;
 }
 
 void check_count(const std::vector<double>& values, const char* option,
@@ -390,6 +395,20 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
   check_that_it_reads(proposal.text);
   return proposal;
+}
+
+std::vector<std::string> joints_of_numbers(const std::vector<LogSurvey>& logs,
+                                           const ProposalOptions& options, std::size_t numbers) {
+  const std::vector<std::string> all = joints_in(logs);
+  std::vector<std::string> moving;
+  for (const std::string& name : all) {
+    const JointChoice choice = choose_joint(logs, name);
+    if (!propose_roles(logs, choice.in_logs, options.has_no_gravity).is_makeshift) {
+      moving.push_back(name);
+    }
+  }
+  if (moving.size() == numbers) return moving;
+  return all.size() == numbers ? all : std::vector<std::string>();
 }
 
 RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
@@ -415,12 +434,13 @@ RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
   }
   std::vector<std::string> names;
   for (const JointChoice& choice : moving) names.push_back(choice.name);
+  if (!known.joints.empty()) names = known.joints;
   check_count(known.gear_ratios, "--gear-ratio", names);
   check_count(known.torque_constants_Nm_A, "--torque-constant", names);
   for (std::size_t k = 0; k < moving.size(); ++k) {
     ProposalOptions of_joint = options;
-    of_joint.gear_ratio = own(known.gear_ratios, k);
-    of_joint.torque_constant_Nm_A = own(known.torque_constants_Nm_A, k);
+    of_joint.gear_ratio = own(known.gear_ratios, names, moving[k].name);
+    of_joint.torque_constant_Nm_A = own(known.torque_constants_Nm_A, names, moving[k].name);
     ManifestProposal& joint = robot.joints[k];
     if (k == 0) robot.text = ManifestText(logs, of_joint, moving[k], joint.roles).shared_text();
     joint.effort = propose_effort(logs, moving[k].in_logs, of_joint);

@@ -122,7 +122,14 @@ struct RobotProposal {
 struct KnownOfJoints {
   std::vector<double> gear_ratios;
   std::vector<double> torque_constants_Nm_A;
+  /// Whose they are; empty: of those that move, in the order of the logs.
+  std::vector<std::string> joints{};
 };
+
+/// Whose numbers they are where so many are stated: of the joints that move or, if these are not as
+/// many, of all; in the order of the logs. Empty: they are neither.
+std::vector<std::string> joints_of_numbers(const std::vector<LogSurvey>& logs,
+                                           const ProposalOptions& options, std::size_t numbers);
 
 /// All joints that the logs name, but those that do not move.
 /// @param options what is known of the robot and of all joints alike; its joint is ignored.

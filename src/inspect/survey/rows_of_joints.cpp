@@ -31,7 +31,7 @@ std::optional<std::size_t> column_of_joints(const ingest::log::LogTable& table) 
                           std::all_of(words.begin(), words.end(), [&](const std::string& word) {
                             return is_in(whose, word) || is_in(besides, word);
                           });
-    const bool may_be = is_named && column.header.place > 0 && column.gaps == 0 &&
+    const bool may_be = is_named && column.gaps == 0 &&
                         (column.reading == ingest::log::ColumnReading::number ||
                          column.reading == ingest::log::ColumnReading::words);
     if (!may_be) continue;
@@ -59,17 +59,22 @@ std::optional<std::size_t> column_of_joints(const ingest::log::LogTable& table) 
 
 }  // namespace
 
-std::vector<RowsOfJoint> rows_of_joints(const std::string& path,
+std::vector<RowsOfJoint> rows_of_joints(const std::string& path, ingest::log::LogFormat format,
                                         const ingest::text::TextLogRules& rules,
                                         const ingest::log::LogTable& table) {
   const auto told_by = column_of_joints(table);
   if (!told_by) return {};
   const std::string key = survey_column(table.columns[*told_by], table.header).key;
-  InputFileSource bytes(path);
-  const ingest::text::CsvTable words =
-      ingest::text::read_csv(bytes, path, {{key, "", ingest::log::ColumnReading::words}}, rules);
-  if (words.rows != table.rows) return {};  // it is being written
-  const ingest::log::LogColumn& joints = words.columns.front();
+  ingest::log::LogColumn joints;
+  if (format == ingest::log::LogFormat::text) {  // as it is written there, "01" say
+    InputFileSource bytes(path);
+    ingest::text::CsvTable words =
+        ingest::text::read_csv(bytes, path, {{key, "", ingest::log::ColumnReading::words}}, rules);
+    if (words.rows != table.rows) return {};  // it is being written
+    joints = std::move(words.columns.front());
+  } else {
+    joints = ingest::log::as_words(table.columns[*told_by]);
+  }
   std::vector<RowsOfJoint> all;
   for (std::size_t word = 0; word < joints.words.size(); ++word) {
     RowsOfJoint one{table, key, joints.words[word]};

@@ -1,6 +1,7 @@
 #pragma once
 // What the user says of a log's columns where their names do not tell it, or tell it wrongly.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,12 @@ struct StatedColumns {
   std::optional<std::string> effort_unit;  ///< Of all efforts: "Nm", "0.0013 Nm", "mA".
   std::optional<double> rate_Hz;     ///< The logs have no clock: their rows come at this rate.
   std::optional<double> gear_ratio;  ///< Of all joints: of angles on the motor's side.
+  std::map<std::string, double> gear_ratio_of;  ///< Of single joints, instead.
+
+  [[nodiscard]] std::optional<double> gear_ratio_for(const std::string& joint) const {
+    const auto own = gear_ratio_of.find(joint);
+    return own == gear_ratio_of.end() ? gear_ratio : std::optional(own->second);
+  }
 };
 
 /// @return the unit. @throw UsageError: it is none of a torque or a current.

@@ -37,7 +37,7 @@ struct RowsOfJoint {
 
 /// By a column named so that holds a few words or numbers by turns, or one behind the other.
 /// @return none for a log in which a row is all joints'.
-std::vector<RowsOfJoint> rows_of_joints(const std::string& path,
+std::vector<RowsOfJoint> rows_of_joints(const std::string& path, ingest::log::LogFormat format,
                                         const ingest::text::TextLogRules& rules,
                                         const ingest::log::LogTable& table);
 

@@ -62,6 +62,11 @@ std::vector<InputCase> dialect_cases() {
   const std::string missing = "without torque or current nothing can be identified";
   const auto add_column = [](int, Row& row) { row.push_back("7"); };
   const auto add_columns = [](int, Row& row) { row.insert(row.end(), {"7", "ok"}); };
+  const std::string commas_between_commas =
+      "log.csv:2: numbers with decimal commas between columns that commas separate, found 6 cells "
+      "for 3 names, expected semicolons or tabs between the columns, or numbers with a point; "
+      "hint: "
+      "export it so (Excel: list separator \";\"; pandas: to_csv(..., decimal='.')); ";
   const std::string units_below = "log.csv: units are taken from the row under the header";
   return {
       accepted("11a", "Semicolons", case_log({}, "t;q;tau", ";"),
@@ -84,10 +89,20 @@ std::vector<InputCase> dialect_cases() {
                              "log.csv: columns are separated by semicolons\n"
                              "log.csv: numbers have a decimal comma"),
                     with_log_table("decimal_comma = true")),
-      refused("13", "DecimalCommaBetweenCommas", case_log(take_commas),
-              "log.csv:2: " + other_fields +
-                  "6, expected 3; hint: decimal or thousands commas? "
-                  "write numbers with a point"),
+      refused("13a", "DecimalCommaBetweenCommas", case_log(take_commas),
+              commas_between_commas +
+                  "in every row that was looked at each number is cut in two, which can be mended: "
+                  "sed -E '2,$ s/([0-9]+),([0-9]+)/\\1.\\2/g' LOG >POINTS.csv"),
+      with_manifest(refused("13b", "DecimalCommaBetweenCommasAsStated", case_log(take_commas),
+                            commas_between_commas +
+                                "in every row that was looked at each number is cut in two, which "
+                                "can be mended: sed -E '2,$ s/([0-9]+),([0-9]+)/\\1.\\2/g' LOG "
+                                ">POINTS.csv"),
+                    with_log_table("decimal_comma = true")),
+      refused("13c", "DecimalCommasOfFractionsAlone", "t,q,tau\n0,01,1,25,3,4\n0,02,1,3,4\n",
+              commas_between_commas +
+                  "numbers without a fraction have no comma, so that the cells cannot be put "
+                  "together again"),
       with_manifest(accepted("16", "QuotedHeader", case_log({}, "\"t\",\"q, of \"\"J1\"\"\",tau")),
                     case_manifest("\"q\"", "\"q, of \\\"J1\\\"\"")),
       refused("17a", "UnclosedQuote", with_line_301("14.95,0.695,\"3.1"),

@@ -53,6 +53,10 @@ std::vector<InputCase> file_cases() {
   const std::string binary = "log.csv: is a binary file: ";
   const std::string export_it =
       ", expected a text file of columns; hint: export or unpack it as CSV";
+  const std::string by_python =
+      ", expected a text file of columns; hint: in a Python with pandas and pyarrow (pip install "
+      "pandas pyarrow): python3 -c \"import ";
+  const std::string to_csv = ".to_csv('LOG.csv')\"";
   const std::string iconv =
       "log.csv: looks like UTF-16 (byte 0), expected a text file of columns; hint: convert it: "
       "iconv -f UTF-16 -t UTF-8";
@@ -127,7 +131,23 @@ std::vector<InputCase> file_cases() {
               "ELF\x02\x01",
               binary + "ELF" + export_it),
       refused("10e", "Ros1Bag", "#ROSBAG V2.0\n", binary + "rosbag" + export_it),
-      refused("10f", "Parquet", "PAR1\x15\x04", binary + "Parquet" + export_it),
+      refused("10f", "Parquet", "PAR1\x15\x04",
+              binary + "Parquet" + by_python + "pandas; pandas.read_parquet('LOG')" + to_csv),
+      refused(
+          "10i", "ParquetEncrypted", "PARE\x15\x04",
+          binary +
+              "Parquet, encrypted, expected a text file of columns; hint: decrypt it and export "
+              "it as CSV"),
+      refused("10j", "Feather", "ARROW1\0\0\xff\xff\xff\xff"s,
+              binary + "Arrow (also .feather)" + by_python + "pandas; pandas.read_feather('LOG')" +
+                  to_csv),
+      refused("10k", "FeatherOf2016", "FEA1\0\0\0\0"s,
+              binary + "Feather (of 2016), expected a text file of columns; hint: apt-get install "
+                       "python3-feather-format; /usr/bin/python3 -c \"import feather; "
+                       "feather.read_dataframe('LOG').to_csv('LOG.csv')\""),
+      refused("10l", "ArrowStream", "\xff\xff\xff\xff\x10\1\0\0"s,
+              binary + "Arrow (a stream)" + by_python +
+                  "pyarrow; pyarrow.ipc.open_stream('LOG').read_pandas()" + to_csv),
       refused("10g", "Spreadsheet", "PK\x03\x04\x14" + std::string(40, '\x01'),
               binary + "zip (also .xlsx and .npz)" + export_it),
       refused("10h", "McapWithoutMessages", "\x89MCAP0\r\n",

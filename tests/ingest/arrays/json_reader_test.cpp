@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -71,11 +72,86 @@ TEST(Json, EveryOrientationOfPandasIsTheSameTable) {
   }
 }
 
-TEST(Json, TextsInAColumnOfPandasAreLeftOut) {
-  const auto tables =
-      read(R"({"columns":["t","mode","q"],"index":[0,1],"data":[[0,"slow",5],[1,"fast",6]]})");
+TEST(Json, WordsInEveryOrientationOfPandasAreAColumn) {
+  for (const char* const text :
+       {R"({"columns":["t","mode","q"],"index":[0,1],"data":[[0,"slow",5],[1,"fast",6]]})",
+        R"({"t":{"0":0,"1":1},"mode":{"0":"slow","1":"fast"},"q":{"0":5,"1":6}})",
+        R"([{"t":0,"mode":"slow","q":5},{"t":1,"mode":"fast","q":6}])"}) {
+    const auto tables = read(text);
+    ASSERT_EQ(tables.size(), 1U);
+    EXPECT_EQ(tables[0].header, (Names{"t", "mode", "q"}));
+    EXPECT_EQ(tables[0].columns[1].reading, ingest::log::ColumnReading::words);
+    EXPECT_EQ(tables[0].columns[1].words, (Names{"slow", "fast"}));
+    EXPECT_EQ(tables[0].columns[1].values, (Values{0, 1}));
+  }
+}
+
+TEST(Json, WordsAloneAreNoLog) {
+  EXPECT_EQ(refusal(R"([{"a": "x"}, {"a": "y"}])"),
+            "a.json: no rows of numbers, found 'a' is not read: it holds texts, expected arrays "
+            "of two or more numbers");
+  // Of names that a configuration lists nothing is made.
+  EXPECT_EQ(read(R"({"joints": ["a", "b", "c"], "t": [0, 1, 2]})")[0].header, Names{"t"});
+}
+
+TEST(Json, RecordsThatAreNotAlikeAreReadAsThoseThatAre) {
+  const auto tables = read(
+      R"([{"t": 0, "a": {"x": 1}, "q": [1, 2]}, {"t": 1, "a": {"x": 2}, "q": [3, 4]},
+          {"a": {"x": 3}, "t": 2, "q": [5, 6]}, {"t": 3, "a": {"x": 4, "y": 9}, "q": [7, 8]},
+          {"t": 4, "a": {"x": 5}, "q": [9, 10, 11]}, {"t": 5, "a": 7, "q": null}])");
   ASSERT_EQ(tables.size(), 1U);
-  EXPECT_EQ(tables[0].header, (Names{"t", "q"}));
+  const auto values = [&](const std::string& name) {
+    std::string text;
+    for (const auto& column : tables[0].columns) {
+      if (column.header.full != name) continue;
+      for (const double value : column.values)
+        text += std::isnan(value) ? "-" : fmt::format("{} ", value);
+    }
+    return text;
+  };
+  EXPECT_EQ(values("t"), "0 1 2 3 4 5 ");
+  EXPECT_EQ(values("a.x"), "1 2 3 4 5 -");
+  EXPECT_EQ(values("a.y"), "---9 --");
+  EXPECT_EQ(values("q_0"), "1 3 5 7 9 -");
+  EXPECT_EQ(values("q_2"), "----11 -");
+  EXPECT_EQ(values("a"), "-----7 ");
+}
+
+TEST(Json, LongFormatHasAColumnForEachSignal) {
+  // Out of order, with a reading that is lacking and one that stands twice.
+  const auto table = read(R"([
+      {"time": 0, "signal": "q", "value": 5, "unit": "deg", "by": "x"},
+      {"time": 0, "signal": "tau", "value": 7, "unit": "Nm", "by": "x"},
+      {"time": 1, "signal": "tau", "value": 8, "unit": "Nm", "by": "y"},
+      {"time": 2, "signal": "q", "value": 6, "unit": "deg", "by": "x"},
+      {"time": 2, "signal": "tau", "value": null, "unit": "Nm", "by": "x"},
+      {"time": 2, "signal": "q", "value": 99, "unit": "deg", "by": "x"}])")
+                         .at(0);
+  EXPECT_EQ(table.header, (Names{"time", "q", "tau"}));
+  EXPECT_EQ(table.columns[0].values, (Values{0, 1, 2}));
+  EXPECT_EQ(table.columns[1].header.unit, "deg");
+  EXPECT_EQ(table.columns[1].values[0], 5);
+  EXPECT_TRUE(std::isnan(table.columns[1].values[1]));
+  EXPECT_EQ(table.columns[1].values[2], 6);
+  EXPECT_EQ(table.columns[1].gaps, 1U);
+  EXPECT_EQ(table.columns[2].values[1], 8);
+  EXPECT_EQ(wording::words(table.notes),
+            (Names{"6 rows are a signal's reading each ('q', 'tau'); those of the same time are "
+                   "one row here",
+                   "1 reading is left out: its signal has one at that time",
+                   "'by' is not read: it is said of single readings"}));
+}
+
+TEST(Json, SignalsThatHaveNoTimesInCommonAreNotSpread) {
+  std::string text = "[";
+  for (int k = 0; k < 90; ++k) {
+    text +=
+        fmt::format(R"({}{{"t": {}, "name": "s{}", "value": {}}})", k == 0 ? "" : ",", k, k % 9, k);
+  }
+  const auto table = read(text + "]").at(0);
+  EXPECT_EQ(table.header, (Names{"t", "name"}));
+  EXPECT_EQ(wording::words(table.notes),
+            Names{"'value' is not read: its signals have too few times in common to be columns"});
 }
 
 TEST(Json, ABrokenLineIsNamed) {
@@ -113,13 +189,14 @@ TEST(Json, ObjectOfArrays) {
 
 TEST(Json, ArrayOfObjectsWithKeysThatComeAndGo) {
   const auto tables =
-      read(R"([{"t": 0, "q": 1}, {"t": 1, "T": 20}, {"t": 2, "q": null, "s": "x"}])");
+      read(R"([{"t": 0, "q": 1}, {"t": 1, "T": 20}, {"t": 2, "q": null, "s": [[]]}])");
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"t", "q", "T"}));
   EXPECT_EQ(tables[0].columns[1].gaps, 2U);
   EXPECT_EQ(tables[0].columns[2].gaps, 2U);
   EXPECT_EQ(tables[0].columns[2].values[1], 20);
-  EXPECT_EQ(wording::words(tables[0].notes), (Names{"'s' is not read: it holds texts"}));
+  EXPECT_EQ(wording::words(tables[0].notes),
+            (Names{"'s' is not read: it holds lists or objects in its rows"}));
 }
 
 TEST(Json, SeveralArraysOfObjectsKeepTheirNames) {

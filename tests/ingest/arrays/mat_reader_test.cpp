@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <ostream>
 #include <random>
 
@@ -161,6 +162,67 @@ INSTANTIATE_TEST_SUITE_P(Versions, Mat, testing::ValuesIn(forms), form_name);
 
 class NewerMat : public Mat {};
 
+matvar_t* words(const std::string& text, const char* name = nullptr) {
+  return variable(name, MAT_C_CHAR, MAT_T_UTF8, 1, text.size(), text.data());
+}
+
+matvar_t* cell(const char* name, std::vector<matvar_t*> elements) {
+  return variable(name, MAT_C_CELL, MAT_T_CELL, 1, elements.size(),
+                  static_cast<void*>(elements.data()));
+}
+
+TEST_P(NewerMat, CellsOfVectorsAreNamedByACellOfTextsBesideThem) {
+  {
+    MatMaker file(path_, GetParam());
+    file.add(cell("data", {doubles(nullptr, 3, 1, {0, 1, 2}), doubles(nullptr, 1, 3, {5, 6, 7}),
+                           doubles(nullptr, 3, 2, {1, 2, 3, 4, 5, 6})}));
+    file.add(cell("names", {words("t_s"), words("q_rad"), words("tau")}));
+    const char* fields[] = {"cells"};
+    std::size_t one[2] = {1, 1};
+    matvar_t* run = Mat_VarCreateStruct("run", 2, one, fields, 1);
+    Mat_VarSetStructFieldByName(
+        run, "cells", 0, cell(nullptr, {doubles(nullptr, 1, 3, {7, 8, 9}), words("a remark")}));
+    file.add(run);
+  }
+  const auto tables = ingest::arrays::read_mat(path_);
+  ASSERT_EQ(tables.size(), 1U);
+  Names header = tables[0].header;
+  std::sort(header.begin(), header.end());
+  EXPECT_EQ(header, (Names{"q_rad", "run.cells_0", "t_s", "tau_0", "tau_1"}));
+  const std::map<std::string, Values> expected = {{"t_s", {0, 1, 2}},
+                                                  {"q_rad", {5, 6, 7}},
+                                                  {"tau_0", {1, 2, 3}},
+                                                  {"tau_1", {4, 5, 6}},
+                                                  {"run.cells_0", {7, 8, 9}}};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(tables[0].columns[k].values, expected.at(tables[0].header[k]));
+  }
+  EXPECT_EQ(
+      wording::words(tables[0].notes),
+      (Names{"run.cells_1 = 'a remark'", "'names' is not read: it is a cell array of texts"}));
+}
+
+TEST_P(NewerMat, CellsOfStructsAreRead) {
+  {
+    MatMaker file(path_, GetParam());
+    const char* fields[] = {"t", "q"};
+    std::size_t one[2] = {1, 1};
+    std::vector<matvar_t*> runs;
+    for (double start : {0.0, 10.0}) {
+      runs.push_back(Mat_VarCreateStruct(nullptr, 2, one, fields, 2));
+      Mat_VarSetStructFieldByName(runs.back(), "t", 0, doubles(nullptr, 1, 2, {start, start + 1}));
+      Mat_VarSetStructFieldByName(runs.back(), "q", 0, doubles(nullptr, 1, 2, {start + 5, 6}));
+    }
+    file.add(cell("runs", runs));
+    // Two cells of as many texts do not tell which names them.
+    file.add(cell("names", {words("slow"), words("fast")}));
+    file.add(cell("remarks", {words("cold"), words("warm")}));
+  }
+  const auto table = ingest::arrays::read_mat(path_).at(0);
+  EXPECT_EQ(table.header, (Names{"runs_0.t", "runs_0.q", "runs_1.t", "runs_1.q"}));
+  EXPECT_EQ(table.columns[3].values, (Values{15, 6}));
+}
+
 TEST_P(NewerMat, StructsGiveDottedNames) {
   {
     MatMaker file(path_, GetParam());
@@ -225,14 +287,13 @@ TEST_P(NewerMat, OthersAreNamed) {
     std::size_t three[3] = {2, 2, 2};
     Values cube(8);
     file.add(Mat_VarCreate("cube", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, three, cube.data(), 0));
-    matvar_t* cells[2] = {doubles(nullptr, 1, 2, {1, 2}), doubles(nullptr, 1, 1, {1})};
-    file.add(variable("cell", MAT_C_CELL, MAT_T_CELL, 2, 1, static_cast<void*>(cells)));
+    file.add(cell("cell", {words("a"), words("b")}));
   }
   const auto tables = ingest::arrays::read_mat(path_);
   EXPECT_EQ(tables[0].columns[0].gaps, 1U);
   Names notes = wording::words(tables[0].notes);
   std::sort(notes.begin(), notes.end());
-  EXPECT_EQ(notes, (Names{"'cell' is not read: it is a cell array",
+  EXPECT_EQ(notes, (Names{"'cell' is not read: it is a cell array of texts",
                           "'cube' is not read: it has more than two dimensions: 2 x 2 x 2",
                           "'z' is not read: it holds complex numbers"}));
 }
@@ -307,6 +368,130 @@ TEST_F(MatFiles, NothingOutsideOfA73FileIsRead) {
   }
   EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); }),
             path + ": some of its values are in other files, which are not read");
+}
+
+/// An element of MAT 5: kind, length, values, filled up to eight bytes.
+std::string mat_5(std::uint32_t kind, const std::string& values) {
+  std::string bytes(8, '\0');
+  const auto length = static_cast<std::uint32_t>(values.size());
+  std::memcpy(bytes.data(), &kind, 4);
+  std::memcpy(bytes.data() + 4, &length, 4);
+  return bytes + values + std::string((8 - values.size() % 8) % 8, '\0');
+}
+
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+std::string mat_5_flags(std::uint32_t array_class) {
+  return mat_5(6, bytes_of(std::vector<std::uint32_t>{array_class, 0}));
+}
+
+std::string mat_5_numbers(const std::string& name, std::uint32_t array_class, std::uint32_t kind,
+                          int count, const std::string& values) {
+  return mat_5(14, mat_5_flags(array_class) + mat_5(5, bytes_of(std::vector<int>{count, 1})) +
+                       mat_5(1, name) + mat_5(kind, values));
+}
+
+/// As MATLAB saves an object: its class, and a number of what it stores of all objects behind the
+/// last variable.
+std::string mat_5_object(const std::string& name, const std::string& class_name) {
+  const std::vector<std::uint32_t> number{0xdd000000U, 2, 1, 1, 1, 1};
+  return mat_5(14, mat_5_flags(17) + mat_5(1, name) + mat_5(1, "MCOS") + mat_5(1, class_name) +
+                       mat_5_numbers("", 13, 6, 6, bytes_of(number)));
+}
+
+std::string mat_5_doubles(const std::string& name, const Values& values) {
+  return mat_5_numbers(name, 6, 9, static_cast<int>(values.size()), bytes_of(values));
+}
+
+std::string mat_5_file(const std::string& variables) {
+  std::string header = "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(90, ' ');
+  header.replace(124, 4, std::string("\0\1IM", 4));
+  const std::uint64_t stored = header.size() + variables.size();
+  std::memcpy(header.data() + 116, &stored, 8);
+  return header + variables + mat_5_numbers("", 9, 2, 200, std::string(200, '\7'));
+}
+
+TEST_F(MatFiles, ObjectsOfMatlabAreRefusedWithTheLineThatMakesVectors) {
+  const auto tables = ingest::arrays::read_mat(directory_.file(
+      "a.mat", mat_5_file(mat_5_object("tt", "timetable") + mat_5_doubles("t", {0, 1, 2}) +
+                          mat_5_object("ts", "timeseries") + mat_5_doubles("q", {5, 6, 7}) +
+                          mat_5_object("odd", "my.Class"))));
+  ASSERT_EQ(tables.size(), 1U) << "what MATLAB stores of objects is no array";
+  EXPECT_EQ(tables[0].header, (Names{"t", "q"}));
+  EXPECT_EQ(tables[0].columns[1].values, (Values{5, 6, 7}));
+  EXPECT_EQ(
+      wording::words(tables[0].notes),
+      (Names{"'tt' is not read: it is a timetable, which MATLAB alone reads; there: s = "
+             "table2struct(timetable2table(tt, 'ConvertRowTimes', false), 'ToScalar', true); s.t_s "
+             "= seconds(tt.Properties.RowTimes - tt.Properties.RowTimes(1)); save('plain.mat', "
+             "'-struct', 's')",
+             "'ts' is not read: it is a timeseries, which MATLAB alone reads; there: s.t_s = "
+             "ts.Time; s.value = squeeze(ts.Data); save('plain.mat', '-struct', 's'), with a field "
+             "for each further one",
+             "'odd' is not read: it is an object of a MATLAB class, my.Class, which MATLAB alone "
+             "reads; save its numbers there as vectors: s.t_s = ...; s.q = ...; "
+             "save('plain.mat', '-struct', 's')"}));
+}
+
+TEST_F(MatFiles, ObjectsWithinAreNamedByTheirPath) {
+  const auto tables = ingest::arrays::read_mat(directory_.file(
+      "a.mat", mat_5_file(mat_5_doubles("t", {0, 1, 2}) +
+                          mat_5(14, mat_5_flags(1) + mat_5(5, bytes_of(std::vector<int>{1, 2})) +
+                                        mat_5(1, "cells") + mat_5_object("", "table") +
+                                        mat_5_doubles("", {5, 6, 7})))));
+  EXPECT_EQ(tables.at(0).header, (Names{"t", "cells_1"}));
+  EXPECT_EQ(wording::words(tables[0].notes),
+            (Names{"'cells_0' is not read: it is a table, which MATLAB alone reads; there: s = "
+                   "table2struct(x, 'ToScalar', true); save('plain.mat', '-struct', 's')"}));
+}
+
+TEST_F(MatFiles, ObjectsIn73AreNamedToo) {
+  const std::string path = directory_.path("log.mat");
+  {
+    MatMaker file(path, forms[3]);
+    file.add(doubles("t", 3, 1, {0, 1, 2}));
+    const std::uint32_t number[] = {0xdd000000U, 2, 1, 1, 1, 1};
+    file.add(variable("tt", MAT_C_UINT32, MAT_T_UINT32, 1, 6, number));
+  }
+  {
+    using ingest::hdf5_matlab::Hdf5Handle;
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle stored(
+        H5Gcreate2(file.get(), "#subsystem#", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    const Hdf5Handle object(H5Dopen2(file.get(), "tt", H5P_DEFAULT), H5Dclose);
+    ASSERT_GE(H5Adelete(object.get(), "MATLAB_class"), 0);
+    const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(text.get(), 9);
+    const Hdf5Handle class_name(H5Acreate2(object.get(), "MATLAB_class", text.get(), scalar.get(),
+                                           H5P_DEFAULT, H5P_DEFAULT),
+                                H5Aclose);
+    H5Awrite(class_name.get(), text.get(), "timetable");
+    const Hdf5Handle decode(H5Acreate2(object.get(), "MATLAB_object_decode", H5T_NATIVE_INT,
+                                       scalar.get(), H5P_DEFAULT, H5P_DEFAULT),
+                            H5Aclose);
+    const int opaque = 3;
+    H5Awrite(decode.get(), H5T_NATIVE_INT, &opaque);
+  }
+  const auto tables = ingest::arrays::read_mat(path);
+  EXPECT_EQ(tables.at(0).header, (Names{"t"}));
+  ASSERT_EQ(tables[0].notes.size(), 1U);
+  EXPECT_TRUE(wording::words(tables[0].notes[0])
+                  .starts_with("'tt' is not read: it is a timetable, which MATLAB alone reads"))
+      << wording::words(tables[0].notes[0]);
+}
+
+TEST_F(MatFiles, DamagedObjectsAreAnswered) {
+  const std::string bytes =
+      mat_5_file(mat_5_object("tt", "timetable") + mat_5_doubles("t", {0, 1, 2}));
+  const auto read = [this](const std::string& changed) {
+    return ingest::arrays::read_mat(directory_.file("damaged.mat", changed));
+  };
+  test::expect_cuts_answered(read, bytes, 40);
+  test::expect_changes_answered(read, bytes, 40);
 }
 
 TEST_F(MatFiles, RefusalsAreOneLine) {

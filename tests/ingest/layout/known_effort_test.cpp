@@ -24,6 +24,9 @@ TEST(KnownEffort, OfUrIsACurrentOrAModelsTarget) {
 TEST(KnownEffort, OfFrankaAndKukaIsBehindTheGear) {
   EXPECT_TRUE(ingest::layout::known_effort("state.q[3]", "state.tau_J[3]")->is_behind_gear);
   EXPECT_TRUE(ingest::layout::known_effort("mp7", "mt7")->is_behind_gear);
+  EXPECT_TRUE(ingest::layout::known_effort("q[2]", "tau_J[2]")->is_behind_gear);
+  EXPECT_TRUE(ingest::layout::known_effort("measured_joint_position_0", "measured_torque_0")
+                  ->is_behind_gear);
   EXPECT_FALSE(ingest::layout::known_effort("positions_1", "torques_1")->is_behind_gear);
 }
 

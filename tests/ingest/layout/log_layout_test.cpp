@@ -89,6 +89,87 @@ TEST(LogLayout, KnowsThatFrankaMeasuresBehindTheGearAndCountsMilliseconds) {
   EXPECT_NE(torque->effort.remark.find("behind the gear"), std::string::npos);
 }
 
+// The fields of franka::RobotState, as its documentation names them.
+TEST(LogLayout, KnowsFrankasStateByItsFields) {
+  const ingest::layout::LogLayout l =
+      layout_of({"time", "q[0]", "q[1]", "dq[0]", "tau_J[0]", "tau_J_d[0]", "q_d[0]",
+                 "tau_ext_hat_filtered[0]", "O_T_EE[12]"});
+  EXPECT_EQ(l.logger, "libfranka");
+  EXPECT_EQ(l.joints(), (std::vector<std::string>{"0", "1"}));
+  EXPECT_FALSE(l.find(ingest::log::Quantity::time, "")->unit_is_stated);
+  ASSERT_NE(l.find(ingest::log::Quantity::torque, "0"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "0")->column, 4U);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "0")->effort.side, joint::Side::joint);
+}
+
+// Tags and attributes of RSI's telegram, joined by a point as RSIPI's logger does.
+TEST(LogLayout, KnowsKukasRsi) {
+  for (const std::string sender : {"", "Send."}) {
+    const ingest::layout::LogLayout l = layout_of(
+        {sender + "IPOC", sender + "RIst.X", sender + "RIst.A", sender + "AIPos.A1",
+         sender + "AIPos.A2", sender + "ASPos.A1", sender + "MACur.A1", "Receive.RKorr.X"});
+    EXPECT_EQ(l.logger, "KUKA RSI");
+    EXPECT_EQ(l.joints(), (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(l.find(ingest::log::Quantity::time, "")->unit, "ms");
+    EXPECT_EQ(l.find(ingest::log::Quantity::angle, "1")->unit, "deg");
+    ASSERT_NE(l.find(ingest::log::Quantity::current, "1"), nullptr);
+    EXPECT_FALSE(l.find(ingest::log::Quantity::current, "1")->unit_is_stated);
+    EXPECT_EQ(l.columns.size(), 5U) << "no pose of the tool";
+  }
+}
+
+// LBRState of lbr_fri_ros2_stack.
+TEST(LogLayout, KnowsKukasFriByItsStatesFields) {
+  const ingest::layout::LogLayout l =
+      layout_of({"time", "external_torque_0", "measured_joint_position_0", "measured_torque_0",
+                 "commanded_joint_position_0"});
+  EXPECT_EQ(l.logger, "KUKA FRI");
+  ASSERT_NE(l.find(ingest::log::Quantity::torque, "0"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "0")->column, 3U) << "the outer one is a guess";
+}
+
+// The columns of abb_libegm's EGMLogger; those of rpiRobotics/abb_motion_program_exec.
+TEST(LogLayout, KnowsWhatAbbsRobotsLog) {
+  const ingest::layout::LogLayout egm =
+      layout_of({"TIMESTAMP", "R_FB_POS_RJ1", "R_FB_POS_EJ1", "R_FB_VEL_RJ1", "R_FB_POS_X",
+                 "R_PL_POS_RJ1", "S_REF_POS_RJ1"});
+  EXPECT_EQ(egm.logger, "ABB EGM");
+  EXPECT_EQ(egm.joints(), std::vector<std::string>{"1"});
+  EXPECT_EQ(egm.find(ingest::log::Quantity::angle, "1")->column, 1U);
+  EXPECT_EQ(egm.find(ingest::log::Quantity::angular_speed, "1")->unit, "deg/s");
+  const ingest::layout::LogLayout program =
+      layout_of({"timestamp", "cmdnum", "J1", "J2", "J3", "J4", "J5", "J6"});
+  EXPECT_EQ(program.joints(), (std::vector<std::string>{"1", "2", "3", "4", "5", "6"}));
+  EXPECT_FALSE(program.find(ingest::log::Quantity::angle, "6")->unit_is_stated);
+  // A drive's reference is no measurement.
+  const ingest::layout::LogLayout signals =
+      layout_of({"Time [s]", "Joint position 1 [deg]", "torque_ref 1 [Nm]"});
+  EXPECT_EQ(signals.joints(), std::vector<std::string>{"1"});
+  ASSERT_EQ(signals.columns.size(), 3U);
+  EXPECT_TRUE(signals.columns[2].is_target);
+  EXPECT_EQ(signals.columns[2].joint, "1");
+}
+
+// FANUC's system variable; tables of a pendant, whose torques are in per cent.
+TEST(LogLayout, KnowsWhatFanucsRobotsLog) {
+  const ingest::layout::LogLayout l =
+      layout_of({"Time [ms]", "$SCR_GRP[1].$MCH_ANG[3]", "J3 torque [%]"});
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"3"});
+  EXPECT_EQ(l.find(ingest::log::Quantity::angle, "3")->unit, "rad");
+  ASSERT_EQ(l.foreign.size(), 1U);
+  EXPECT_EQ(l.foreign[0].joint, "3");
+  const ingest::layout::LogLayout pendant =
+      layout_of({"Time", "J1 (deg)", "J1 current (A)", "J2 (deg)"});
+  EXPECT_EQ(pendant.joints(), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(pendant.find(ingest::log::Quantity::current, "1")->unit, "A");
+}
+
+TEST(LogLayout, AJointsNameIsNoAngleBesideOne) {
+  const ingest::layout::LogLayout l = layout_of({"t", "q1", "J1", "J2"});
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"1"});
+  EXPECT_EQ(l.columns.size(), 2U);
+}
+
 TEST(LogLayout, KnowsTheOthersToo) {
   EXPECT_EQ(layout_of({"index", "time", "mp1", "ip1", "mt1", "et1"}).logger, "KUKA FRI");
   EXPECT_EQ(
