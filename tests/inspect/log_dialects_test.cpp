@@ -274,6 +274,23 @@ std::vector<Dialect> dialects() {
                                            : fmt::format("{:.5f}", current_A(k - rows));
                          }) +
            "}"},
+      {"LongFormatInText", "log.csv",
+       log_of("time;signal;value;unit\n",
+              [](int k) {
+                return fmt::format("{0:.2f};q;{1:.6f};rad\n{0:.2f};i;{2:.5f};A", t_s(k), q_rad(k),
+                                   current_A(k));
+              })},
+      {"LongFormatOfJointsInText", "log.csv",
+       log_of(",timestamp,joint,variable,value\n",
+              [](int k) {
+                return fmt::format("{3},{0:.2f},elbow,q_rad,{1:.6f}\n{4},{0:.2f},elbow,i_A,{2:.5f}",
+                                   t_s(k), q_rad(k), current_A(k), 2 * k, 2 * k + 1);
+              })},
+      {"MeltedInText", "log.csv",
+       log_of("t_s,variable,value\n",
+              [](int k) { return fmt::format("{:.2f},q_rad,{:.6f}", t_s(k), q_rad(k)); }) +
+           log_of("",
+                  [](int k) { return fmt::format("{:.2f},i_A,{:.5f}", t_s(k), current_A(k)); })},
       {"KukaTrace", "log.txt",
        log_of("Zeit [ms]\tAIPos_A2 [Grad]\tMACur_A2 [A]\n",
               [](int k) {

@@ -14,6 +14,7 @@
 #include "ingest/arrays/array_readers.h"
 #include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
+#include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
@@ -175,8 +176,13 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
   FingerprintedSource bytes(log);
   const log::LogFormat format = format_of_log(path);
   ReadLog read;
-  read.table = format == log::LogFormat::text ? text::read_csv(bytes, path, columns, rules)
-                                              : take_columns(read_tables(path, format), columns);
+  if (format != log::LogFormat::text) {
+    read.table = take_columns(read_tables(path, format), columns);
+  } else if (auto tables = read_long_text(path, columns, rules)) {
+    read.table = take_columns(std::move(*tables), columns);
+  } else {
+    read.table = text::read_csv(bytes, path, columns, rules);
+  }
   read_to_the_end(bytes);
   if (log.has_grown()) {
     RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});

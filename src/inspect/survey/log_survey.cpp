@@ -12,6 +12,7 @@
 #include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
+#include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
@@ -73,6 +74,7 @@ namespace {
 std::vector<ingest::log::LogTable> tables_of(const std::string& path, ingest::log::LogFormat format,
                                              const ingest::text::TextLogRules& rules) {
   if (format != ingest::log::LogFormat::text) return ingest::dataset::read_tables(path, format);
+  if (auto tables = ingest::dataset::read_long_text(path, {}, rules)) return std::move(*tables);
   InputFileSource bytes(path);
   return {ingest::text::read_csv(bytes, path, {}, rules)};
 }
