@@ -155,6 +155,26 @@ log::LogTable take_columns(std::vector<log::LogTable> tables,
 
 namespace {
 
+bool is_named(const log::LogColumn& column, const log::LogTable& table, const std::string& name) {
+  const log::ColumnHeader& header = column.header;
+  return header.full == name || header.name == name || table.group + "/" + header.full == name ||
+         (header.place > 0 && "#" + std::to_string(header.place) == name);
+}
+
+/// Takes the columns that are no part of the recording out of the table.
+/// @param columns as they were read: the optional ones stand together.
+void set_others_apart(const std::vector<log::WantedColumn>& columns, ReadLog& read) {
+  const auto is_optional = [](const log::WantedColumn& wanted) { return wanted.is_optional; };
+  const auto first = std::find_if(columns.begin(), columns.end(), is_optional);
+  std::vector<log::LogColumn>& of_table = read.table.columns;
+  auto place = of_table.begin() + (first - columns.begin());
+  for (auto wanted = first; wanted != columns.end() && wanted->is_optional; ++wanted) {
+    if (place == of_table.end() || !is_named(*place, read.table, wanted->name)) continue;
+    read.others.emplace(wanted->name, std::move(*place));
+    place = of_table.erase(place);
+  }
+}
+
 /// For the fingerprint: other readers open the file themselves.
 void read_to_the_end(ByteSource& bytes) {
   constexpr std::size_t at_a_time = std::size_t{1} << 20;
@@ -172,6 +192,7 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
   ReadLog read;
   read.table = format == log::LogFormat::text ? text::read_csv(bytes, path, columns, rules)
                                               : take_columns(read_tables(path, format), columns);
+  set_others_apart(columns, read);
   read_to_the_end(bytes);
   if (log.has_grown()) {
     RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});
@@ -241,13 +262,14 @@ void keep_rows(const manifest::RowsEntry& wanted, log::LogTable& table) {
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
-                                              std::vector<Statement>& notes) {
+                                              std::vector<Statement>& notes,
+                                              const std::vector<std::string>& others) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
   const std::string path = (directory_ / entry.file).string();
-  std::vector<log::WantedColumn> columns = columns_wanted(entry, loads);
+  std::vector<log::WantedColumn> columns = columns_wanted(entry, loads, others);
   Kept& kept = kept_[entry.file];
   const std::optional<double> rate_Hz =
       entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
