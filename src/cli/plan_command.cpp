@@ -31,9 +31,8 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   }
   render::workers::FigureRenderer renderer(
       options.processes);  // starts while the plan is simulated
-  report::PlanReport report = plan_of_joint(
-      options, text, options.of_robot, provenance,
-      [&] { console.progress("simulating the plan", 0, 1); });
+  report::PlanReport report = plan_of_joint(options, text, options.of_robot, provenance,
+                                            [&] { console.progress("simulating the plan", 0, 1); });
   const std::size_t failed =
       add_plan(report, options.directory, options.language, renderer, files, console);
   files.commit();
@@ -55,8 +54,9 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
       ->required();
   command.add_option("-o,--output", plan.directory, "directory to write to")->required();
   command
-      .add_option("--joint", plan.of_robot, "one joint of a whole robot's file, [[joints]], by its "
-                                            "name")
+      .add_option("--joint", plan.of_robot,
+                  "one joint of a whole robot's file, [[joints]], by its "
+                  "name")
       ->type_name("NAME");
   command.add_option("--calibration", plan.calibration,
                      "calibration (JSON) of this joint, from an earlier plan; of a robot the "
@@ -76,8 +76,10 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
       "carry\nout, and the intervals to expect, by simulation. Writes plan.html, "
       "plan.json,\nsetpoints.csv (time, angle, speed; torque of the ramps) and dataset.toml, with "
       "which\n`tribolog report` reads the recorded log. What the limits do not allow is "
-      "reported,\nwith the number and what would help. examples/plan/joint.toml shows every key.\n\nOf a "
-      "whole robot (examples/plan/robot.toml) each joint's files are in a directory of its\nown, and "
+      "reported,\nwith the number and what would help. examples/plan/joint.toml shows every "
+      "key.\n\nOf a "
+      "whole robot (examples/plan/robot.toml) each joint's files are in a directory of its\nown, "
+      "and "
       "index.html leads to them.");
   return command;
 }

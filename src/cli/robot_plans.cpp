@@ -27,8 +27,8 @@ constexpr const char* robot_page_name = "index.html";
 
 struct JointToPlan {
   std::string name;
-  std::string directory;    ///< Of its files, in that of the robot.
-  std::string calibration;  ///< Empty: none.
+  std::string directory;                     ///< Of its files, in that of the robot.
+  std::string calibration;                   ///< Empty: none.
   std::optional<report::PlanReport> report;  ///< Absent: see refusal.
   std::string refusal;
   ExitStatus status{ExitStatus::done};  ///< Of the refusal.
@@ -115,8 +115,7 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
   if (each.threads == 0) each.threads = threads_for_each(joints.size());
   JointProgress progress(joints, console);
   parallel_for(
-      all.size(),
-      [&](std::size_t k) { plan_one(each, text, provenance, progress.of(k), all[k]); },
+      all.size(), [&](std::size_t k) { plan_one(each, text, provenance, progress.of(k), all[k]); },
       options.threads);
   console.finish();
 

@@ -158,7 +158,8 @@ CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   command.add_flag("--json", show.json, "all of them as JSON, to standard output");
   command.footer(
       "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
-      "are SI, torques at the motor. Of a whole robot each joint's verdict and headline numbers\nare "
+      "are SI, torques at the motor. Of a whole robot each joint's verdict and headline "
+      "numbers\nare "
       "shown.");
   return command;
 }
@@ -189,7 +190,8 @@ bool is_headline(const std::string& key) {
          key == "coulomb_torque" || key == "viscous_coefficient";
 }
 
-/// Each joint's verdict, and a row for each of its headline numbers. @param page as its page embeds it.
+/// Each joint's verdict, and a row for each of its headline numbers. @param page as its page embeds
+/// it.
 std::string robot_text(const nlohmann::json& page) {
   inspect::survey::TextTable facts(0);
   for (const char* const key : {"robot", "serial"}) {
@@ -226,8 +228,8 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
     try {
       console.say(robot_text(nlohmann::json::parse(numbers.json)));
     } catch (const nlohmann::json::exception&) {
-      throw InputError({file, 0, 0}, {"the numbers in the page are not a robot's", "", "",
-                                      "they were changed"});
+      throw InputError({file, 0, 0},
+                       {"the numbers in the page are not a robot's", "", "", "they were changed"});
     }
     return ExitStatus::done;
   }
@@ -239,8 +241,7 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
     print_json(numbers.json);
     return ExitStatus::done;
   }
-  const calibration::NewCalibration made =
-      calibration::entry_of_calibration(numbers.json, file);
+  const calibration::NewCalibration made = calibration::entry_of_calibration(numbers.json, file);
   if (options.json) {
     print_json(numbers.json);
   } else {

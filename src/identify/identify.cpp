@@ -437,18 +437,21 @@ std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& da
   return verdict::judge(p.c).quantities;
 }
 
-/// Half of what each quantity changes between masses that are too small and too large by what is
-/// stated of them.
+/// The most that each quantity changes where the masses are too small or too large by what is
+/// stated of them: by steps that choose, it need not be the same to both sides.
 void find_description_shifts(Progress& p) {
   const std::optional<double>& percent = p.dataset.manifest.uncertainty.description_percent;
   const double share = percent.value_or(0) / 100;
   if (share == 0) return;
+  const auto stated = verdict::judge(p.c).quantities;
   const auto less = quantities_of(with_more_taken_off(p.dataset, -share));
   const auto more = quantities_of(with_more_taken_off(p.dataset, share));
-  for (std::size_t k = 0; k < less.size(); ++k) {
-    if (!less[k].estimate || !more[k].estimate) continue;
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    if (!stated[k].estimate || !less[k].estimate || !more[k].estimate) continue;
+    const double value = stated[k].estimate->value;
     p.c.description_shifts.push_back(
-        {less[k].quantity, std::abs(more[k].estimate->value - less[k].estimate->value) / 2});
+        {stated[k].quantity, std::max(std::abs(more[k].estimate->value - value),
+                                      std::abs(less[k].estimate->value - value))});
   }
 }
 

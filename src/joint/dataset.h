@@ -130,8 +130,8 @@ struct Manifest {
   IntervalSettings intervals;
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
-  std::vector<OtherJoint> other_joints{};        ///< Whose angles were looked for in the logs.
-  std::optional<ArmGravity> arm_gravity{};       ///< Of a description with masses.
+  std::vector<OtherJoint> other_joints{};      ///< Whose angles were looked for in the logs.
+  std::optional<ArmGravity> arm_gravity{};     ///< Of a description with masses.
   std::shared_ptr<const friction::StaticFriction>
       reference;                        ///< Known curve (simulation), motor side.
   std::vector<AcceptanceLimit> limits;  ///< What the user accepts; may be empty.

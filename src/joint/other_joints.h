@@ -36,12 +36,12 @@ struct HeldJoint {
 /// Gravity by the masses of a description (URDF): what the others' motion changes of it, against a
 /// posture in which they stand, was subtracted from the torque when reading. Torques at the joint.
 struct ArmGravity {
-  std::string description;  ///< File, relative to the manifest.
+  std::string description;                             ///< File, relative to the manifest.
   std::array<double, 3> gravity_m_s2{0, 0, -9.80665};  ///< In the base's frame.
-  double description_percent{10};  ///< Half width at 95 % of the masses and their centres.
-  std::string tested;              ///< The tested joint's name in the description.
-  bool is_by_order{};              ///< Joints were matched by their order, for want of names.
-  std::vector<HeldJoint> held;     ///< The posture: the means over the first sweep.
+  double description_percent{10};    ///< Half width at 95 % of the masses and their centres.
+  std::string tested;                ///< The tested joint's name in the description.
+  bool is_by_order{};                ///< Joints were matched by their order, for want of names.
+  std::vector<HeldJoint> held;       ///< The posture: the means over the first sweep.
   std::optional<StatedGravity> own;  ///< Of the tested joint in that posture.
   std::size_t samples{};             ///< From which it was subtracted.
   double largest_Nm{};               ///< Largest size subtracted.

@@ -118,11 +118,12 @@ std::string taken_off_in_words(const joint::ArmGravity& arm, double gear_ratio) 
   constexpr int digits = 3;
   const std::string largest =
       wording::with_unit(wording::significant(arm.largest_Nm, digits), "N·m");
-  return tr("by the masses of {file}, against the posture of the first sweep: up to {torque} at the "
-            "joint ÷ {gear_ratio} (gear ratio)",
-            {{"file", printable(arm.description)},
-             {"torque", largest},
-             {"gear_ratio", wording::as_stated(gear_ratio)}});
+  return tr(
+      "by the masses of {file}, against the posture of the first sweep: up to {torque} at the "
+      "joint ÷ {gear_ratio} (gear ratio)",
+      {{"file", printable(arm.description)},
+       {"torque", largest},
+       {"gear_ratio", wording::as_stated(gear_ratio)}});
 }
 
 Table conversions_table(const calibration::Calibration& c) {

@@ -112,8 +112,8 @@ std::string masses_in_words(const joint::ArmGravity& arm) {
   constexpr int digits = 4;
   std::string held;
   for (const joint::HeldJoint& one : arm.held) {
-    held += (held.empty() ? "" : ", ") + printable(one.name) + " " +
-            angle_in_words(one.position_rad);
+    held +=
+        (held.empty() ? "" : ", ") + printable(one.name) + " " + angle_in_words(one.position_rad);
   }
   const std::string file =
       tr("{file}, taken to be right within {share}",
@@ -123,8 +123,8 @@ std::string masses_in_words(const joint::ArmGravity& arm) {
   return file + "; " +
          tr("gravity of {joint} by it is {torque} at the joint, largest at {angle}, with {held}",
             {{"joint", printable(arm.tested)},
-             {"torque", wording::with_unit(wording::significant(arm.own->amplitude_Nm(), digits),
-                                           "N·m")},
+             {"torque",
+              wording::with_unit(wording::significant(arm.own->amplitude_Nm(), digits), "N·m")},
              {"angle", angle_in_words(arm.own->q_peak_rad())},
              {"held", held.empty() ? "–" : held}});
 }

@@ -77,22 +77,23 @@ Table order_table(const std::vector<RobotPlanJoint>& joints) {
       continue;
     }
     const double duration_s = joint.plan->duration_s();
-    table.rows.push_back({{printable(joint.name), state_of(joint),
-                           exports::experiment::duration_text(start_s),
-                           exports::experiment::duration_text(duration_s),
-                           wording::count(recordings_in(*joint.plan)), start_of(*joint.plan)},
-                          false});
+    table.rows.push_back(
+        {{printable(joint.name), state_of(joint), exports::experiment::duration_text(start_s),
+          exports::experiment::duration_text(duration_s),
+          wording::count(recordings_in(*joint.plan)), start_of(*joint.plan)},
+         false});
     start_s += duration_s;
   }
-  table.note = tr("Times are those of the set points; moving each joint to its first angle comes "
-                  "between them.");
+  table.note =
+      tr("Times are those of the set points; moving each joint to its first angle comes "
+         "between them.");
   return table;
 }
 
 void fill_part(const plan::PlannedPart& part, TemplateValues& values) {
   TemplateValues& out = values.add_section("PART");
   const bool is_there = part.recordings > 0;
-  out.set("OUTCOME", class_of(part.state == plan::PartState::planned    ? Outcome::good
+  out.set("OUTCOME", class_of(part.state == plan::PartState::planned      ? Outcome::good
                               : part.state == plan::PartState::impossible ? Outcome::bad
                                                                           : Outcome::partial));
   out.set("TITLE", wording::capitalised(exports::experiment::part_title(part.role)));
@@ -133,36 +134,39 @@ void fill_verdict_of_plans(const std::vector<RobotPlanJoint>& joints, TemplateVa
     planned += joint.plan != nullptr && !joint.plan->segments.empty() ? 1 : 0;
     is_first_of_two |= joint.plan != nullptr && joint.plan->is_first_of_two();
   }
-  verdict.set("WORD", planned == 0           ? tr("NOT POSSIBLE")
-                      : worst == Outcome::bad ? tr("PLAN, NOT OF ALL JOINTS")
-                      : is_first_of_two       ? tr("FIRST PART OF TWO")
+  verdict.set("WORD", planned == 0             ? tr("NOT POSSIBLE")
+                      : worst == Outcome::bad  ? tr("PLAN, NOT OF ALL JOINTS")
+                      : is_first_of_two        ? tr("FIRST PART OF TWO")
                       : worst == Outcome::good ? tr("PLAN")
                                                : tr("PLAN, WITH LIMITS"));
-  verdict.set("SENTENCE",
-              tr_count(static_cast<std::int64_t>(planned),
-                       "{planned} of {joints} joints is measured in {duration}.",
-                       "{planned} of {joints} joints are measured in {duration}.",
-                       {{"planned", planned},
-                        {"joints", joints.size()},
-                        {"duration", exports::experiment::duration_text(whole_duration_s(joints))}}));
+  verdict.set(
+      "SENTENCE",
+      tr_count(static_cast<std::int64_t>(planned),
+               "{planned} of {joints} joints is measured in {duration}.",
+               "{planned} of {joints} joints are measured in {duration}.",
+               {{"planned", planned},
+                {"joints", joints.size()},
+                {"duration", exports::experiment::duration_text(whole_duration_s(joints))}}));
   fill_outcome(worst, verdict);
   TemplateValues& findings = verdict.add_section("FINDINGS");
   const auto add_text = [&](const std::string& text) {
     findings.add_section("FINDING").set("TEXT", text);
   };
-  add_text(tr("The joints move one at a time, in this order; the others stand still, in a pose in "
-              "which the axis of the moving joint is horizontal."));
+  add_text(
+      tr("The joints move one at a time, in this order; the others stand still, in a pose in "
+         "which the axis of the moving joint is horizontal."));
   if (is_first_of_two) {
-    add_text(tr("Parts around a gravity peak have to wait for its angle: record these plans, report "
-                "on the robot, and plan again with --calibration and the directory of the report."));
+    add_text(
+        tr("Parts around a gravity peak have to wait for its angle: record these plans, report "
+           "on the robot, and plan again with --calibration and the directory of the report."));
   }
 }
 
 RobotPlanJson joint_json(const RobotPlanJoint& joint) {
-  RobotPlanJson made{{"name", joint.name},
-                     {"plan", joint.file.empty() ? RobotPlanJson(nullptr) : RobotPlanJson(joint.file)},
-                     {"refusal", joint.plan == nullptr ? RobotPlanJson(joint.refusal)
-                                                       : RobotPlanJson(nullptr)}};
+  RobotPlanJson made{
+      {"name", joint.name},
+      {"plan", joint.file.empty() ? RobotPlanJson(nullptr) : RobotPlanJson(joint.file)},
+      {"refusal", joint.plan == nullptr ? RobotPlanJson(joint.refusal) : RobotPlanJson(nullptr)}};
   if (joint.plan == nullptr) return made;
   made["sentence"] = exports::experiment::plan_sentence(*joint.plan);
   made["duration_s"] = joint.plan->duration_s();
@@ -187,8 +191,7 @@ std::string plans_json(const std::vector<RobotPlanJoint>& joints,
                     {"duration_s", whole_duration_s(joints)},
                     {"joints", RobotPlanJson::array()}};
   for (const RobotPlanJoint& joint : joints) all["joints"].push_back(joint_json(joint));
-  return json_without_hidden(
-             all.dump(2, ' ', false, RobotPlanJson::error_handler_t::replace)) +
+  return json_without_hidden(all.dump(2, ' ', false, RobotPlanJson::error_handler_t::replace)) +
          "\n";
 }
 
@@ -202,19 +205,18 @@ const joint::JointFacts* facts_of_robot(const std::vector<RobotPlanJoint>& joint
 }  // namespace
 
 std::string robot_plan_page(const std::vector<RobotPlanJoint>& joints,
-                            const calibration::Provenance& provenance,
-                            wording::Language language) {
+                            const calibration::Provenance& provenance, wording::Language language) {
   const std::string numbers = plans_json(joints, provenance);
   const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values, PageKind::robot);
   const joint::JointFacts* facts = facts_of_robot(joints);
   values.set("TITLE", facts == nullptr ? tr("Robot") : or_dash(facts->robot));
-  fill_facts({{tr("Joints"), wording::count(joints.size())},
-              {tr("Serial number"), or_dash(facts == nullptr ? "" : facts->serial)},
-              {tr("Time of all joints"),
-               exports::experiment::duration_text(whole_duration_s(joints))}},
-             values);
+  fill_facts(
+      {{tr("Joints"), wording::count(joints.size())},
+       {tr("Serial number"), or_dash(facts == nullptr ? "" : facts->serial)},
+       {tr("Time of all joints"), exports::experiment::duration_text(whole_duration_s(joints))}},
+      values);
   fill_verdict_of_plans(joints, values);
   fill_table(order_table(joints), "ORDER", values);
   for (const RobotPlanJoint& joint : joints) fill_planned_joint(joint, values.add_section("JOINT"));

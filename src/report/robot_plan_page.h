@@ -14,8 +14,8 @@ namespace tribolog::report {
 
 struct RobotPlanJoint {
   std::string name;
-  const plan::ExperimentPlan* plan{nullptr};          ///< Null: it could not be planned,
-  std::string refusal;                                ///< for this reason.
+  const plan::ExperimentPlan* plan{nullptr};         ///< Null: it could not be planned,
+  std::string refusal;                               ///< for this reason.
   const plan::ExpectedIntervals* expected{nullptr};  ///< Null where the plan is.
   std::string file;  ///< Of its plan, beside the page; empty: there is none.
 };

@@ -50,7 +50,8 @@ class Frame {
     return frame_margin + x_.share(value) * (thumbnail_width - 2 * frame_margin);
   }
   [[nodiscard]] double down(double value) const {
-    return thumbnail_height - frame_margin - y_.share(value) * (thumbnail_height - 2 * frame_margin);
+    return thumbnail_height - frame_margin -
+           y_.share(value) * (thumbnail_height - 2 * frame_margin);
   }
   [[nodiscard]] std::string line(const Points& points) const {
     std::string path;

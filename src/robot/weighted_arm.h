@@ -30,9 +30,9 @@ struct WeightedJoint {
       Eigen::Isometry3d::Identity()};  ///< Its frame at position 0, in its parent's frame.
   Eigen::Vector3d axis{0, 0, 1};       ///< Unit vector in its own frame: of positive motion.
   JointMotion motion{JointMotion::turning};
-  double mass_kg{};                           ///< >= 0
-  Eigen::Vector3d centre_m{0, 0, 0};          ///< Of that mass, in its own frame.
-  std::optional<FollowedJoint> follows{};     ///< Absent: it moves by itself.
+  double mass_kg{};                        ///< >= 0
+  Eigen::Vector3d centre_m{0, 0, 0};       ///< Of that mass, in its own frame.
+  std::optional<FollowedJoint> follows{};  ///< Absent: it moves by itself.
 };
 
 class WeightedArm {

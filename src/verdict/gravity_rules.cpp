@@ -387,9 +387,9 @@ std::optional<Measured> others_move(const Calibration& c) {
   if (farthest == nullptr) return std::nullopt;
   if (c.manifest.arm_gravity) return Measured{0, {}};
   const double travel_deg = joint::degrees_per_rad * farthest->travel_rad();
-  return Measured{travel_deg,
-                  {"cause.others_move",
-                   {{"joint", in_quotes(farthest->name)}, {"travel_deg", travel_deg}}}};
+  return Measured{
+      travel_deg,
+      {"cause.others_move", {{"joint", in_quotes(farthest->name)}, {"travel_deg", travel_deg}}}};
 }
 
 /// What the others' motion changed of gravity and was taken off, in percent of gravity.

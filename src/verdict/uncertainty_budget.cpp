@@ -176,8 +176,8 @@ class BudgetMaker {
     const std::string joint = fmt::format("{} {} {}: ", m.robot, m.serial, m.joint);
     if (influence == Influence::description && m.arm_gravity) {
       // Another motion has another error, though the masses are the same.
-      return joint + fmt::format("{}, {:.4g} N·m", m.arm_gravity->description,
-                                 m.arm_gravity->largest_Nm);
+      return joint +
+             fmt::format("{}, {:.4g} N·m", m.arm_gravity->description, m.arm_gravity->largest_Nm);
     }
     if (influence == Influence::gear_ratio)
       return joint + fmt::format("{:g}", m.drive.gear_ratio());

@@ -77,7 +77,8 @@ struct Files {
     (void)directory.file("a.csv", csv);
     (void)directory.file("arm.urdf", description);
   }
-  [[nodiscard]] joint::Dataset read(const std::string& manifest, const std::string& joint = "") const {
+  [[nodiscard]] joint::Dataset read(const std::string& manifest,
+                                    const std::string& joint = "") const {
     return ingest::dataset::read_dataset(directory.file("d.toml", manifest), joint);
   }
 };
@@ -109,7 +110,8 @@ TEST(ArmInMotion, CorrectedTorqueIsThatWithTheOthersHeld) {
   const double upper = (8 * 0.3 + 5 * length_m) * g;
   const double fore = 5 * 0.25 * g;
   EXPECT_NEAR(arm.own->amplitude_Nm(),
-              std::hypot(upper + fore * std::cos(mean_q2()), fore * std::sin(mean_q2())), 1e-12 * 100);
+              std::hypot(upper + fore * std::cos(mean_q2()), fore * std::sin(mean_q2())),
+              1e-12 * 100);
   EXPECT_NEAR(arm.own->q_peak_rad(),
               -std::atan2(fore * std::sin(mean_q2()), upper + fore * std::cos(mean_q2())), 1e-12);
   EXPECT_EQ(d.inputs.at(1).name, "arm.urdf");
@@ -131,7 +133,8 @@ TEST(ArmInMotion, WithoutDescriptionTheMotionIsCountedAlone) {
 }
 
 /// Of a robot: J2's column is that of its own table, in revolutions of its motor.
-std::string of_robot(const std::string& robot, const std::string& first, const std::string& second) {
+std::string of_robot(const std::string& robot, const std::string& first,
+                     const std::string& second) {
   return head(robot,
               "[columns]\ntime = {name = \"t\", unit = \"s\"}\neffort = {name = \"tau\", unit = "
               "\"Nm\"}\n[[recording]]\nrole = \"rough_sweep\"\nfile = \"a.csv\"\n") +
@@ -155,14 +158,16 @@ TEST(ArmInMotion, JointsOfARobotAreMatchedByNameOrByOrder) {
   }
   const std::string message = test::refusal_of<InputError>(
       [&] { return files.read(of_robot(described, "J1", "elbow"), "J1"); });
-  EXPECT_NE(message.find("arm.urdf: has no such joint, found 'elbow'"), std::string::npos) << message;
+  EXPECT_NE(message.find("arm.urdf: has no such joint, found 'elbow'"), std::string::npos)
+      << message;
 }
 
 TEST(ArmInMotion, GapsAndTurnsOfTheOtherLeaveNoRowOut) {
   // From sample 30 on a turn higher; two gaps, of which one is at the end.
   std::string csv = "t,q1,q2,tau\n";
   for (int i = 0; i < samples; ++i) {
-    const double logged = (-q2_at(i) + (i >= 30 ? 2 * std::numbers::pi : 0)) * joint::degrees_per_rad;
+    const double logged =
+        (-q2_at(i) + (i >= 30 ? 2 * std::numbers::pi : 0)) * joint::degrees_per_rad;
     csv += fmt::format("{},{},{},{}\n", i / 100.0, q1_at(i),
                        i == 40 || i == samples - 1 ? "nan" : fmt::format("{}", logged),
                        shoulder_Nm(q1_at(i), q2_at(i)) + friction_Nm);
@@ -196,7 +201,8 @@ TEST(ArmInMotion, JointsOfTheDescriptionAreFoundInTheLogByItsNames) {
   const Files files(csv);
   const joint::Dataset d =
       files.read(head(described, "[joint]\nname = \"J1\"\ngear_ratio = 80\n") + columns);
-  EXPECT_NEAR(d.recordings[0].torque_Nm[7] * gear_ratio, shoulder_Nm(q1_at(7), mean_q2()), 1e-12 * 100);
+  EXPECT_NEAR(d.recordings[0].torque_Nm[7] * gear_ratio, shoulder_Nm(q1_at(7), mean_q2()),
+              1e-12 * 100);
   EXPECT_TRUE(d.notes.empty());
 }
 
@@ -215,9 +221,10 @@ TEST(ArmInMotion, KeysOfTheManifestAreCheckedAtTheirPlace) {
   EXPECT_NE(refusal(single(described, "[uncertainty]\ndescription_percent = 60\n"))
                 .find("half of the number"),
             std::string::npos);
-  EXPECT_NE(refusal(single("[[other_joint]]\nname = \"J2\"\nangle = {name = \"a\", unit = \"rad\"}\n"))
-                .find("is given twice"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(single("[[other_joint]]\nname = \"J2\"\nangle = {name = \"a\", unit = \"rad\"}\n"))
+          .find("is given twice"),
+      std::string::npos);
   EXPECT_NE(refusal(single("", "[[other_joint]]\nname = \"J3\"\n")).find("angle = { name"),
             std::string::npos);
   const Files files;

@@ -1,8 +1,11 @@
 #include "ingest/manifest/urdf_file.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -120,9 +123,9 @@ TEST(Urdf, AgreesWithMuJoCo) {
 }
 
 TEST(Urdf, AMimickedJointFollows) {
-  const std::string text =
-      with(arm(), "<axis xyz=\"0.3 -1 0.2\"/>",
-           "<axis xyz=\"0.3 -1 0.2\"/><mimic joint=\"shoulder\" multiplier=\"-2\" offset=\"0.1\"/>");
+  const std::string text = with(
+      arm(), "<axis xyz=\"0.3 -1 0.2\"/>",
+      "<axis xyz=\"0.3 -1 0.2\"/><mimic joint=\"shoulder\" multiplier=\"-2\" offset=\"0.1\"/>");
   const robot::WeightedArm follows = ingest::manifest::parse_urdf(text, "arm.urdf");
   const robot::WeightedArm free = ingest::manifest::parse_urdf(arm(), "arm.urdf");
   EXPECT_EQ(follows.holding_torque_Nm(0, {0.4, 99}, gravity),
@@ -160,14 +163,14 @@ TEST(Urdf, WhatCannotBeUsedIsRefusedAtItsPlace) {
       {"<link name=\"tool\">", "<link name=\"fore\">", ":14:", "two links have this name"},
       {"<child link=\"fore\"/>", "<child link=\"for\"/>", ":25:", "did you mean 'fore'"},
       {"<child link=\"fore\"/>", "<child link=\"upper\"/>", ":25:", "two joints carry one link"},
-      {"<parent link=\"world\"/><child link=\"base\"/>", "<parent link=\"tool\"/><child link=\"base\"/>",
-       ":3:", "ring"},
+      {"<parent link=\"world\"/><child link=\"base\"/>",
+       "<parent link=\"tool\"/><child link=\"base\"/>", ":3:", "ring"},
       {"<parent link=\"base\"/>", "", ":21:", "<joint> has no <parent>"},
-      {"<link name=\"world\"/>", "<link name=\"world\"/><link name=\"other\"/>", ":4:",
-       "carried by no joint"},
+      {"<link name=\"world\"/>", "<link name=\"world\"/><link name=\"other\"/>",
+       ":4:", "carried by no joint"},
       {"<link name=\"world\"/>", "<xacro:include filename=\"a\"/>", ":4:", "xacro"},
-      {"<robot name=\"two\">", "<!DOCTYPE robot [<!ENTITY a \"b\">]><robot name=\"two\">", ":3:",
-       "document type"},
+      {"<robot name=\"two\">", "<!DOCTYPE robot [<!ENTITY a \"b\">]><robot name=\"two\">",
+       ":3:", "document type"},
       {"<robot name=\"two\">", "<sdf name=\"two\"><a>", ":", "XML"},
       {"</robot>", "", ":", "XML"},
       {"type=\"revolute\"", "type=\"fixed\"", ":", "accepted"},
@@ -188,6 +191,20 @@ TEST(Urdf, WhatCannotBeUsedIsRefusedAtItsPlace) {
     weightless = with(weightless, mass, "value=\"0\"");
   }
   EXPECT_NE(refusal(weightless).find("no link that moves has a mass"), std::string::npos);
+}
+
+TEST(Urdf, ADamagedFileIsReadOrRefused) {
+  const std::string whole = arm();
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const bool is_cut_off = i + 1 < whole.size();
+    if (is_cut_off) EXPECT_EQ(refusal(whole.substr(0, i)).find("arm.urdf:"), 0U) << i;
+    for (const char other : {'\0', '<', '"', '9', '\xff'}) {
+      std::string damaged = whole;
+      damaged[i] = other;
+      const std::string found = refusal(damaged);
+      EXPECT_TRUE(found == "accepted" || found.starts_with("arm.urdf:")) << found;
+    }
+  }
 }
 
 TEST(Urdf, ALongChainAndDeepElementsEndInARefusal) {

@@ -43,7 +43,8 @@ TEST(WeightedArm, HoldsTwoLinksInAPlaneAsInClosedForm) {
 }
 
 TEST(WeightedArm, HoldingTorqueIsTheSlopeOfTheEnergyOfASerialArm) {
-  const Eigen::Vector3d axes[] = {{0, 0, 1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
+  const Eigen::Vector3d axes[] = {{0, 0, 1}, {0, 1, 0},  {0, -1, 0},
+                                  {1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
   const Eigen::Vector3d offsets_m[] = {{0, 0, 0.22},       {0.15, 0.02, 0.23}, {0, 0, 0.6},
                                        {0.14, -0.03, 0.2}, {0.5, 0, 0},        {0.07, 0, 0}};
   const Eigen::Vector3d pull(1.5, -2, -9.5);  // the base is tilted
@@ -108,7 +109,8 @@ TEST(WeightedArm, SlidingAndFollowingJointsMoveTheirMasses) {
   // At 0.2 + 0.3 and at 0.2 - 0.15 + 0.1.
   EXPECT_NEAR(arm.holding_torque_Nm(0, {0, 0.3, 77}, gravity), 4 * g * (0.5 + 0.15), 1e-12 * 100);
   // Upright, the slide carries its own weight alone.
-  EXPECT_NEAR(arm.holding_torque_Nm(1, {std::numbers::pi / 2, 0.3, 77}, gravity), 4 * g, 1e-12 * 100);
+  EXPECT_NEAR(arm.holding_torque_Nm(1, {std::numbers::pi / 2, 0.3, 77}, gravity), 4 * g,
+              1e-12 * 100);
 }
 
 TEST(WeightedArm, WhatIsImpossibleIsRefused) {

@@ -31,10 +31,9 @@ std::vector<double> without_gaps(std::vector<double> values) {
     const double before = last < values.size() ? values[last] : values[i];
     const std::size_t first = last < values.size() ? last + 1 : 0;
     for (std::size_t k = first; k < i; ++k) {
-      const double share =
-          last < values.size()
-              ? static_cast<double>(k - last) / static_cast<double>(i - last)
-              : 1.0;
+      const double share = last < values.size()
+                               ? static_cast<double>(k - last) / static_cast<double>(i - last)
+                               : 1.0;
       values[k] = before + share * (values[i] - before);
     }
     last = i;
@@ -119,8 +118,9 @@ void ArmInMotion::describe(std::string_view urdf, const std::string& path,
   };
   tested_ = in_arm(tested_name_);
   if (arm_->joints()[tested_].motion == robot::JointMotion::sliding) {
-    throw InputError({path, 0, 0}, {"the tested joint slides", in_quotes(arm_->joints()[tested_].name),
-                                    "revolute or continuous", ""});
+    throw InputError({path, 0, 0},
+                     {"the tested joint slides", in_quotes(arm_->joints()[tested_].name),
+                      "revolute or continuous", ""});
   }
   std::vector<bool> is_known(arm_->size(), false);
   is_known[tested_] = true;
@@ -253,8 +253,7 @@ void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
     const bool is_logged =
         std::any_of(other.angles_rad.begin(), other.angles_rad.end(),
                     [](const std::vector<double>& angles_rad) { return !angles_rad.empty(); });
-    told.held.push_back(
-        {arm_->joints()[*other.in_arm].name, held_rad[*other.in_arm], is_logged});
+    told.held.push_back({arm_->joints()[*other.in_arm].name, held_rad[*other.in_arm], is_logged});
   }
   const double gear_ratio = dataset.manifest.drive.gear_ratio();
   for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {

@@ -33,7 +33,8 @@ class ArmInMotion {
   /// "<name>.position" [rad].
   /// @param path of the description, for messages. @param joints of the robot's manifest, in its
   ///        order; empty: it is a single joint's.
-  /// @throw InputError as parse_urdf(), where the joints cannot be matched, and where the tested one
+  /// @throw InputError as parse_urdf(), where the joints cannot be matched, and where the tested
+  /// one
   ///        slides.
   void describe(std::string_view urdf, const std::string& path,
                 const std::vector<std::string>& joints);

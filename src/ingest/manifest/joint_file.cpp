@@ -141,8 +141,7 @@ std::vector<std::string> joints_to_plan(std::string_view text, const std::string
 joint::JointFacts parse_joint(std::string_view text, const std::string& file,
                               const std::string& joint) {
   precheck_toml(text, file);
-  const TomlTable top =
-      TomlTable::of(document_of_joint(parse_toml(text, file), file, joint), file);
+  const TomlTable top = TomlTable::of(document_of_joint(parse_toml(text, file), file, joint), file);
   (void)top.choice("schema", {"tribolog-joint-1"});
   joint::JointFacts f;
   const TomlTable robot = top.table("robot");

@@ -109,8 +109,8 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table,
                                          "[robot] description = \"arm.urdf\"", ""});
   }
   if (const auto id = table.find_table("id")) {
-    for (const char* const influence :
-         {"torque_constant", "gear_ratio", "surrogate_distance", "gravity", "angle_zero", "description"}) {
+    for (const char* const influence : {"torque_constant", "gear_ratio", "surrogate_distance",
+                                        "gravity", "angle_zero", "description"}) {
       const std::string text = id->text_or(influence, "");
       if (!text.empty()) stated.id[influence] = text;
     }
@@ -280,9 +280,8 @@ void add_others(std::vector<joint::OtherJoint> of_robot, std::vector<joint::Othe
   const std::size_t by_themselves = stated.size();
   for (joint::OtherJoint& other : of_robot) {
     const auto end = stated.begin() + static_cast<std::ptrdiff_t>(by_themselves);
-    const bool is_stated = std::any_of(stated.begin(), end, [&](const joint::OtherJoint& one) {
-      return one.name == other.name;
-    });
+    const bool is_stated = std::any_of(
+        stated.begin(), end, [&](const joint::OtherJoint& one) { return one.name == other.name; });
     if (!is_stated) stated.push_back(std::move(other));
   }
 }

@@ -83,8 +83,7 @@ std::vector<joint::OtherJoint> read_other_joints(const TomlTable& top, const std
     const TomlTable angle = table.table("angle", "angle = { name = ..., unit = ... }");
     other.angle = angle.text("name", "the column's name in the logs");
     if (other.angle.empty()) angle.refuse("name", {"is empty", "", "the column's name", ""});
-    const std::string unit =
-        angle.text("unit", "one of " + log::known_units(log::Quantity::angle));
+    const std::string unit = angle.text("unit", "one of " + log::known_units(log::Quantity::angle));
     other.radian_per_unit = log::si_factor(log::Quantity::angle, unit, angle.where("unit"));
     const double sign = angle.number_or("sign", 1);
     if (std::abs(sign) != 1) {
@@ -123,11 +122,11 @@ std::optional<joint::ArmGravity> read_arm_gravity(const TomlTable& robot,
   const double size_m_s2 = std::sqrt(square);
   if (stated.size() != arm.gravity_m_s2.size() || size_m_s2 < weakest_m_s2 ||
       size_m_s2 > strongest_m_s2) {
-    robot.refuse("gravity",
-                 {"is no acceleration of gravity",
-                  stated.size() == arm.gravity_m_s2.size() ? fmt::format("{:.6g} m/s²", size_m_s2)
-                                                           : fmt::format("{} numbers", stated.size()),
-                  "three numbers in the base's frame, as [0, 0, -9.80665]", ""});
+    robot.refuse("gravity", {"is no acceleration of gravity",
+                             stated.size() == arm.gravity_m_s2.size()
+                                 ? fmt::format("{:.6g} m/s²", size_m_s2)
+                                 : fmt::format("{} numbers", stated.size()),
+                             "three numbers in the base's frame, as [0, 0, -9.80665]", ""});
   }
   std::copy(stated.begin(), stated.end(), arm.gravity_m_s2.begin());
   return arm;

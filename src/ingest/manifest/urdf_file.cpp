@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,9 +57,9 @@ class UrdfReader {
         XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (refusal_) throw InputError(refused_at_, *refusal_);
     if (status != XML_STATUS_OK) {
-      throw InputError(here(), {"is no XML: " +
-                                    std::string(XML_ErrorString(XML_GetErrorCode(parser_.get()))),
-                                "", "a description of the arm in URDF", ""});
+      throw InputError(
+          here(), {"is no XML: " + std::string(XML_ErrorString(XML_GetErrorCode(parser_.get()))),
+                   "", "a description of the arm in URDF", ""});
     }
     return std::move(above_.children.front());
   }
@@ -138,9 +139,9 @@ const std::string& attribute(const XmlElement& element, const char* name) {
 
 [[noreturn]] void refuse_number(const XmlElement& element, const char* name,
                                 const std::string& found, const std::string& expected) {
-  throw InputError(element.where, {fmt::format("<{}>: {} is not usable", printable(element.name),
-                                               name),
-                                   in_quotes(found), expected, ""});
+  throw InputError(element.where,
+                   {fmt::format("<{}>: {} is not usable", printable(element.name), name),
+                    in_quotes(found), expected, ""});
 }
 
 /// So many numbers with blanks between them.
@@ -179,9 +180,10 @@ Eigen::Isometry3d origin(const XmlElement& of) {
   if (element == nullptr) return frame;
   const Eigen::Vector3d place_m = point(*element, "xyz", Eigen::Vector3d::Zero());
   if (place_m.cwiseAbs().maxCoeff() > farthest_from_parent_m) {
-    throw InputError(element->where,
-                     {"<origin>: xyz is not usable", fmt::format("{}", place_m.cwiseAbs().maxCoeff()),
-                      fmt::format("at most {} m to each side", farthest_from_parent_m), "lengths are metres"});
+    throw InputError(
+        element->where,
+        {"<origin>: xyz is not usable", fmt::format("{}", place_m.cwiseAbs().maxCoeff()),
+         fmt::format("at most {} m to each side", farthest_from_parent_m), "lengths are metres"});
   }
   const Eigen::Vector3d rpy = point(*element, "rpy", Eigen::Vector3d::Zero());
   frame.translate(place_m);
@@ -309,8 +311,8 @@ class ArmBuilder {
     }
     link_names_.push_back(name);
     if (link_names_.size() <= most_links) return;
-    throw InputError(element.where, {"the arm has too many links", "",
-                                     fmt::format("at most {}", most_links), ""});
+    throw InputError(element.where,
+                     {"the arm has too many links", "", fmt::format("at most {}", most_links), ""});
   }
 
   void add_joint(const XmlElement& element) {
@@ -362,8 +364,8 @@ class ArmBuilder {
   }
 
   [[noreturn]] void refuse_ring() const {
-    throw InputError(robot_.where, {"links carry each other in a ring", "",
-                                    "a tree from one base on", ""});
+    throw InputError(robot_.where,
+                     {"links carry each other in a ring", "", "a tree from one base on", ""});
   }
 
   /// The link and all behind it. @param joint the last one before it that moves; absent: the base.
@@ -396,7 +398,8 @@ class ArmBuilder {
                        robot::WeightedJoint& joint) {
     if (link.mass_kg == 0) return;
     const double sum_kg = joint.mass_kg + link.mass_kg;
-    joint.centre_m = (joint.mass_kg * joint.centre_m + link.mass_kg * (frame * link.centre_m)) / sum_kg;
+    joint.centre_m =
+        (joint.mass_kg * joint.centre_m + link.mass_kg * (frame * link.centre_m)) / sum_kg;
     joint.mass_kg = sum_kg;
   }
 
@@ -437,10 +440,10 @@ bool is_urdf(const std::string& file) { return file.ends_with(".urdf"); }
 robot::WeightedArm parse_urdf(std::string_view text, const std::string& file) {
   const XmlElement robot = UrdfReader(file).read(text);
   if (robot.name != "robot") {
-    throw InputError(robot.where, {"is no URDF", "<" + printable(robot.name) + ">", "<robot>",
-                                   robot.name == "mujoco" || robot.name == "sdf"
-                                       ? "export the model as URDF"
-                                       : ""});
+    throw InputError(
+        robot.where,
+        {"is no URDF", "<" + printable(robot.name) + ">", "<robot>",
+         robot.name == "mujoco" || robot.name == "sdf" ? "export the model as URDF" : ""});
   }
   return ArmBuilder(robot).build();
 }

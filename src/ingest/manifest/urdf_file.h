@@ -5,8 +5,8 @@
 // Of it are read: <link> with <inertial><mass value/><origin xyz rpy/></inertial>; <joint> with its
 // name, type (revolute, continuous, prismatic, fixed), <parent>, <child>, <origin xyz rpy>, <axis
 // xyz> (1 0 0 where there is none) and <mimic>. A link without <inertial> has no mass. Links that
-// are fixed to each other are one; those that are fixed to the base carry nothing. All else (shapes,
-// limits, transmissions, plugins) is passed over.
+// are fixed to each other are one; those that are fixed to the base carry nothing. All else
+// (shapes, limits, transmissions, plugins) is passed over.
 
 #include <cstdint>
 #include <string>
