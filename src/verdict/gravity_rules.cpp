@@ -404,6 +404,27 @@ std::optional<Measured> others_taken_off(const Calibration& c) {
                     {"percent", arm->description_percent}}}};
 }
 
+/// How far gravity by the description is from what the recordings show, in percent of that: of both
+/// as vectors, by size and angle.
+std::optional<Measured> description_differs(const Calibration& c) {
+  const std::optional<joint::ArmGravity>& arm = c.manifest.arm_gravity;
+  if (!arm || !arm->own || arm->samples == 0 || !c.rough.found || !c.q_peak_rad) {
+    return std::nullopt;
+  }
+  const double found_Nm = c.manifest.drive.gear_ratio() * c.rough.gravity_Nm.value;
+  const double own_Nm = arm->own->amplitude_Nm();
+  const double turned_rad = arm->own->q_peak_rad() - c.q_peak_rad->value;
+  const double apart_Nm =
+      std::hypot(own_Nm * std::cos(turned_rad) - found_Nm, own_Nm * std::sin(turned_rad));
+  return Measured{100 * apart_Nm / found_Nm,
+                  {"cause.description_differs",
+                   {{"file", printable(arm->description)},
+                    {"own_Nm", own_Nm},
+                    {"own_deg", joint::degrees_per_rad * arm->own->q_peak_rad()},
+                    {"found_Nm", found_Nm},
+                    {"found_deg", joint::degrees_per_rad * c.q_peak_rad->value}}}};
+}
+
 std::optional<Measured> coloured_noise(const Calibration& c) {
   if (!c.rough.found || !c.rough.both_directions || !(c.rough.white_Nm > 0)) return std::nullopt;
   return Measured{100 * c.rough.coloured_Nm / c.rough.white_Nm,
@@ -454,6 +475,10 @@ std::vector<Rule> gravity_rules() {
        others_move},
       {"others_taken_off", "%", 0.01, told, of_gravity, "record.other_joints_at_rest",
        others_taken_off},
+      // Hoses and what a description leaves out are less; another zero, another sign or a payload
+      // that it does not have are more, and make what is taken off wrong.
+      {"description_differs", "%", 30, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
+       description_differs},
       {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_at_loads",
        torque_out_of_proportion},
       {"slope_out_of_proportion",

@@ -76,6 +76,11 @@ const Messages& verdict_messages() {
       {"rule.others_move", text("Motion of another joint, without a description of the arm")},
       {"rule.others_taken_off",
        text("Gravity of the other joints' motion, taken off, relative to the gravity torque")},
+      {"rule.description_differs", text("Gravity by the description against the recordings'")},
+      {"cause.description_differs",
+       text("by {file} gravity is {own_Nm:.3g} N·m at the joint, largest at {own_deg:.1f}°; the "
+            "recordings show {found_Nm:.3g} N·m, largest at {found_deg:.1f}°: do both count the "
+            "angles from the same zero and with the same sign, and is the payload described?")},
       {"cause.others_move",
        text("joint {joint} moves by {travel_deg:.3g}° in these recordings: what that does to this "
             "joint's gravity cannot be told apart from its own without a description of the arm")},

@@ -25,6 +25,7 @@ constexpr double gear_ratio = 100;
 constexpr double peak_rad = 10 * std::numbers::pi / 180;
 constexpr double mass_kg = 6;
 constexpr double centre_m = 0.3;
+constexpr double held_rad = 0.8986;  // the second joint's mean over the sweep
 
 const std::string scenario = R"(schema = "tribolog-scenario-1"
 name = "one joint"
@@ -73,16 +74,22 @@ acceleration_rad_s2 = 15
 sample_rate_Hz = 100
 )";
 
-/// @param share of the second link's mass that the description states.
-std::string urdf(double share) {
+/// With the second link held as it is in the sweep, gravity by it is that of the simulated load.
+/// @param share of the second link's mass that the description states. @param zero_rad added to the
+///        first joint's zero.
+std::string urdf(double share, double zero_rad = 0) {
+  constexpr double upper_kg = 9;
+  const double level_m =
+      (12 * 0.2 * 9.81 / g - mass_kg * (0.5 + centre_m * std::cos(held_rad))) / upper_kg;
+  const double upright_m = -mass_kg * centre_m * std::sin(held_rad) / upper_kg;
   return fmt::format(R"(<robot name="arm"><link name="base"/>
-  <link name="upper"><inertial><mass value="9"/></inertial></link>
+  <link name="upper"><inertial><origin xyz="{} 0 {}"/><mass value="{}"/></inertial></link>
   <link name="fore"><inertial><origin xyz="{} 0 0"/><mass value="{}"/></inertial></link>
   <joint name="J1" type="revolute"><parent link="base"/><child link="upper"/>
     <origin xyz="0 0 0.4" rpy="0 {} 0"/><axis xyz="0 -1 0"/></joint>
   <joint name="J2" type="revolute"><parent link="upper"/><child link="fore"/>
     <origin xyz="0.5 0 0"/><axis xyz="0 -1 0"/></joint></robot>)",
-                     centre_m, share * mass_kg, peak_rad);
+                     level_m, upright_m, upper_kg, centre_m, share * mass_kg, peak_rad + zero_rad);
 }
 
 double second_at(double t_s) { return 0.9 + 0.25 * std::sin(2 * std::numbers::pi * t_s / 9.7); }
@@ -130,6 +137,7 @@ class MovingArm {
       ++count;
     }
     const double held = sum / static_cast<double>(count);
+    EXPECT_NEAR(held, held_rad, 1e-3);
     std::string csv = "t_s,q1_rad,torque1_Nm,q2_rad\n";
     for (const Row& row : rows) {
       const double q2 = second_at(row.t_s);
@@ -143,10 +151,10 @@ class MovingArm {
   }
 
   /// @param share of the mass in the description; 0: there is none.
-  [[nodiscard]] json identified(double share, int resamples = 200) const {
+  [[nodiscard]] json identified(double share, int resamples = 200, double zero_rad = 0) const {
     std::string manifest = manifest_;
     if (share > 0) {
-      scratch_.write("arm.urdf", urdf(share));
+      scratch_.write("arm.urdf", urdf(share, zero_rad));
       manifest = replaced(manifest, "[robot]\n", "[robot]\ndescription = \"arm.urdf\"\n");
     }
     scratch_.write("moving.toml", manifest);
@@ -214,6 +222,11 @@ TEST(MovingJoints, ComeBackToTheTruthWithTheArmsMassesAndAreDoubtfulWithout) {
   EXPECT_GT(largest, 0.01);
   EXPECT_NEAR(coverage * uncertainty_by_description(quantity_in(described, "cog_angle")), largest,
               1e-4 * largest);
+
+  // A description with another zero is told by the gravity that it gives the joint.
+  const json turned = quantity_in(arm.identified(1, 0, 0.8), "gravity_torque");
+  EXPECT_NE(turned["verdict"], "usable");
+  EXPECT_NE(turned["reasons"].dump().find("from the same zero"), std::string::npos);
 
   const json alone = arm.identified(0);
   for (const char* const key : {"gravity_torque", "cog_angle", "coulomb_torque"}) {
