@@ -224,7 +224,7 @@ TEST(MovingJoints, ComeBackToTheTruthWithTheArmsMassesAndAreDoubtfulWithout) {
               1e-4 * largest);
 
   // A description with another zero is told by the gravity that it gives the joint.
-  const json turned = quantity_in(arm.identified(1, 0, 0.8), "gravity_torque");
+  const json turned = quantity_in(arm.identified(1, 0, 0.4), "gravity_torque");
   EXPECT_NE(turned["verdict"], "usable");
   EXPECT_NE(turned["reasons"].dump().find("from the same zero"), std::string::npos);
 

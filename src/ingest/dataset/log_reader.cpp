@@ -162,16 +162,23 @@ bool is_named(const log::LogColumn& column, const log::LogTable& table, const st
 }
 
 /// Takes the columns that are no part of the recording out of the table.
-/// @param columns as they were read: the optional ones stand together.
-void set_others_apart(const std::vector<log::WantedColumn>& columns, ReadLog& read) {
-  const auto is_optional = [](const log::WantedColumn& wanted) { return wanted.is_optional; };
-  const auto first = std::find_if(columns.begin(), columns.end(), is_optional);
+/// @param columns in whose order it was read; optional ones may be absent.
+void set_others_apart(const std::vector<log::WantedColumn>& columns,
+                      const std::vector<std::string>& others, ReadLog& read) {
+  if (others.empty()) return;
   std::vector<log::LogColumn>& of_table = read.table.columns;
-  auto place = of_table.begin() + (first - columns.begin());
-  for (auto wanted = first; wanted != columns.end() && wanted->is_optional; ++wanted) {
-    if (place == of_table.end() || !is_named(*place, read.table, wanted->name)) continue;
-    read.others.emplace(wanted->name, std::move(*place));
-    place = of_table.erase(place);
+  auto place = of_table.begin();
+  for (const log::WantedColumn& wanted : columns) {
+    if (place == of_table.end()) return;
+    if (wanted.is_optional && !is_named(*place, read.table, wanted.name)) continue;
+    const bool is_other =
+        wanted.is_optional && std::find(others.begin(), others.end(), wanted.name) != others.end();
+    if (is_other) {
+      read.others.emplace(wanted.name, std::move(*place));
+      place = of_table.erase(place);
+    } else {
+      ++place;
+    }
   }
 }
 
@@ -184,7 +191,8 @@ void read_to_the_end(ByteSource& bytes) {
 }
 
 ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
-                 const std::vector<log::WantedColumn>& columns, const text::TextLogRules& rules,
+                 const std::vector<log::WantedColumn>& columns,
+                 const std::vector<std::string>& others, const text::TextLogRules& rules,
                  std::vector<Statement>& notes) {
   InputFileSource log(path);
   FingerprintedSource bytes(log);
@@ -192,7 +200,7 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
   ReadLog read;
   read.table = format == log::LogFormat::text ? text::read_csv(bytes, path, columns, rules)
                                               : take_columns(read_tables(path, format), columns);
-  set_others_apart(columns, read);
+  set_others_apart(columns, others, read);
   read_to_the_end(bytes);
   if (log.has_grown()) {
     RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});
@@ -276,7 +284,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   const std::string rows = entry.columns.rows ? entry.columns.rows->value : "";
   if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
-    ReadLog log = read_log(entry, path, columns, rules_, notes);
+    ReadLog log = read_log(entry, path, columns, others, rules_, notes);
     if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
     complete_clock(entry, log.table, notes);
     if (rate_Hz) make_clock(*entry.columns.time, path, log.table);
