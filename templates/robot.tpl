@@ -45,6 +45,7 @@
 <pre class="command"><bdi>{{COMMAND_LINE}}</bdi></pre>
 </section>
 </main>
-<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}}</p></footer>
+<footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}} · its numbers as JSON are embedded in this file, in the element <code>tribolog-robot</code></p></footer>
+<script type="application/json" id="tribolog-robot">{{RESULT_JSON:x-json}}</script>
 </body>
 </html>

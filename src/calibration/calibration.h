@@ -121,6 +121,13 @@ struct Judgement {
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
 
+/// By how much a quantity changes where the masses of the arm's description are off by what is
+/// stated of them: found by identifying the recordings again with so much more and less taken off.
+struct DescriptionShift {
+  joint::Quantity quantity{};
+  double half_width{};  ///< In the quantity's own unit.
+};
+
 struct Calibration {
   joint::Manifest manifest;
   std::vector<joint::InputFile> inputs;
@@ -158,6 +165,8 @@ struct Calibration {
   method::intervals::CrossChecksResult cross_checks;
   std::optional<method::hysteresis::PositionPlan>
       position_plan;  ///< Where to oscillate next, if ripple requires it.
+  /// Where gravity of the other joints was taken off; else empty.
+  std::vector<DescriptionShift> description_shifts;
   Judgement judgement;
   TruthCheckResult truth_check;
   Curves curves;

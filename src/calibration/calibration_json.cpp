@@ -67,6 +67,7 @@ Json stated_uncertainty(const joint::StatedUncertainty& u) {
           {"surrogate_distance_percent", number(u.surrogate_distance_percent)},
           {"gravity_percent", number(u.gravity_percent)},
           {"angle_zero_deg", number(u.angle_zero_deg)},
+          {"description_percent", number(u.description_percent)},
           {"id", u.id.empty() ? Json::object() : Json(u.id)}};
 }
 
@@ -231,6 +232,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);
+  all["other_joints"] = other_joints(c.manifest.other_joints);
+  all["arm_gravity"] = arm_gravity(c.manifest.arm_gravity);
   all["loop_shapes"] = loop_shapes(c.loop_shapes);
   all["break_away"] = break_away(c.break_away, n);
   all["intervals"] = intervals(c.intervals);

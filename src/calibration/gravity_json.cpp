@@ -199,6 +199,38 @@ Json load_dependence(const method::viscous::LoadDependenceResult& l) {
           {"points", std::move(points)}};
 }
 
+Json other_joints(const std::vector<joint::OtherJoint>& others) {
+  Json list = Json::array();
+  for (const joint::OtherJoint& other : others) {
+    const bool is_logged = other.samples > 0;
+    list.push_back({{"name", other.name},
+                    {"column", other.angle},
+                    {"samples", other.samples},
+                    {"lowest_rad", is_logged ? number(other.lowest_rad) : Json(nullptr)},
+                    {"highest_rad", is_logged ? number(other.highest_rad) : Json(nullptr)}});
+  }
+  return list;
+}
+
+Json arm_gravity(const std::optional<joint::ArmGravity>& arm) {
+  if (!arm) return nullptr;
+  Json held = Json::array();
+  for (const joint::HeldJoint& one : arm->held) {
+    held.push_back({{"joint", one.name},
+                    {"position_rad", number(one.position_rad)},
+                    {"logged", one.is_logged}});
+  }
+  return {{"description", arm->description},
+          {"description_percent", number(arm->description_percent)},
+          {"gravity_m_s2", arm->gravity_m_s2},
+          {"tested", arm->tested},
+          {"matched_by", arm->is_by_order ? "order" : "name"},
+          {"held", std::move(held)},
+          {"own", known_gravity(arm->own)},
+          {"samples", arm->samples},
+          {"largest_joint_Nm", number(arm->largest_Nm)}};
+}
+
 Json known_loads(const std::vector<joint::KnownLoad>& loads) {
   Json list = Json::array();
   for (const joint::KnownLoad& load : loads) {

@@ -40,6 +40,8 @@ Json session(const method::session::SessionFriction& s);
 Json run_gravity(const method::gravity::RunGravityResult& r, double gear_ratio);
 Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio);
 Json known_loads(const std::vector<joint::KnownLoad>& loads);
+Json other_joints(const std::vector<joint::OtherJoint>& others);
+Json arm_gravity(const std::optional<joint::ArmGravity>& arm);
 Json torque_balance(const method::viscous::TorqueBalance& b);
 Json known_gravity(const std::optional<joint::StatedGravity>& g);
 Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_ratio);

@@ -32,16 +32,18 @@ std::string to_string(Influence influence) {
     case Influence::gravity:
       return "gravity";
     case Influence::angle_zero:
+      return "angle_zero";
+    case Influence::description:
       break;
   }
-  return "angle_zero";
+  return "description";
 }
 
 std::optional<Influence> influence_of(const std::string& word) {
   for (const Influence one :
        {Influence::recordings, Influence::disagreement, Influence::torque_constant,
         Influence::gear_ratio, Influence::surrogate_distance, Influence::gravity,
-        Influence::angle_zero}) {
+        Influence::angle_zero, Influence::description}) {
     if (to_string(one) == word) return one;
   }
   return std::nullopt;

@@ -21,6 +21,7 @@ enum class Influence {
   surrogate_distance,
   gravity,
   angle_zero,
+  description,  ///< Masses of the arm, by which the gravity of its other joints was taken off.
 };
 
 std::string to_string(Influence influence);

@@ -70,10 +70,12 @@ struct ModelsOptions {
 };
 
 struct PlanCommandOptions {
-  std::string joint;  ///< File of the joint (TOML).
+  std::string joint;     ///< File of the joint, or of a robot's joints (TOML).
+  std::string of_robot;  ///< One joint of a robot's file, by name; empty: all, or the only one.
   std::string directory;
-  std::string calibration;  ///< Of the joint, from an earlier plan; empty: none.
-  std::size_t runs{20};     ///< Simulations behind the expected intervals; 0: none.
+  /// Of the joint, from an earlier plan; of a robot the directory with its joints'; empty: none.
+  std::string calibration;
+  std::size_t runs{20};  ///< Simulations behind the expected intervals; 0: none.
   unsigned long long seed{1};
   std::size_t threads{0};  ///< 0: all cores.
   int processes{2};

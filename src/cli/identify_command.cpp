@@ -63,7 +63,7 @@ The manifest says, for example:
   seed = 1
   [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
   torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
-                                # gravity_percent, angle_zero_deg
+                                # gravity_percent, angle_zero_deg, description_percent
   [certificate]                 # optional: for a calibration certificate
   laboratory = "..."            # also number, replaces, laboratory_address, country, customer,
                                 # customer_address, place, received_on, procedure, conditions,
@@ -84,6 +84,9 @@ The manifest says, for example:
   [[known_load]]                # optional: gravity of further axes, subtracted from the logs
   amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
   angles = ["q1_rad", "q2_rad"] # columns of the log
+  [[other_joint]]               # optional: another joint whose angle the logs have; of a robot
+  name = "J2"                   # its [[joints]]. What its motion changes of gravity is taken off
+  angle = { name = "q2", unit = "rad" }  # by description = "arm.urdf" in [robot], if there is one
   [known_gravity]               # optional: the joint's own, as by its design, to compare with
   amplitude_Nm = 38.465
   q_peak_deg = 90

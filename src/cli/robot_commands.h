@@ -1,5 +1,5 @@
 #pragma once
-// identify, report and figures of a whole robot.
+// plan, identify, report and figures of a whole robot.
 
 #include <string>
 #include <vector>
@@ -18,5 +18,10 @@ ExitStatus report_robot(const ReportOptions& options, const std::vector<std::str
 /// Each joint's figures in a directory of its own.
 ExitStatus draw_robot(const FiguresOptions& options, const std::vector<std::string>& joints,
                       Console& console);
+
+/// Each joint's plan in a directory of its own, and a page of the robot, which leads to them.
+/// @param joints of the robot's file.
+ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::string>& joints,
+                      const std::vector<std::string>& arguments, Console& console);
 
 }  // namespace tribolog::cli

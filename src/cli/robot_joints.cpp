@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <set>
 #include <thread>
 
@@ -15,36 +14,6 @@
 
 namespace tribolog::cli {
 namespace {
-
-/// Progress of several joints, each with a line of its own, from several threads.
-class JointProgress {
- public:
-  JointProgress(const std::vector<std::string>& names, Console& console) : console_(console) {
-    for (const std::string& name : names) steps_.push_back({name, "", 0, 1});
-  }
-
-  Progress of(std::size_t joint) {
-    return [this, joint](const std::string& what, std::size_t done, std::size_t all) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      Console::Step& step = steps_[joint];
-      const bool is_new = step.what != what;
-      step.what = what;
-      step.done = done;
-      step.all = all;
-      using std::chrono::steady_clock;
-      constexpr std::chrono::milliseconds between_drawings(100);
-      if (!is_new && steady_clock::now() - drawn_ < between_drawings) return;
-      console_.progress(steps_);
-      drawn_ = steady_clock::now();
-    };
-  }
-
- private:
-  Console& console_;
-  std::vector<Console::Step> steps_;
-  std::mutex mutex_;
-  std::chrono::steady_clock::time_point drawn_;
-};
 
 void identify_one(const std::string& manifest, IdentifyOptions options, IdentifiedJoint& joint) {
   try {
@@ -65,6 +34,27 @@ bool is_plain(char c) {
 }
 
 }  // namespace
+
+JointProgress::JointProgress(const std::vector<std::string>& names, Console& console)
+    : console_(console) {
+  for (const std::string& name : names) steps_.push_back({name, "", 0, 1});
+}
+
+Progress JointProgress::of(std::size_t joint) {
+  return [this, joint](const std::string& what, std::size_t done, std::size_t all) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Console::Step& step = steps_[joint];
+    const bool is_new = step.what != what;
+    step.what = what;
+    step.done = done;
+    step.all = all;
+    using std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds between_drawings(100);
+    if (!is_new && steady_clock::now() - drawn_ < between_drawings) return;
+    console_.progress(steps_);
+    drawn_ = steady_clock::now();
+  };
+}
 
 std::vector<std::string> joints_to_do(const DatasetChoice& choice) {
   if (!choice.joint.empty()) return {};
@@ -101,8 +91,7 @@ std::vector<IdentifiedJoint> identify_joints(const std::string& manifest,
     joints[k].name = names[k];
     joints[k].file_name = file_names[k];
   }
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  options.threads = std::max<std::size_t>(1, cores / std::max<std::size_t>(1, joints.size()));
+  options.threads = threads_for_each(joints.size());
   JointProgress progress(names, console);
   parallel_for(joints.size(), [&](std::size_t k) {
     IdentifyOptions own = options;
@@ -116,6 +105,11 @@ std::vector<IdentifiedJoint> identify_joints(const std::string& manifest,
     if (!joint.refusal.empty()) console.warn(name + ": error: " + joint.refusal);
   }
   return joints;
+}
+
+std::size_t threads_for_each(std::size_t joints) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return std::max<std::size_t>(1, cores / std::max<std::size_t>(1, joints));
 }
 
 void protect_inputs(const std::vector<IdentifiedJoint>& joints, const std::string& directory) {

@@ -2,7 +2,9 @@
 // A whole robot's joints, identified at the same time: each on its own, whatever becomes of the
 // others.
 
+#include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,22 @@
 #include "tribolog/dataset.h"
 
 namespace tribolog::cli {
+
+/// Progress of several joints, each with a line of its own, from several threads.
+class JointProgress {
+ public:
+  JointProgress(const std::vector<std::string>& names, Console& console);
+  Progress of(std::size_t joint);
+
+ private:
+  Console& console_;
+  std::vector<Console::Step> steps_;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point drawn_;
+};
+
+/// Where all cores work on so many joints at the same time: at least 1.
+std::size_t threads_for_each(std::size_t joints);
 
 /// What became of one joint.
 struct IdentifiedJoint {

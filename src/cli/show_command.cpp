@@ -1,11 +1,14 @@
 // `tribolog show` and `tribolog archive show`: a calibration on the console, whether it comes from
 // a file or from an archive.
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "archive/store/archive_json.h"
 #include "base/error.h"
@@ -127,6 +130,7 @@ Run add_show(CLI::App& archive) {
 namespace {
 
 constexpr const char* result_element = "tribolog-result";
+constexpr const char* robot_element = "tribolog-robot";
 
 /// A calibration as it is, or what a page carries.
 report::EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
@@ -147,16 +151,88 @@ std::string calibration_in(const std::string& file) {
 CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   CLI::App& command =
       *app.add_subcommand("show", "the numbers of a report, read from the report itself");
-  command.add_option("FILE", show.file, "report (HTML) or calibration (JSON)")->required();
+  command
+      .add_option("FILE", show.file,
+                  "report (HTML), calibration (JSON), or directory or page of a whole robot")
+      ->required();
   command.add_flag("--json", show.json, "all of them as JSON, to standard output");
   command.footer(
       "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
-      "are SI, torques at the motor.");
+      "are SI, torques at the motor. Of a whole robot each joint's verdict and headline "
+      "numbers\nare "
+      "shown.");
   return command;
 }
 
+namespace {
+
+/// Of a directory that a whole robot's report was written to, its page.
+std::string file_to_show(const std::string& named) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(named, ignored)) return named;
+  return (std::filesystem::path(named) / "index.html").string();
+}
+
+std::string text_in(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string number_in(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? wording::six_digits(found->get<double>())
+                                                     : "";
+}
+
+/// Those that stand at the top of a report, where there are any.
+bool is_headline(const std::string& key) {
+  return key == "cog_angle" || key == "gravity_torque" || key == "break_away_torque" ||
+         key == "coulomb_torque" || key == "viscous_coefficient";
+}
+
+/// Each joint's verdict, and a row for each of its headline numbers. @param page as its page embeds
+/// it.
+std::string robot_text(const nlohmann::json& page) {
+  inspect::survey::TextTable facts(0);
+  for (const char* const key : {"robot", "serial"}) {
+    const std::string text = text_in(page, key);
+    if (!text.empty()) facts.add({key, printable(text, 400)});
+  }
+  std::string shown = facts.text();
+  for (const nlohmann::json& joint : page.at("joints")) {
+    const std::string refusal = text_in(joint, "refusal");
+    shown += fmt::format("\n{}: {}\n", printable(text_in(joint, "name")),
+                         refusal.empty() ? text_in(joint, "verdict") + " - " +
+                                               printable(text_in(joint, "sentence"), 400)
+                                         : "refused - " + printable(refusal, 400));
+    if (!joint.contains("quantities")) continue;
+    inspect::survey::TextTable numbers(2);
+    for (const nlohmann::json& q : joint.at("quantities")) {
+      if (!is_headline(text_in(q, "key"))) continue;
+      const nlohmann::json& e = q.at("estimate");
+      numbers.add({printable(text_in(q, "words")), number_in(e, "value"),
+                   e.is_null() ? "" : number_in(e, "low") + " to " + number_in(e, "high"),
+                   printable(text_in(q, "unit")), text_in(q, "verdict")});
+    }
+    shown += numbers.text();
+  }
+  return shown;
+}
+
+}  // namespace
+
 ExitStatus run_show(const ShowOptions& options, Console& console) {
-  const report::EmbeddedJson numbers = numbers_of(read_file(options.file), options.file);
+  const std::string file = file_to_show(options.file);
+  const report::EmbeddedJson numbers = numbers_of(read_file(file), file);
+  if (numbers.element == robot_element && !options.json) {
+    try {
+      console.say(robot_text(nlohmann::json::parse(numbers.json)));
+    } catch (const nlohmann::json::exception&) {
+      throw InputError({file, 0, 0},
+                       {"the numbers in the page are not a robot's", "", "", "they were changed"});
+    }
+    return ExitStatus::done;
+  }
   if (numbers.element != result_element) {
     if (!options.json) {
       throw UsageError(fmt::format("{}: the page contains {}, which only --json shows",
@@ -165,8 +241,7 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
     print_json(numbers.json);
     return ExitStatus::done;
   }
-  const calibration::NewCalibration made =
-      calibration::entry_of_calibration(numbers.json, options.file);
+  const calibration::NewCalibration made = calibration::entry_of_calibration(numbers.json, file);
   if (options.json) {
     print_json(numbers.json);
   } else {

@@ -1,6 +1,7 @@
 # Other people's libraries, each found once. A room links those that it names, and no other sees them.
 find_package(Boost REQUIRED COMPONENTS locale)
 find_package(CLI11 REQUIRED)
+find_package(EXPAT REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunmatrixdense sunlinsoldense

@@ -416,6 +416,47 @@ void check_known_truth(Progress& p) {
 
 constexpr Step truth_step{"known-truth check", check_known_truth};
 
+/// The dataset with `share` more taken off of the gravity that the other joints' motion changes.
+joint::Dataset with_more_taken_off(const joint::Dataset& dataset, double share) {
+  joint::Dataset shifted = dataset;
+  for (joint::Recording& recording : shifted.recordings) {
+    for (std::size_t i = 0; i < recording.others_gravity_Nm.size(); ++i) {
+      recording.torque_Nm[i] -= share * recording.others_gravity_Nm[i];
+    }
+  }
+  return shifted;
+}
+
+/// Each quantity as the recordings give it, by closed forms alone.
+std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& dataset) {
+  const IdentifyOptions by_closed_forms{0, 1, 1, 0};
+  Progress p(dataset, by_closed_forms);
+  p.resampled = [](std::size_t /*resamples*/) {};
+  for (const Step& step : papers_chain) step.run(p);
+  for (const Step& step : further_steps) step.run(p);
+  return verdict::judge(p.c).quantities;
+}
+
+/// The most that each quantity changes where the masses are too small or too large by what is
+/// stated of them: by steps that choose, it need not be the same to both sides.
+void find_description_shifts(Progress& p) {
+  const std::optional<double>& percent = p.dataset.manifest.uncertainty.description_percent;
+  const double share = percent.value_or(0) / 100;
+  if (share == 0) return;
+  const auto stated = verdict::judge(p.c).quantities;
+  const auto less = quantities_of(with_more_taken_off(p.dataset, -share));
+  const auto more = quantities_of(with_more_taken_off(p.dataset, share));
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    if (!stated[k].estimate || !less[k].estimate || !more[k].estimate) continue;
+    const double value = stated[k].estimate->value;
+    p.c.description_shifts.push_back(
+        {stated[k].quantity, std::max(std::abs(more[k].estimate->value - value),
+                                      std::abs(less[k].estimate->value - value))});
+  }
+}
+
+constexpr Step description_step{"masses of the arm's description", find_description_shifts};
+
 /// All there is to do where no torque was recorded: each stage's report says so, and what to
 /// record.
 constexpr Step without_torque{
@@ -440,6 +481,8 @@ std::vector<Step> steps_for(const joint::Dataset& dataset, const IdentifyOptions
   if (dataset.manifest.drive.kind() == joint::EffortKind::none) return {without_torque};
   std::vector<Step> steps(std::begin(papers_chain), std::end(papers_chain));
   steps.insert(steps.end(), std::begin(further_steps), std::end(further_steps));
+  const std::optional<joint::ArmGravity>& arm = dataset.manifest.arm_gravity;
+  if (arm && arm->largest_Nm > 0) steps.push_back(description_step);
   if (options.truth_runs > 0) steps.push_back(truth_step);
   return steps;
 }

@@ -13,6 +13,7 @@
 #include "joint/certificate.h"
 #include "joint/drive.h"
 #include "joint/gravity_load.h"
+#include "joint/other_joints.h"
 #include "joint/quantity.h"
 #include "joint/recording.h"
 
@@ -99,6 +100,8 @@ struct StatedUncertainty {
   /// What an error comes from, by the keys above without their unit: two calibrations that state
   /// the same share the error, and it cancels in their comparison.
   std::map<std::string, std::string> id;
+  /// Of the masses in a description of the arm: where there is one, it is never absent.
+  std::optional<double> description_percent{};
 
   bool operator==(const StatedUncertainty&) const = default;
 };
@@ -108,7 +111,7 @@ struct Manifest {
   std::string robot;
   std::string serial;
   std::string joint;
-  std::string robot_description;  ///< File, relative to the manifest; empty: none.
+  std::string robot_description;  ///< For drawings: file, relative to the manifest; empty: none.
   std::string operator_name;
   std::string measured_on;  ///< Free text or ISO date, as given.
   std::string note;
@@ -127,6 +130,8 @@ struct Manifest {
   IntervalSettings intervals;
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
+  std::vector<OtherJoint> other_joints{};      ///< Whose angles were looked for in the logs.
+  std::optional<ArmGravity> arm_gravity{};     ///< Of a description with masses.
   std::shared_ptr<const friction::StaticFriction>
       reference;                        ///< Known curve (simulation), motor side.
   std::vector<AcceptanceLimit> limits;  ///< What the user accepts; may be empty.

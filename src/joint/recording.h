@@ -39,8 +39,11 @@ struct Recording {
   std::vector<double> z_rad;          ///< Mean bristle deflection [rad], motor side; usually empty.
   std::vector<double> dz_rad_s;       ///< Its rate [rad/s], motor side; usually empty.
   std::vector<double> temperature_C;  ///< Of the motor or the gear [°C]; usually empty.
-  std::size_t rows_read{};            ///< Data rows in the file.
-  std::vector<SkippedRows> skipped;   ///< rows_read = size() + the sum of these counts.
+  /// Gravity that the other joints' motion changes, by a description of the arm [N·m, motor side]:
+  /// subtracted from torque_Nm; usually empty.
+  std::vector<double> others_gravity_Nm{};
+  std::size_t rows_read{};           ///< Data rows in the file.
+  std::vector<SkippedRows> skipped;  ///< rows_read = size() + the sum of these counts.
 
   [[nodiscard]] std::size_t size() const { return t_s.size(); }
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "base/error.h"
 #include "joint/dataset.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
@@ -104,6 +105,27 @@ std::string load_at_motor(const joint::KnownLoad& load, double gear_ratio) {
             {{"load", load_formula(load)}, {"gear_ratio", wording::as_stated(gear_ratio)}});
 }
 
+/// The columns that have the angles of other joints.
+std::string moved_columns(const joint::Manifest& m) {
+  std::string columns;
+  for (const joint::OtherJoint& other : m.other_joints) {
+    if (other.samples > 0) columns += (columns.empty() ? "" : ", ") + named(other.angle);
+  }
+  return columns;
+}
+
+std::string taken_off_in_words(const joint::ArmGravity& arm, double gear_ratio) {
+  constexpr int digits = 3;
+  const std::string largest =
+      wording::with_unit(wording::significant(arm.largest_Nm, digits), "N·m");
+  return tr(
+      "by the masses of {file}, against the posture of the first sweep: up to {torque} at the "
+      "joint ÷ {gear_ratio} (gear ratio)",
+      {{"file", printable(arm.description)},
+       {"torque", largest},
+       {"gear_ratio", wording::as_stated(gear_ratio)}});
+}
+
 Table conversions_table(const calibration::Calibration& c) {
   Table table;
   table.id = "table-conversions";
@@ -129,6 +151,13 @@ Table conversions_table(const calibration::Calibration& c) {
     table.rows.push_back({{tr("Known load, subtracted from the torque"), angles,
                            unit_of_angles(load), load_at_motor(load, n), "–",
                            at_the_side("N·m", joint::Side::motor), roles_in_words(load.roles)},
+                          false});
+  }
+  const std::optional<joint::ArmGravity>& arm = c.manifest.arm_gravity;
+  if (arm && arm->samples > 0) {
+    table.rows.push_back({{tr("Gravity of the other joints' motion, subtracted from the torque"),
+                           moved_columns(c.manifest), "–", taken_off_in_words(*arm, n), "–",
+                           at_the_side("N·m", joint::Side::motor), tr("all that have the columns")},
                           false});
   }
   return table;

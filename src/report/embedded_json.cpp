@@ -12,8 +12,9 @@
 namespace tribolog::report {
 namespace {
 
-constexpr std::string_view elements[] = {"tribolog-result", "tribolog-diff",  "tribolog-trend",
-                                         "tribolog-plan",   "tribolog-study", "tribolog-paper"};
+constexpr std::string_view elements[] = {"tribolog-result", "tribolog-diff",      "tribolog-trend",
+                                         "tribolog-plan",   "tribolog-study",     "tribolog-paper",
+                                         "tribolog-robot",  "tribolog-robot-plan"};
 
 [[noreturn]] void refuse(const std::string& html, const std::string& file, std::size_t at,
                          const std::string& what, const std::string& hint) {

@@ -1,5 +1,6 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
+#include "base/error.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -92,6 +93,42 @@ std::string load_in_words(const joint::KnownLoad& load) {
   return load.note.empty() ? words : words + "; " + load.note;
 }
 
+std::string angle_in_words(double angle_rad) {
+  constexpr int decimals = 1;
+  return wording::with_unit(wording::fixed(angle_rad * wording::degree_scale().factor, decimals),
+                            "°");
+}
+
+/// "J2: from −10.0° to 20.0° in these recordings"
+std::string motion_in_words(const joint::OtherJoint& other) {
+  return tr("{joint}: from {lowest} to {highest} in these recordings",
+            {{"joint", printable(other.name)},
+             {"lowest", angle_in_words(other.lowest_rad)},
+             {"highest", angle_in_words(other.highest_rad)}});
+}
+
+/// What the description says of the tested joint where the others are held, to compare.
+std::string masses_in_words(const joint::ArmGravity& arm) {
+  constexpr int digits = 4;
+  std::string held;
+  for (const joint::HeldJoint& one : arm.held) {
+    held +=
+        (held.empty() ? "" : ", ") + printable(one.name) + " " + angle_in_words(one.position_rad);
+  }
+  const std::string file =
+      tr("{file}, taken to be right within {share}",
+         {{"file", printable(arm.description)},
+          {"share", wording::with_unit(wording::as_stated(arm.description_percent), "%")}});
+  if (!arm.own) return file;
+  return file + "; " +
+         tr("gravity of {joint} by it is {torque} at the joint, largest at {angle}, with {held}",
+            {{"joint", printable(arm.tested)},
+             {"torque",
+              wording::with_unit(wording::significant(arm.own->amplitude_Nm(), digits), "N·m")},
+             {"angle", angle_in_words(arm.own->q_peak_rad())},
+             {"held", held.empty() ? "–" : held}});
+}
+
 Table manifest_table(const joint::Manifest& m) {
   Table table = two_columns("table-manifest", tr("What the manifest states"), tr("Fact"));
   add(table, tr("Gear ratio n"), wording::as_stated(m.drive.gear_ratio()));
@@ -114,6 +151,10 @@ Table manifest_table(const joint::Manifest& m) {
   for (const joint::KnownLoad& load : m.known_loads) {
     add(table, tr("Known load, subtracted"), load_in_words(load));
   }
+  for (const joint::OtherJoint& other : m.other_joints) {
+    if (other.samples > 0) add(table, tr("Another joint"), motion_in_words(other));
+  }
+  if (m.arm_gravity) add(table, tr("Masses of the arm"), masses_in_words(*m.arm_gravity));
   if (m.known_gravity) {
     add(table, tr("Known gravity"),
         tr("{gravity_torque} at the joint, largest at {angle}",

@@ -1,12 +1,15 @@
 #include "report/robot_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
+#include "base/shown_text.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/thumbnail.h"
@@ -138,10 +141,65 @@ void fill_verdict(const std::vector<RobotJoint>& joints, TemplateValues& values)
   }
 }
 
+using RobotJson = nlohmann::ordered_json;
+
+RobotJson quantity_json(const calibration::QuantityVerdict& q) {
+  const std::string key = to_string(q.quantity);
+  RobotJson made{{"key", key},
+                 {"words", wording::words_for("quantity", key)},
+                 {"verdict", calibration::to_string(q.verdict)},
+                 {"unit", q.unit},
+                 {"estimate", nullptr}};
+  if (!q.estimate || !std::isfinite(q.estimate->value)) return made;
+  const statistics::Estimate& stated = q.budget ? q.budget->expanded : *q.estimate;
+  const auto number = [](double value) {
+    return std::isfinite(value) ? RobotJson(value) : RobotJson(nullptr);
+  };
+  made["estimate"] = {{"value", number(q.estimate->value)},
+                      {"low", number(stated.low)},
+                      {"high", number(stated.high)}};
+  return made;
+}
+
+RobotJson joint_result_json(const RobotJoint& joint) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? RobotJson(nullptr) : RobotJson(text);
+  };
+  RobotJson made{{"name", joint.name},
+                 {"report", text_or_null(joint.file)},
+                 {"refusal", text_or_null(joint.refusal)}};
+  if (joint.calibration == nullptr) return made;
+  const calibration::Judgement& judgement = joint.calibration->judgement;
+  made["verdict"] = calibration::to_string(judgement.verdict);
+  made["sentence"] = wording::words(judgement.sentence);
+  made["gear_ratio"] = joint.calibration->manifest.drive.gear_ratio();
+  made["quantities"] = RobotJson::array();
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (!q.unit.empty()) made["quantities"].push_back(quantity_json(q));
+  }
+  return made;
+}
+
+/// In English, whatever the page is in.
+std::string results_json(const std::vector<RobotJoint>& joints,
+                         const calibration::Provenance& provenance) {
+  const wording::WordsIn english({});
+  const joint::Manifest* manifest = manifest_of(joints);
+  RobotJson all{{"schema", "tribolog-robot-result-1"},
+                {"version", provenance.tool_version},
+                {"created_utc", provenance.created_utc},
+                {"robot", manifest == nullptr ? "" : manifest->robot},
+                {"serial", manifest == nullptr ? "" : manifest->serial},
+                {"joints", RobotJson::array()}};
+  for (const RobotJoint& joint : joints) all["joints"].push_back(joint_result_json(joint));
+  return json_without_hidden(all.dump(2, ' ', false, RobotJson::error_handler_t::replace)) + "\n";
+}
+
 }  // namespace
 
 std::string robot_page(const std::vector<RobotJoint>& joints,
                        const calibration::Provenance& provenance, wording::Language language) {
+  const std::string numbers = results_json(joints, provenance);
   const wording::WordsIn words(language);
   TemplateValues values;
   fill_head(provenance, values, PageKind::robot);
@@ -150,6 +208,7 @@ std::string robot_page(const std::vector<RobotJoint>& joints,
   fill_facts(facts_of(joints), values);
   fill_verdict(joints, values);
   for (const RobotJoint& joint : joints) fill_joint(joint, values.add_section("JOINT"));
+  values.set_checked_by_modifier("RESULT_JSON", numbers);
   return expand_template("robot.tpl", values, language);
 }
 

@@ -21,7 +21,10 @@ struct RobotJoint {
   std::string file;  ///< Of its report, beside the page; empty: there is none.
 };
 
-/// @param joints in the manifest's order; the worst verdict is the robot's.
+/// @param joints in the manifest's order; the worst verdict is the robot's. Verdicts and numbers
+/// are
+///        embedded as JSON, schema "tribolog-robot-result-1", in the element "tribolog-robot": SI,
+///        motor side, intervals with what the manifest states of uncertainty.
 std::string robot_page(const std::vector<RobotJoint>& joints,
                        const calibration::Provenance& provenance,
                        wording::Language language = wording::Language{});

@@ -18,7 +18,7 @@ namespace {
 
 using wording::tr;
 
-constexpr double margin = 6;
+constexpr double frame_margin = 6;
 
 struct Range {
   double low{std::numeric_limits<double>::infinity()};
@@ -47,10 +47,11 @@ class Frame {
   Frame(const Range& x, const Range& y) : x_(x), y_(y) {}
 
   [[nodiscard]] double across(double value) const {
-    return margin + x_.share(value) * (thumbnail_width - 2 * margin);
+    return frame_margin + x_.share(value) * (thumbnail_width - 2 * frame_margin);
   }
   [[nodiscard]] double down(double value) const {
-    return thumbnail_height - margin - y_.share(value) * (thumbnail_height - 2 * margin);
+    return thumbnail_height - frame_margin -
+           y_.share(value) * (thumbnail_height - 2 * frame_margin);
   }
   [[nodiscard]] std::string line(const Points& points) const {
     std::string path;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "joint/degrees.h"
 
 namespace tribolog::verdict {
@@ -375,6 +377,54 @@ std::optional<Measured> other_joint_on_friction(const Calibration& c) {
   return found;
 }
 
+/// How far another joint moved, by the logs, where no description tells what that does.
+std::optional<Measured> others_move(const Calibration& c) {
+  const joint::OtherJoint* farthest = nullptr;
+  for (const joint::OtherJoint& other : c.manifest.other_joints) {
+    if (other.samples == 0) continue;
+    if (farthest == nullptr || other.travel_rad() > farthest->travel_rad()) farthest = &other;
+  }
+  if (farthest == nullptr) return std::nullopt;
+  if (c.manifest.arm_gravity) return Measured{0, {}};
+  const double travel_deg = joint::degrees_per_rad * farthest->travel_rad();
+  return Measured{
+      travel_deg,
+      {"cause.others_move", {{"joint", in_quotes(farthest->name)}, {"travel_deg", travel_deg}}}};
+}
+
+/// What the others' motion changed of gravity and was taken off, in percent of gravity.
+std::optional<Measured> others_taken_off(const Calibration& c) {
+  const std::optional<joint::ArmGravity>& arm = c.manifest.arm_gravity;
+  if (!arm || arm->samples == 0 || !c.rough.found) return std::nullopt;
+  const double gravity_Nm = c.manifest.drive.gear_ratio() * c.rough.gravity_Nm.value;
+  return Measured{100 * arm->largest_Nm / gravity_Nm,
+                  {"cause.others_taken_off",
+                   {{"largest_Nm", arm->largest_Nm},
+                    {"file", printable(arm->description)},
+                    {"percent", arm->description_percent}}}};
+}
+
+/// How far gravity by the description is from what the recordings show, in percent of that: of both
+/// as vectors, by size and angle.
+std::optional<Measured> description_differs(const Calibration& c) {
+  const std::optional<joint::ArmGravity>& arm = c.manifest.arm_gravity;
+  if (!arm || !arm->own || arm->samples == 0 || !c.rough.found || !c.q_peak_rad) {
+    return std::nullopt;
+  }
+  const double found_Nm = c.manifest.drive.gear_ratio() * c.rough.gravity_Nm.value;
+  const double own_Nm = arm->own->amplitude_Nm();
+  const double turned_rad = arm->own->q_peak_rad() - c.q_peak_rad->value;
+  const double apart_Nm =
+      std::hypot(own_Nm * std::cos(turned_rad) - found_Nm, own_Nm * std::sin(turned_rad));
+  return Measured{100 * apart_Nm / found_Nm,
+                  {"cause.description_differs",
+                   {{"file", printable(arm->description)},
+                    {"own_Nm", own_Nm},
+                    {"own_deg", joint::degrees_per_rad * arm->own->q_peak_rad()},
+                    {"found_Nm", found_Nm},
+                    {"found_deg", joint::degrees_per_rad * c.q_peak_rad->value}}}};
+}
+
 std::optional<Measured> coloured_noise(const Calibration& c) {
   if (!c.rough.found || !c.rough.both_directions || !(c.rough.white_Nm > 0)) return std::nullopt;
   return Measured{100 * c.rough.coloured_Nm / c.rough.white_Nm,
@@ -413,6 +463,22 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
        "record.other_joints_at_rest",
        other_joint_on_friction},
+      // Joints that are held move by less.
+      {"others_move",
+       "deg",
+       1,
+       Verdict::doubtful,
+       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
+        Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
+       "record.others_at_rest_or_described",
+       others_move},
+      {"others_taken_off", "%", 0.01, told, of_gravity, "record.other_joints_at_rest",
+       others_taken_off},
+      // Hoses and what a description leaves out are less; another zero, another sign or a payload
+      // that it does not have are more, and make what is taken off wrong.
+      {"description_differs", "%", 30, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
+       description_differs},
       {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_at_loads",
        torque_out_of_proportion},
       {"slope_out_of_proportion",

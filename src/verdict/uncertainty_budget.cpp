@@ -111,6 +111,7 @@ class BudgetMaker {
     add(Influence::surrogate_distance, e.distance, stated.surrogate_distance_percent);
     add(Influence::gravity, e.gravity, stated.gravity_percent);
     if (e.has_zero) add_zero(stated.angle_zero_deg);
+    add_description();
     return calibration::combined(estimate_, std::move(parts_), std::move(not_stated_));
   }
 
@@ -150,6 +151,19 @@ class BudgetMaker {
                       well_known, 0, id_of(Influence::angle_zero)});
   }
 
+  /// Of the masses by which the gravity of the other joints was taken off.
+  void add_description() {
+    const std::optional<double>& percent = c_.manifest.uncertainty.description_percent;
+    for (const calibration::DescriptionShift& shift : c_.description_shifts) {
+      if (shift.quantity != quantity_ || !percent) continue;
+      const double share = *percent / 100 * std::abs(estimate_.value);
+      const double sensitivity = share > 0 ? shift.half_width / share : 0;
+      parts_.push_back({Influence::description, true, percent, sensitivity,
+                        shift.half_width / calibration::coverage_factor(well_known), well_known, 0,
+                        id_of(Influence::description)});
+    }
+  }
+
   /// As the manifest states it; else what belongs to this joint is the same as long as its value
   /// is.
   [[nodiscard]] std::string id_of(Influence influence) const {
@@ -160,6 +174,11 @@ class BudgetMaker {
       return fmt::format("{:g} m", m.surrogate_distance_m);
     if (influence == Influence::gravity) return fmt::format("{:g} m/s²", m.gravity_m_s2);
     const std::string joint = fmt::format("{} {} {}: ", m.robot, m.serial, m.joint);
+    if (influence == Influence::description && m.arm_gravity) {
+      // Another motion has another error, though the masses are the same.
+      return joint +
+             fmt::format("{}, {:.4g} N·m", m.arm_gravity->description, m.arm_gravity->largest_Nm);
+    }
     if (influence == Influence::gear_ratio)
       return joint + fmt::format("{:g}", m.drive.gear_ratio());
     if (influence == Influence::angle_zero) return joint + "0°";

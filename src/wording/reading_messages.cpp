@@ -136,6 +136,13 @@ const Messages& reading_messages() {
       {"reading.robot_of_other_joint",
        text("{file} describes the test of joint {described}, the manifest is for joint {stated}: "
             "the drawings of the robot show the former")},
+      {"reading.arm_matched_by_order",
+       text("no joint of {file} has a name of the manifest's: they are matched by their order, "
+            "{joint} as {described}")},
+      {"reading.arm_joints_at_zero",
+       text("no column has the angles of {joints} of {file}: they are taken to stand at 0")},
+      {"reading.others_not_logged",
+       text("{file} has no angle of another joint: {description} takes nothing off its torque")},
       {"reading.outside_range_of_motion",
        text("the logs reach {angle_deg:.4g}°, outside the range of motion of joint {joint} in "
             "{file}, {lowest_deg:.4g}° to {highest_deg:.4g}°: do both count the angle from the "

@@ -73,6 +73,21 @@ const Messages& verdict_messages() {
        text("Slow change of the torque with time, relative to the gravity torque")},
       {"rule.gravity_in_time_on_friction",
        text("Torque that changes with time, relative to friction")},
+      {"rule.others_move", text("Motion of another joint, without a description of the arm")},
+      {"rule.others_taken_off",
+       text("Gravity of the other joints' motion, taken off, relative to the gravity torque")},
+      {"rule.description_differs", text("Gravity by the description against the recordings'")},
+      {"cause.description_differs",
+       text("by {file} gravity is {own_Nm:.3g} N·m at the joint, largest at {own_deg:.1f}°; the "
+            "recordings show {found_Nm:.3g} N·m, largest at {found_deg:.1f}°: do both count the "
+            "angles from the same zero and with the same sign, and is the payload described?")},
+      {"cause.others_move",
+       text("joint {joint} moves by {travel_deg:.3g}° in these recordings: what that does to this "
+            "joint's gravity cannot be told apart from its own without a description of the arm")},
+      {"cause.others_taken_off",
+       text("the other joints' motion changes gravity by up to {largest_Nm:.3g} N·m at the joint; "
+            "it is taken off by the masses of {file}, which are taken to be right within "
+            "{percent:g} %")},
       {"rule.strokes_of_sweep", text("Strokes of the sweep off one straight line over speed")},
       {"cause.strokes_apart",
        text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
@@ -480,6 +495,7 @@ const Messages& verdict_messages() {
       {"influence.surrogate_distance", text("distance of the surrogate mass")},
       {"influence.gravity", text("acceleration of gravity")},
       {"influence.angle_zero", text("zero of the angle")},
+      {"influence.description", text("masses of the arm")},
       {"budget.torque_constant_not_stated",
        text("the uncertainty of the torque constant is not stated, and is in no interval: every "
             "torque is wrong by as many percent as the torque constant is; state "
@@ -533,6 +549,9 @@ const Messages& verdict_messages() {
       {"record.better_motion", text("a motion that shows it better, or less noise: the known-truth "
                                     "check shows how far off the recovered value is")},
       {"record.with_load", text("a load on the arm, or another posture, gives the joint gravity")},
+      {"record.others_at_rest_or_described",
+       text("the same again with all other joints at rest, or a description of the arm with its "
+            "masses (URDF)")},
       {"record.other_joints_at_rest", text("the same again with all other joints at rest")},
       {"record.eight_positions",
        text("the micro-oscillation at eight positions spread over one turn of the motor")},

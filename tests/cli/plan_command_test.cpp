@@ -1,14 +1,18 @@
 // `tribolog plan`: what it writes, and how it refuses.
 
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/small_dataset.h"
 #include "support/breadth.h"
 
 namespace tribolog::test::plan_command_test {
 namespace {
+
+using nlohmann::json;
 
 const std::string example = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/joint.toml";
 
@@ -61,6 +65,57 @@ TEST(PlanCommand, RefusesAndLeavesTheOldPlan) {
   std::filesystem::create_directory(scratch.file("out/plan.html"));
   EXPECT_EQ(plan(scratch, "'" + example + "' -o out --runs 0").status, 4);
   EXPECT_EQ(read_text(scratch.file("out/setpoints.csv")), "of last year");
+}
+
+TEST(PlanCommand, OfAWholeRobotIsADirectoryForEachJointAndAPage) {
+  const ScratchDirectory scratch;
+  const std::string robot = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/robot.toml";
+  const ProgramRun run = plan(scratch, "'" + robot + "' -o out --runs 0");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* joint : {"shoulder", "elbow"}) {
+    for (const char* name : {"plan.html", "plan.json", "setpoints.csv", "dataset.toml"}) {
+      EXPECT_TRUE(std::filesystem::exists(scratch.file(std::string("out/") + joint + "/" + name)));
+    }
+  }
+  const std::string page = read_text(scratch.file("out/index.html"));
+  EXPECT_NE(page.find("href=\"shoulder/plan.html\""), std::string::npos);
+  // The sums and the joints' own plans agree.
+  const json numbers =
+      json::parse(run_shell(program + "show '" + scratch.file("out") + "' --json").out);
+  double sum_s = 0;
+  for (const json& joint : numbers["joints"]) {
+    const std::string name = joint["name"];
+    const json own = json::parse(read_text(scratch.file("out/" + name + "/plan.json")));
+    double ends_s = 0;
+    for (const json& segment : own["segments"]) ends_s = segment["end_s"];
+    EXPECT_NEAR(joint["duration_s"].get<double>(), ends_s, 1e-9) << name;
+    sum_s += ends_s;
+  }
+  EXPECT_EQ(numbers["joints"].size(), 2U);
+  EXPECT_NEAR(numbers["duration_s"].get<double>(), sum_s, 1e-9);
+  // One joint by its name has the same plan.
+  EXPECT_EQ(plan(scratch, "'" + robot + "' --joint elbow -o alone --runs 0").status, 0);
+  EXPECT_EQ(read_text(scratch.file("alone/setpoints.csv")),
+            read_text(scratch.file("out/elbow/setpoints.csv")));
+}
+
+TEST(PlanCommand, AJointOfARobotThatIsRefusedDoesNotStopTheOthers) {
+  const ScratchDirectory scratch;
+  const std::string robot =
+      read_text(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/robot.toml");
+  scratch.write("robot.toml", replaced(robot, "lowest_deg = -150", "lowest_deg = 150"));
+  const ProgramRun run = plan(scratch, "robot.toml -o out --runs 0");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find("elbow: error: robot.toml:"), std::string::npos) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/shoulder/plan.html")));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("out/elbow")));
+  EXPECT_NE(read_text(scratch.file("out/index.html")).find("class=\"refusal\""), std::string::npos);
+  EXPECT_EQ(plan(scratch, "robot.toml -o out --calibration nowhere").status, 2);
+  EXPECT_EQ(plan(scratch, "robot.toml -o out --joint wrist").status, 3);
+  scratch.write("logs.toml", "schema = \"tribolog-dataset-1\"\n[robot]\nname = \"R\"\n");
+  const ProgramRun logs = plan(scratch, "logs.toml -o out");
+  EXPECT_EQ(logs.status, 3);
+  EXPECT_NE(logs.err.find("logs.toml:1:10: is a manifest of logs"), std::string::npos) << logs.err;
 }
 
 TEST(PlanCommand, AFileOfTheJointIsNeverOverwritten) {

@@ -118,6 +118,22 @@ TEST(WholeRobot, IsReportedInOneGoAndKeptInOneArchive) {
     EXPECT_EQ(robot.read(fmt::format("out/{}.calibration.json", name))["verdict"],
               robot.read("alone.json")["verdict"]);
   }
+  // The page says each joint's verdict and numbers by itself.
+  const ProgramRun shown = Robot::run("show '" + robot.file("out") + "'");
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  for (const char* words : {"two axes", "\nJ1: ", "\nJ2: ", "Coulomb torque", "Gravity torque"}) {
+    EXPECT_NE(shown.out.find(words), std::string::npos) << words << '\n' << shown.out;
+  }
+  const json page_numbers =
+      json::parse(Robot::run("show '" + robot.file("out/index.html") + "' --json").out);
+  const json& second = page_numbers["joints"][1];
+  const json own = robot.read("out/J2.calibration.json");
+  EXPECT_EQ(second["report"], "J2.html");
+  EXPECT_EQ(second["verdict"], own["verdict"]["verdict"]);
+  for (const json& q : second["quantities"]) {
+    if (q["key"] != "coulomb_torque") continue;
+    EXPECT_EQ(q["estimate"]["value"].get<double>(), estimate_of(own, "coulomb_torque"));
+  }
   const json truth = robot.read("truth.json");
   EXPECT_NEAR(estimate_of(robot.read("out/J2.calibration.json"), "gravity_torque"),
               truth["joints"][1]["gravity_torque_motor_Nm"].get<double>(), 0.01);

@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "report/document_checks.h"
+#include "report/embedded_json.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 #include "report/thumbnail.h"
@@ -36,7 +38,16 @@ TEST(RobotPage, HasEachJointsVerdictNumbersAndWay) {
   EXPECT_EQ(page.find("J3.html"), std::string::npos);
   EXPECT_NE(page.find("Angle of the centre of gravity"), std::string::npos);
   EXPECT_NE(page.find("class=\"thumbnails\""), std::string::npos);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
+  // No script runs; what is embedded is the numbers.
+  EXPECT_EQ(occurrences(page, "<script"), 1U);
+  const report::EmbeddedJson numbers = report::embedded_json(page, "robot.html");
+  EXPECT_EQ(numbers.element, "tribolog-robot");
+  const auto joints = nlohmann::json::parse(numbers.json)["joints"];
+  ASSERT_EQ(joints.size(), 3U);
+  EXPECT_EQ(joints[1]["report"], "J 2.html");
+  EXPECT_EQ(joints[2]["refusal"], "j3.csv: cannot be opened");
+  EXPECT_FALSE(joints[2].contains("quantities"));
+  EXPECT_FALSE(joints[0]["quantities"].empty());
 }
 
 TEST(RobotPage, TheWorstJointDecides) {

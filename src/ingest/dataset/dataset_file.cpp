@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/requirements.h"
+#include "ingest/dataset/arm_in_motion.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/log_reader.h"
 #include "ingest/dataset/recording_rows.h"
@@ -22,6 +23,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/text/csv_dialect.h"
+#include "ingest/manifest/urdf_file.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::dataset {
@@ -33,6 +35,7 @@ namespace {
 class UnusedColumns {
  public:
   void add(const log::LogTable& table);
+  void add(const ReadLog& log);
   /// One for all logs; empty if every column is used.
   [[nodiscard]] Statement note() const;
   /// Names those that may hold the torque that no recording has; empty: there are none.
@@ -50,6 +53,11 @@ void UnusedColumns::add(const log::LogTable& table) {
     if (!name.empty() && known_.insert(name).second) names_.push_back(name);
   }
   for (const log::LogColumn& column : table.columns) used_.insert(column.header.full);
+}
+
+void UnusedColumns::add(const ReadLog& log) {
+  add(log.table);
+  for (const auto& [name, column] : log.others) used_.insert(column.header.full);
 }
 
 std::vector<std::string> UnusedColumns::unused() const {
@@ -101,6 +109,18 @@ void add_robot(const std::filesystem::path& directory, joint::Dataset& dataset) 
                            {{"file", printable(file)},
                             {"described", in_quotes(tested)},
                             {"stated", in_quotes(dataset.manifest.joint)}}});
+}
+
+/// The description with masses, its fingerprint, and which of its joints is which.
+/// @param joints of a robot's manifest; empty: it is a single joint's.
+void add_arm(const std::filesystem::path& directory, const std::vector<std::string>& joints,
+             ArmInMotion& arm, joint::Dataset& dataset) {
+  if (!dataset.manifest.arm_gravity) return;
+  const std::string& file = dataset.manifest.arm_gravity->description;
+  const std::string path = (directory / file).string();
+  const std::string text = read_file(path, manifest::largest_urdf_bytes);
+  arm.describe(text, path, joints);
+  dataset.inputs.push_back(fingerprint(file, "robot", text));
 }
 
 /// A note where a log's angles leave the described range of motion: it counts otherwise, or the
@@ -172,10 +192,11 @@ void add_points(const manifest::RecordingEntry& entry, const manifest::ManifestF
 }
 
 void add_recording(const manifest::RecordingEntry& entry, const manifest::ManifestFile& manifest,
-                   KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused) {
+                   KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused,
+                   ArmInMotion& arm) {
   std::vector<joint::KnownLoad>& loads = dataset.manifest.known_loads;
-  const auto own = logs.read(without_companions(entry), loads, dataset.notes);
-  unused.add(own->table);
+  const auto own = logs.read(without_companions(entry), loads, dataset.notes, arm.columns());
+  unused.add(*own);
   std::vector<std::shared_ptr<const ReadLog>> companions;
   for (const manifest::RecordingEntry& beside : companions_of(entry)) {
     companions.push_back(logs.read(beside, {}, dataset.notes));
@@ -188,9 +209,11 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
   const log::LogTable& as_read = companions.empty() ? own->table : with_companions;
   std::optional<log::LogTable> mended;
   if (manifest.text_logs.skip_bad_rows) mended = without_impossible_values(entry, as_read);
+  std::vector<std::size_t> rows;
   joint::Recording recording =
       make_recording(entry, mended ? *mended : as_read, dataset.manifest.drive,
-                     manifest.effort_sign, dataset.notes, &loads);
+                     manifest.effort_sign, dataset.notes, &loads, &rows);
+  arm.keep(*own, rows);
   joint::InputFile input = own->file;
   input.role = joint::to_string(entry.role);
   count_rows(recording, input);
@@ -227,12 +250,18 @@ joint::Dataset read_dataset(const std::string& manifest_path, const std::string&
   dataset.inputs.push_back(fingerprint(path.filename().string(), role, text));
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
+  ArmInMotion arm(dataset.manifest);
+  add_arm(directory, manifest::joints_in_manifest(text, manifest_path), arm, dataset);
   UnusedColumns unused;
   KeptLogs logs(manifest, directory);
   for (const manifest::RecordingEntry& entry : manifest.recordings) {
-    const bool is_points = entry.role == joint::Role::friction_points;
-    (is_points ? add_points : add_recording)(entry, manifest, logs, dataset, unused);
+    if (entry.role == joint::Role::friction_points) {
+      add_points(entry, manifest, logs, dataset, unused);
+    } else {
+      add_recording(entry, manifest, logs, dataset, unused, arm);
+    }
   }
+  arm.take_gravity_off(dataset);
   // Those of a robot are its other joints'.
   const bool is_of_robot = !joint.empty();
   if (const Statement note = unused.note(); !note.empty() && !is_of_robot) {

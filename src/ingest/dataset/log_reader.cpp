@@ -161,6 +161,33 @@ log::LogTable take_columns(std::vector<log::LogTable> tables,
 
 namespace {
 
+bool is_named(const log::LogColumn& column, const log::LogTable& table, const std::string& name) {
+  const log::ColumnHeader& header = column.header;
+  return header.full == name || header.name == name || table.group + "/" + header.full == name ||
+         (header.place > 0 && "#" + std::to_string(header.place) == name);
+}
+
+/// Takes the columns that are no part of the recording out of the table.
+/// @param columns in whose order it was read; optional ones may be absent.
+void set_others_apart(const std::vector<log::WantedColumn>& columns,
+                      const std::vector<std::string>& others, ReadLog& read) {
+  if (others.empty()) return;
+  std::vector<log::LogColumn>& of_table = read.table.columns;
+  auto place = of_table.begin();
+  for (const log::WantedColumn& wanted : columns) {
+    if (place == of_table.end()) return;
+    if (wanted.is_optional && !is_named(*place, read.table, wanted.name)) continue;
+    const bool is_other =
+        wanted.is_optional && std::find(others.begin(), others.end(), wanted.name) != others.end();
+    if (is_other) {
+      read.others.emplace(wanted.name, std::move(*place));
+      place = of_table.erase(place);
+    } else {
+      ++place;
+    }
+  }
+}
+
 /// For the fingerprint: other readers open the file themselves.
 void read_to_the_end(ByteSource& bytes) {
   constexpr std::size_t at_a_time = std::size_t{1} << 20;
@@ -170,7 +197,8 @@ void read_to_the_end(ByteSource& bytes) {
 }
 
 ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
-                 const std::vector<log::WantedColumn>& columns, const text::TextLogRules& rules,
+                 const std::vector<log::WantedColumn>& columns,
+                 const std::vector<std::string>& others, const text::TextLogRules& rules,
                  std::vector<Statement>& notes) {
   InputFileSource log(path);
   FingerprintedSource bytes(log);
@@ -183,6 +211,7 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
   } else {
     read.table = text::read_csv(bytes, path, columns, rules);
   }
+  set_others_apart(columns, others, read);
   read_to_the_end(bytes);
   if (log.has_grown()) {
     RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});
@@ -252,20 +281,21 @@ void keep_rows(const manifest::RowsEntry& wanted, log::LogTable& table) {
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
-                                              std::vector<Statement>& notes) {
+                                              std::vector<Statement>& notes,
+                                              const std::vector<std::string>& others) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
   const std::string path = (directory_ / entry.file).string();
-  std::vector<log::WantedColumn> columns = columns_wanted(entry, loads);
+  std::vector<log::WantedColumn> columns = columns_wanted(entry, loads, others);
   Kept& kept = kept_[entry.file];
   const std::optional<double> rate_Hz =
       entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
   const std::string rows = entry.columns.rows ? entry.columns.rows->value : "";
   if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
-    ReadLog log = read_log(entry, path, columns, rules_, notes);
+    ReadLog log = read_log(entry, path, columns, others, rules_, notes);
     if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
     complete_clock(entry, log.table, notes);
     if (rate_Hz) make_clock(*entry.columns.time, path, log.table);

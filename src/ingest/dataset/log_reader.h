@@ -38,6 +38,9 @@ log::LogTable take_columns(std::vector<log::LogTable> tables,
 /// A log with the columns that a recording wants.
 struct ReadLog {
   log::LogTable table;
+  /// Angles of the robot's other joints, as far as the log has them, by the names that were wanted.
+  /// Not among the table's columns: a gap in one leaves no row out.
+  std::map<std::string, log::LogColumn> others{};
   joint::InputFile file;  ///< Name, size and fingerprint.
 };
 
@@ -49,11 +52,13 @@ class KeptLogs {
   /// A recording's own file, or one beside it. It is kept until the last recording that names it
   /// was read.
   /// @param loads whose angles are read with it.
+  /// @param others columns of the robot's other joints, which the log need not have.
   /// @param notes receives what the user should know of the reading.
   /// @throw InputError as read_csv(), take_columns() and refuse_unusable_columns().
   std::shared_ptr<const ReadLog> read(const manifest::RecordingEntry& entry,
                                       const std::vector<joint::KnownLoad>& loads,
-                                      std::vector<Statement>& notes);
+                                      std::vector<Statement>& notes,
+                                      const std::vector<std::string>& others = {});
 
  private:
   struct Kept {

@@ -122,7 +122,8 @@ void refuse_contradicting_unit(const manifest::ColumnEntry& entry,
 }  // namespace
 
 std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& entry,
-                                              const std::vector<joint::KnownLoad>& loads) {
+                                              const std::vector<joint::KnownLoad>& loads,
+                                              const std::vector<std::string>& others) {
   std::vector<log::WantedColumn> wanted;
   for (const LoggedColumn& column : logged_columns(entry.columns)) {
     const bool is_effort = column.signal == joint::LoggedSignal::effort;
@@ -131,6 +132,13 @@ std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& en
   }
   if (entry.time_to_compare) wanted.push_back(*entry.time_to_compare);
   add_load_columns(loads, entry.role, wanted);
+  for (const std::string& name : others) {
+    const auto is_same = [&](const log::WantedColumn& column) { return column.name == name; };
+    const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), is_same);
+    if (!is_wanted && !entry.columns.rows) {
+      wanted.push_back({name, "", log::ColumnReading::number, true});
+    }
+  }
   const auto& time = entry.columns.time;
   if (time && time->plus) wanted.push_back({time->plus->name, "", time->plus->reading});
   if (entry.columns.rows) {
@@ -193,7 +201,8 @@ std::optional<std::vector<double>> unwrapped_column(const manifest::ColumnEntry&
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
                                 const joint::Drive& drive, double effort_sign,
                                 std::vector<Statement>& notes_of_all,
-                                std::vector<joint::KnownLoad>* loads) {
+                                std::vector<joint::KnownLoad>* loads,
+                                std::vector<std::size_t>* rows) {
   RecordingNotes notes(entry.file, notes_of_all);
   note_reading(table, notes);
   if (table.columns.front().origin != 0) {
@@ -230,6 +239,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
     }
   }
   if (loads != nullptr) subtract_known_loads(table, choice.rows, drive.gear_ratio(), *loads, r);
+  if (rows != nullptr) *rows = choice.rows;
   judge_units(entry, table, drive, r, notes);
   return r;
 }

@@ -103,10 +103,13 @@ void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& tab
 // The recording.
 
 /// The columns that the entry names, in the order of logged_columns(), but for a clock that is
-/// made; behind them the time to compare, the angles of the loads that load the recording, the
-/// second part of the clock, and what tells whose row it is.
+/// made; behind them the time to compare, the angles of the loads that load the recording, those of
+/// the robot's other joints that are not among these, which are optional, the second part of the
+/// clock, and what tells whose row it is.
+/// @param others columns; none is read where each row is one joint's.
 std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& entry,
-                                              const std::vector<joint::KnownLoad>& loads = {});
+                                              const std::vector<joint::KnownLoad>& loads = {},
+                                              const std::vector<std::string>& others = {});
 
 /// @param table with the columns wanted.
 /// @param path of the log, for messages.
@@ -126,10 +129,12 @@ void note_reading(const log::LogTable& table, RecordingNotes& notes);
 /// An angle that wraps round goes on, in the whole log and so in each window of it.
 /// @throw InputError if time runs back further, more than 5 % of the time stamps stand twice, or
 ///        fewer than 20 rows are left.
+/// @param rows receives the rows of the table that became samples.
 joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
                                 const joint::Drive& drive, double effort_sign,
                                 std::vector<Statement>& notes,
-                                std::vector<joint::KnownLoad>* loads = nullptr);
+                                std::vector<joint::KnownLoad>* loads = nullptr,
+                                std::vector<std::size_t>* rows = nullptr);
 
 // Friction points.
 

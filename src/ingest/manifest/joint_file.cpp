@@ -9,9 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "base/closest_match.h"
 #include "base/error.h"
 #include "ingest/arrays/json_text.h"
+#include "ingest/manifest/robot_joints.h"
 #include "ingest/manifest/scenario_tables.h"
+#include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
 #include "wording/words.h"
 
@@ -120,8 +123,25 @@ void read_effort(const TomlTable& effort, joint::JointFacts& f) {
 
 }  // namespace
 
-joint::JointFacts parse_joint(std::string_view text, const std::string& file) {
-  const TomlTable top = TomlTable::parse(text, file);
+std::vector<std::string> joints_to_plan(std::string_view text, const std::string& file) {
+  precheck_toml(text, file);
+  const TomlNode document = parse_toml(text, file);
+  const TomlNode* schema = document.member("schema");
+  const auto* stated = schema == nullptr ? nullptr : schema->as<std::string>();
+  if (stated != nullptr && *stated == "tribolog-dataset-1") {
+    throw InputError({file, schema->line, schema->column},
+                     {"is a manifest of logs, which has no limits of a joint", in_quotes(*stated),
+                      "'tribolog-joint-1'",
+                      "a plan follows from limits of angle, speed, acceleration and torque; "
+                      "examples/plan has a file of one joint and one of a robot"});
+  }
+  return joint_names(document, file);
+}
+
+joint::JointFacts parse_joint(std::string_view text, const std::string& file,
+                              const std::string& joint) {
+  precheck_toml(text, file);
+  const TomlTable top = TomlTable::of(document_of_joint(parse_toml(text, file), file, joint), file);
   (void)top.choice("schema", {"tribolog-joint-1"});
   joint::JointFacts f;
   const TomlTable robot = top.table("robot");

@@ -20,20 +20,31 @@
 //              torque_constant_Nm_A: of the log that will be recorded
 //   [budget]   time_s
 //
+// A whole robot's joints share a file, each in [[joints]] (robot_joints.h): [joints.gravity],
+// [joints.friction] and so on add to what stands once for all.
+//
 // All tables but [robot] and [joint], and all keys in them, are optional: a plan names what it
 // assumes instead.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "joint/joint_facts.h"
 
 namespace tribolog::ingest::manifest {
 
-/// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
-joint::JointFacts parse_joint(std::string_view text, const std::string& file);
+/// @param joint of a whole robot's file, by name; empty: the file is a single joint's.
+/// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt;
+///        for a manifest of logs, which has its own schema; as document_of_joint().
+joint::JointFacts parse_joint(std::string_view text, const std::string& file,
+                              const std::string& joint = {});
+
+/// The joints of a whole robot's file, in their order; none: it is a single joint's.
+/// @throw InputError as joint_names().
+std::vector<std::string> joints_to_plan(std::string_view text, const std::string& file);
 
 inline constexpr std::uint64_t largest_joint_bytes = 1 << 20;
 

@@ -1,6 +1,9 @@
 #include "ingest/manifest/manifest_file.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -33,7 +36,9 @@ void read_identity(const TomlTable& top, joint::Manifest& manifest) {
   manifest.operator_name = robot.text_or("operator", "");
   manifest.measured_on = read_date(robot, "measured_on");
   manifest.note = robot.text_or("note", "");
-  manifest.robot_description = read_description_name(robot);
+  const std::string description = read_description_name(robot);
+  manifest.arm_gravity = read_arm_gravity(robot, description);
+  if (!manifest.arm_gravity) manifest.robot_description = description;
   robot.refuse_unknown_keys();
 }
 
@@ -78,7 +83,9 @@ joint::IntervalSettings read_intervals(const TomlTable& table) {
   return settings;
 }
 
-joint::StatedUncertainty read_uncertainty(const TomlTable& table) {
+/// @param arm where the description has masses.
+joint::StatedUncertainty read_uncertainty(const TomlTable& table,
+                                          const std::optional<joint::ArmGravity>& arm) {
   joint::StatedUncertainty stated;
   const auto percent = [&](const char* key) {
     const auto value = table.find_number(key, Sign::not_negative);
@@ -95,9 +102,15 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table) {
   stated.surrogate_distance_percent = percent("surrogate_distance_percent");
   stated.gravity_percent = percent("gravity_percent");
   stated.angle_zero_deg = table.find_number("angle_zero_deg", Sign::not_negative);
+  if (arm) {
+    stated.description_percent = percent("description_percent");
+  } else if (table.has_misplaced("description_percent")) {
+    table.refuse("description_percent", {"is for a description with masses", "",
+                                         "[robot] description = \"arm.urdf\"", ""});
+  }
   if (const auto id = table.find_table("id")) {
-    for (const char* const influence :
-         {"torque_constant", "gear_ratio", "surrogate_distance", "gravity", "angle_zero"}) {
+    for (const char* const influence : {"torque_constant", "gear_ratio", "surrogate_distance",
+                                        "gravity", "angle_zero", "description"}) {
       const std::string text = id->text_or(influence, "");
       if (!text.empty()) stated.id[influence] = text;
     }
@@ -126,7 +139,12 @@ void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
     surrogate->refuse_unknown_keys();
   }
   if (const auto uncertainty = top.find_table("uncertainty")) {
-    manifest.uncertainty = read_uncertainty(*uncertainty);
+    manifest.uncertainty = read_uncertainty(*uncertainty, manifest.arm_gravity);
+  }
+  if (manifest.arm_gravity) {
+    std::optional<double>& percent = manifest.uncertainty.description_percent;
+    if (!percent) percent = manifest.arm_gravity->description_percent;
+    manifest.arm_gravity->description_percent = *percent;
   }
   if (const auto intervals = top.find_table("intervals")) {
     manifest.intervals = read_intervals(*intervals);
@@ -252,19 +270,20 @@ TomlNode document_in(std::string_view text, const std::string& file) {
   return parse_toml(text, file);
 }
 
-/// The joint's part of a robot's manifest, or the whole of a single joint's.
-TomlNode document_of(TomlNode document, const std::string& file, const std::string& joint) {
+bool is_joint_of(const TomlNode& document, const std::string& file, const std::string& joint) {
   const std::vector<std::string> names = joint_names(document, file);
-  if (names.empty() && joint.empty()) return document;
-  const auto it = std::find(names.begin(), names.end(), joint);
-  if (it != names.end()) return manifest_of_joint(std::move(document), joint);
-  if (names.empty()) {
-    throw InputError({file, 0, 0}, {"is the manifest of a single joint", "--joint " + joint, "",
-                                    "[[joints]] are the joints of a whole robot"});
+  return std::find(names.begin(), names.end(), joint) != names.end();
+}
+
+/// Those that are not stated by themselves.
+void add_others(std::vector<joint::OtherJoint> of_robot, std::vector<joint::OtherJoint>& stated) {
+  const std::size_t by_themselves = stated.size();
+  for (joint::OtherJoint& other : of_robot) {
+    const auto end = stated.begin() + static_cast<std::ptrdiff_t>(by_themselves);
+    const bool is_stated = std::any_of(
+        stated.begin(), end, [&](const joint::OtherJoint& one) { return one.name == other.name; });
+    if (!is_stated) stated.push_back(std::move(other));
   }
-  throw InputError({file, 0, 0}, {joint.empty() ? "holds several joints" : "has no such joint",
-                                  joint.empty() ? "" : in_quotes(joint),
-                                  "--joint NAME, of " + list_of_names(names), ""});
 }
 
 }  // namespace
@@ -275,7 +294,12 @@ std::vector<std::string> joints_in_manifest(std::string_view text, const std::st
 
 ManifestFile parse_manifest(std::string_view text, const std::string& file,
                             const std::string& of_joint) {
-  const TomlTable top = TomlTable::of(document_of(document_in(text, file), file, of_joint), file);
+  TomlNode document = document_in(text, file);
+  std::vector<joint::OtherJoint> others_of_robot;
+  if (is_joint_of(document, file, of_joint)) {
+    others_of_robot = other_joints_of(document, file, of_joint);
+  }
+  const TomlTable top = TomlTable::of(document_of_joint(std::move(document), file, of_joint), file);
   (void)top.choice("schema", {"tribolog-dataset-1"});
   ManifestFile result;
   read_identity(top, result.manifest);
@@ -291,6 +315,8 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);
+  result.manifest.other_joints = read_other_joints(top, file);
+  add_others(std::move(others_of_robot), result.manifest.other_joints);
   if (has_no_gravity) {
     if (result.manifest.known_gravity) {
       joint.refuse("gravity", {"contradicts [known_gravity]", "none", "", "state one of the two"});

@@ -4,7 +4,9 @@
 //
 //   schema = "tribolog-dataset-1"
 //   [robot]       name; serial, operator, measured_on, note (optional)
-//                 description (file of the arm, relative to the manifest; robot_file.h; optional)
+//                 description (file of the arm, relative to the manifest; for drawings,
+//                 robot_file.h, or with masses, urdf_file.h; optional)
+//                 gravity = [0, 0, -9.80665] (in the base's frame; with masses alone; optional)
 //   [joint]       name, gear_ratio (motor angle / joint angle)
 //   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "target_torque" (of a
 //                 controller or its model) | "none" (neither torque nor current was recorded: the
@@ -20,6 +22,9 @@
 //   [[known_load]] amplitude_Nm (joint side), angles (columns of the log); phase_deg = 0,
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
+//   [[other_joint]] name, angle = {name, unit}; gear_ratio where its side is "motor" (any number;
+//                 of a robot's manifest its other joints): their motion is told, and with masses
+//                 what it changes of gravity is subtracted
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
 //                 (optional); name = "#2": the second column; unit of the time: "iso8601",
 //                 "hh:mm:ss" too; time: plus = {name, unit} where it stands in two columns:

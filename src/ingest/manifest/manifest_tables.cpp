@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "ingest/log/units.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_table.h"
+#include "ingest/manifest/urdf_file.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::manifest {
@@ -68,6 +70,67 @@ joint::KnownLoad read_known_load(const TomlTable& table) {
 }
 
 }  // namespace
+
+std::vector<joint::OtherJoint> read_other_joints(const TomlTable& top, const std::string& file) {
+  std::vector<joint::OtherJoint> others;
+  for (const TomlTable& table : top.one_or_more_tables("other_joint")) {
+    joint::OtherJoint other;
+    other.name = required_name(table, "");
+    const auto is_same = [&](const joint::OtherJoint& one) { return one.name == other.name; };
+    if (std::any_of(others.begin(), others.end(), is_same)) {
+      table.refuse("name", {"is given twice", in_quotes(other.name), "a name of its own", ""});
+    }
+    const TomlTable angle = table.table("angle", "angle = { name = ..., unit = ... }");
+    other.angle = angle.text("name", "the column's name in the logs");
+    if (other.angle.empty()) angle.refuse("name", {"is empty", "", "the column's name", ""});
+    const std::string unit = angle.text("unit", "one of " + log::known_units(log::Quantity::angle));
+    other.radian_per_unit = log::si_factor(log::Quantity::angle, unit, angle.where("unit"));
+    const double sign = angle.number_or("sign", 1);
+    if (std::abs(sign) != 1) {
+      angle.refuse("sign", {"is neither 1 nor -1", fmt::format("{:g}", sign), "1 or -1",
+                            "-1: the column counts the other way round"});
+    }
+    other.radian_per_unit *= sign;
+    if (angle.has("side") && angle.choice("side", {"motor", "joint"}) == 0) {
+      other.radian_per_unit /= table.number("gear_ratio", Sign::positive);
+    }
+    angle.refuse_unknown_keys();
+    table.refuse_unknown_keys();
+    other.stated_at = fmt::format("{}:{}", file, table.where().line);
+    others.push_back(std::move(other));
+  }
+  return others;
+}
+
+std::optional<joint::ArmGravity> read_arm_gravity(const TomlTable& robot,
+                                                  const std::string& description) {
+  if (!is_urdf(description)) {
+    if (robot.has_misplaced("gravity")) {
+      robot.refuse("gravity", {"is for a description with masses", "",
+                               "description = \"arm.urdf\" beside it", ""});
+    }
+    return std::nullopt;
+  }
+  joint::ArmGravity arm;
+  arm.description = description;
+  if (!robot.has("gravity")) return arm;
+  const std::vector<double> stated = robot.numbers("gravity");
+  constexpr double weakest_m_s2 = 9.7;  // on Earth, with room
+  constexpr double strongest_m_s2 = 9.9;
+  double square = 0;
+  for (const double one : stated) square += one * one;
+  const double size_m_s2 = std::sqrt(square);
+  if (stated.size() != arm.gravity_m_s2.size() || size_m_s2 < weakest_m_s2 ||
+      size_m_s2 > strongest_m_s2) {
+    robot.refuse("gravity", {"is no acceleration of gravity",
+                             stated.size() == arm.gravity_m_s2.size()
+                                 ? fmt::format("{:.6g} m/s²", size_m_s2)
+                                 : fmt::format("{} numbers", stated.size()),
+                             "three numbers in the base's frame, as [0, 0, -9.80665]", ""});
+  }
+  std::copy(stated.begin(), stated.end(), arm.gravity_m_s2.begin());
+  return arm;
+}
 
 std::vector<joint::KnownLoad> read_known_loads(const TomlTable& top) {
   std::vector<joint::KnownLoad> loads;

@@ -88,6 +88,23 @@ std::vector<joint::KnownLoad> read_known_loads(const TomlTable& top);
 /// @throw InputError for a missing, unknown or impossible key.
 std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top);
 
+// The robot's other joints, whose motion changes what gravity does to the tested one:
+//
+//   [[other_joint]]                                # of a single joint's manifest; those of a robot
+//   name = "J2"                                    # are its [[joints]]
+//   angle = { name = "q2_rad", unit = "rad" }      # side = "motor" with gear_ratio; sign = -1
+
+/// All tables [[other_joint]]; none: empty. @param file of the manifest, for messages.
+/// @throw InputError for a missing, unknown or impossible key, or a name that stands twice.
+std::vector<joint::OtherJoint> read_other_joints(const TomlTable& top, const std::string& file);
+
+/// What [robot] and [uncertainty] say of a description with masses (URDF): `gravity`, of the base's
+/// frame, and `description_percent`; absent where the description is none.
+/// @throw InputError for a gravity without direction or of another planet, and where the keys stand
+///        without such a description.
+std::optional<joint::ArmGravity> read_arm_gravity(const TomlTable& robot,
+                                                  const std::string& description);
+
 // The acceptance limits of a manifest:
 //
 //   [[limit]]

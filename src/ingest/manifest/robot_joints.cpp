@@ -1,11 +1,16 @@
 #include "ingest/manifest/robot_joints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "base/error.h"
+#include "ingest/log/units.h"
 
 namespace tribolog::ingest::manifest {
 namespace {
@@ -38,7 +43,64 @@ void add(TomlNode&& own, TomlNode& shared) {
   shared = std::move(own);
 }
 
+template <class Type>
+const Type* value_in(const TomlNode* table, std::string_view key) {
+  const TomlNode* node = table == nullptr ? nullptr : table->member(key);
+  return node == nullptr ? nullptr : node->as<Type>();
+}
+
+std::optional<double> number_in(const TomlNode* table, std::string_view key) {
+  if (const auto* whole = value_in<std::int64_t>(table, key)) return static_cast<double>(*whole);
+  if (const auto* number = value_in<double>(table, key)) return *number;
+  return std::nullopt;
+}
+
+/// The table of the angle's column, in the manifest of one joint.
+const TomlNode* angle_column_in(const TomlNode& manifest) {
+  const TomlNode* columns = manifest.member("columns");
+  return columns == nullptr ? nullptr : columns->member("angle");
+}
+
+/// Nothing where what stands there is for its own reader to refuse, or stands in another file.
+std::optional<joint::OtherJoint> other_joint_in(const TomlNode& manifest) {
+  const TomlNode* angle = angle_column_in(manifest);
+  const auto* column = value_in<std::string>(angle, "name");
+  const auto* unit = value_in<std::string>(angle, "unit");
+  const TomlNode* table = manifest.member("joint");
+  const std::optional<double> gear_ratio = number_in(table, "gear_ratio");
+  const bool is_in_own_file = angle != nullptr && angle->member("file") != nullptr;
+  if (column == nullptr || column->empty() || unit == nullptr || is_in_own_file) {
+    return std::nullopt;
+  }
+  const std::optional<double> factor = log::find_si_factor(log::Quantity::angle, *unit);
+  const double sign = number_in(angle, "sign").value_or(1);
+  if (!factor || std::abs(sign) != 1 || !gear_ratio || !(*gear_ratio > 0)) return std::nullopt;
+  const auto* side = value_in<std::string>(angle, "side");
+  const bool is_at_motor = side != nullptr && *side == "motor";
+  joint::OtherJoint other;
+  other.name = *name_of(*table);
+  other.angle = *column;
+  other.radian_per_unit = sign * *factor / (is_at_motor ? *gear_ratio : 1);
+  return other;
+}
+
 }  // namespace
+
+std::vector<joint::OtherJoint> other_joints_of(const TomlNode& manifest, const std::string& file,
+                                               const std::string& name) {
+  const TomlNode own = manifest_of_joint(manifest, name);
+  const auto* own_angle = value_in<std::string>(angle_column_in(own), "name");
+  std::vector<joint::OtherJoint> others;
+  for (const TomlNode& joint : *joints_of(manifest)) {
+    if (*name_of(joint) == name) continue;
+    std::optional<joint::OtherJoint> other =
+        other_joint_in(manifest_of_joint(manifest, *name_of(joint)));
+    if (!other || (own_angle != nullptr && other->angle == *own_angle)) continue;
+    other->stated_at = fmt::format("{}:{}", file, joint.line);
+    others.push_back(*std::move(other));
+  }
+  return others;
+}
 
 std::vector<std::string> joint_names(const TomlNode& manifest, const std::string& file) {
   const TomlNode* stated = manifest.member(joints_key);
@@ -94,6 +156,20 @@ TomlNode manifest_of_joint(TomlNode manifest, const std::string& name) {
   top.erase(joints_key);
   top["joint"] = std::move(joint);
   return manifest;
+}
+
+TomlNode document_of_joint(TomlNode document, const std::string& file, const std::string& joint) {
+  const std::vector<std::string> names = joint_names(document, file);
+  if (names.empty() && joint.empty()) return document;
+  const auto it = std::find(names.begin(), names.end(), joint);
+  if (it != names.end()) return manifest_of_joint(std::move(document), joint);
+  if (names.empty()) {
+    throw InputError({file, 0, 0}, {"is of a single joint", "--joint " + joint, "",
+                                    "[[joints]] are the joints of a whole robot"});
+  }
+  throw InputError({file, 0, 0}, {joint.empty() ? "holds several joints" : "has no such joint",
+                                  joint.empty() ? "" : in_quotes(joint),
+                                  "--joint NAME, of " + list_of_names(names), ""});
 }
 
 }  // namespace tribolog::ingest::manifest

@@ -185,7 +185,8 @@ class ManifestText {
   [[nodiscard]] std::string moves_too() const {
     if (choice_.moves_too.empty()) return "";
     return std::string(options_.joint ? "" : "moves most; ") +
-           "these move too, and if they change its gravity, [[known_load]] takes that off: " +
+           "these move too: state each as [[other_joint]]; a description of the arm with its "
+           "masses, or [[known_load]], takes off what they change of gravity: " +
            list_of_names(choice_.moves_too, 8);
   }
 

@@ -1,0 +1,127 @@
+#include "cli/joint_plan.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/drawing.h"
+#include "base/input_file.h"
+#include "cli/drawing.h"
+#include "exports/experiment/plan_files.h"
+#include "figures/figure_csv.h"
+#include "figures/plan_figure.h"
+#include "ingest/manifest/joint_file.h"
+#include "ingest/manifest/toml_table.h"
+#include "wording/words.h"
+
+namespace tribolog::cli {
+
+namespace {
+
+constexpr double fastest_usual_Hz = 10'000;
+constexpr std::uint64_t largest_calibration_bytes = std::uint64_t{1} << 28;
+
+joint::JointFacts facts_of(const PlanCommandOptions& options, const std::string& text,
+                           const std::string& joint) {
+  joint::JointFacts facts = ingest::manifest::parse_joint(text, options.joint, joint);
+  if (options.calibration.empty()) return facts;
+  return ingest::manifest::with_calibration(
+      std::move(facts), read_file(options.calibration, largest_calibration_bytes),
+      options.calibration);
+}
+
+/// Simulating more would take hours and all memory.
+void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
+                    const std::string& file) {
+  constexpr double most_samples = 3e6;
+  const double rate_Hz = std::max(plan.joint.sample_rate_Hz, plan.joint.set_point_rate_Hz);
+  if (plan.duration_s() * rate_Hz <= most_samples) return;
+  const bool by_set_points = plan.joint.set_point_rate_Hz > plan.joint.sample_rate_Hz;
+  const bool is_fast = rate_Hz > fastest_usual_Hz;
+  const Location place =
+      is_fast ? ingest::manifest::place_in_toml(
+                    text, file, "log", by_set_points ? "set_point_rate_Hz" : "sample_rate_Hz")
+              : ingest::manifest::place_in_toml(text, file, "joint", "speed_limit_deg_s");
+  throw InputError(place, {"the plan has too many samples",
+                           fmt::format("{:.4g} s at {:g} Hz", plan.duration_s(), rate_Hz),
+                           fmt::format("no more than {:g} samples", most_samples),
+                           "are sample_rate_Hz and set_point_rate_Hz right, and are range of "
+                           "motion, speed_limit and acceleration_limit in their units?"});
+}
+
+[[noreturn]] void refuse_together(const std::invalid_argument& error, const std::string& text,
+                                  const std::string& file) {
+  throw InputError(ingest::manifest::place_in_toml(text, file, "joint", ""),
+                   {"no plan can be made from this: " + wording::words(error), "", "",
+                    "are all numbers in the units that their keys state?"});
+}
+
+/// @throw InputError: numbers of which each is possible, and of which together no plan comes.
+plan::ExperimentPlan planned(const joint::JointFacts& facts, const std::string& text,
+                             const std::string& file) {
+  try {
+    plan::ExperimentPlan plan = plan::plan_experiment(facts);
+    refuse_endless(plan, text, file);
+    return plan;
+  } catch (const std::invalid_argument& error) {
+    refuse_together(error, text, file);
+  }
+}
+
+/// @throw InputError as planned().
+plan::ExpectedIntervals expected(const plan::ExperimentPlan& plan,
+                                 const PlanCommandOptions& options, const std::string& text) {
+  try {
+    return plan::expect_intervals(plan, {options.runs, options.seed, options.threads});
+  } catch (const std::invalid_argument& error) {
+    refuse_together(error, text, options.joint);
+  }
+}
+
+}  // namespace
+
+report::PlanReport plan_of_joint(const PlanCommandOptions& options, const std::string& text,
+                                 const std::string& joint,
+                                 const calibration::Provenance& provenance,
+                                 const std::function<void()>& simulates) {
+  report::PlanReport report;
+  report.provenance = provenance;
+  report.joint_text = text;
+  report.joint_file = calibration::command_line_text({options.joint});
+  report.plan = planned(facts_of(options, text, joint), text, options.joint);
+  simulates();
+  report.expected = expected(report.plan, options, text);
+  return report;
+}
+
+const std::vector<std::string>& plan_file_names() {
+  static const std::vector<std::string> names{plan_page_name, "plan.json", "setpoints.csv",
+                                              "dataset.toml"};
+  return names;
+}
+
+std::size_t add_plan(report::PlanReport& report, const std::string& directory,
+                     const wording::Language& language, render::workers::FigureRenderer& renderer,
+                     AtomicFiles& files, Console& console) {
+  const std::filesystem::path folder(directory);
+  const auto in_folder = [&](const std::string& name) { return (folder / name).string(); };
+  // Also where nothing can be done: those of an older plan must not stay beside this one.
+  files.add(in_folder("setpoints.csv"), exports::experiment::set_points_csv(report.plan));
+  files.add(in_folder("dataset.toml"), exports::experiment::plan_dataset_toml(report.plan));
+  files.add(in_folder("plan.json"),
+            exports::experiment::plan_json(report.plan, report.expected, report.provenance));
+  const std::vector<figures::ReportFigure> figures =
+      figures::figures_in(language, [&] { return figures::plan_figures(report.plan); });
+  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
+  report.provenance.drawing = api::software_that_drew(drawn);
+  {
+    const wording::WordsIn words(language);
+    files.add(in_folder(plan_page_name), report::plan_page(report, figures, drawn, language));
+  }
+  return tell_failures(drawn, console);
+}
+
+}  // namespace tribolog::cli
