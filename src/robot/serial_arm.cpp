@@ -6,6 +6,7 @@
 
 #include "base/statement.h"
 #include "joint/degrees.h"
+#include "robot/joint_axis.h"
 
 namespace tribolog::robot {
 namespace {
@@ -28,13 +29,7 @@ void check_shape(const ArmJoint& joint) {
 
 void check(const ArmJoint& joint) {
   if (joint.name.empty()) throw Refusal({"arm.joint_without_name"});
-  if (!joint.axis.allFinite() || !(joint.axis.norm() > 0)) {
-    throw Refusal({"arm.axis_without_direction",
-                   {{"x", joint.axis.x()},
-                    {"y", joint.axis.y()},
-                    {"z", joint.axis.z()},
-                    {"joint", joint.name}}});
-  }
+  check_axis(joint.axis, joint.name);
   if (!joint.offset_m.allFinite())
     throw Refusal({"arm.offset_not_finite", {{"joint", joint.name}}});
   for (const Eigen::Vector3d& bend : joint.link_bends_m) {

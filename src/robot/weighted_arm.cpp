@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/statement.h"
+#include "robot/joint_axis.h"
 
 namespace tribolog::robot {
 namespace {
@@ -17,13 +18,7 @@ void check_weighted(const std::vector<WeightedJoint>& joints, std::size_t index)
   if (!is_behind_parent || !follows_a_joint) {
     throw Refusal({"arm.parent_not_before", {{"joint", joint.name}}});
   }
-  if (!joint.axis.allFinite() || !(joint.axis.norm() > 0)) {
-    throw Refusal({"arm.axis_without_direction",
-                   {{"x", joint.axis.x()},
-                    {"y", joint.axis.y()},
-                    {"z", joint.axis.z()},
-                    {"joint", joint.name}}});
-  }
+  check_axis(joint.axis, joint.name);
   if (!joint.at_zero.matrix().allFinite() || !joint.centre_m.allFinite()) {
     throw Refusal({"arm.offset_not_finite", {{"joint", joint.name}}});
   }

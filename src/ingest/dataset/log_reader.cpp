@@ -74,9 +74,9 @@ std::vector<std::string> names_of(const log::LogTable& table) {
 
 }  // namespace
 
-log::LogFormat format_of_log(const std::string& path) {
+std::string start_of_log(const std::string& path, std::size_t most_bytes) {
   InputFileSource file(path);
-  std::string start(log::log_format_bytes, '\0');
+  std::string start(most_bytes, '\0');
   std::size_t filled = 0;
   while (filled < start.size()) {
     const std::size_t got = file.read(start.data() + filled, start.size() - filled);
@@ -84,7 +84,11 @@ log::LogFormat format_of_log(const std::string& path) {
     filled += got;
   }
   start.resize(filled);
-  return log::detect_log_format(start, path);
+  return start;
+}
+
+log::LogFormat format_of_log(const std::string& path) {
+  return log::detect_log_format(start_of_log(path, log::log_format_bytes), path);
 }
 
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format) {

@@ -9,6 +9,7 @@
 #include "base/statement.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/long_format.h"
+#include "ingest/dataset/log_reader.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -41,21 +42,6 @@ std::optional<std::pair<arrays::FileArrays, std::vector<Statement>>> spread(text
   return std::pair{std::move(*found), std::move(notes)};
 }
 
-/// As much as shows the format.
-std::string start_of(const std::string& path) {
-  constexpr std::size_t enough = std::size_t{1} << 15;
-  InputFileSource file(path);
-  std::string start(enough, '\0');
-  std::size_t filled = 0;
-  while (filled < start.size()) {
-    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
-    if (got == 0) break;
-    filled += got;
-  }
-  start.resize(filled);
-  return start;
-}
-
 bool has_all(const text::CsvTable& table, const std::vector<log::WantedColumn>& wanted) {
   const auto is_there = [&](const log::WantedColumn& one) {
     if (one.is_optional || one.name.starts_with('#')) return true;
@@ -68,8 +54,10 @@ bool has_all(const text::CsvTable& table, const std::vector<log::WantedColumn>& 
 
 bool shows_long_format(const std::string& path, const std::vector<log::WantedColumn>& wanted,
                        const text::TextLogRules& rules) {
+  constexpr std::size_t enough_bytes = std::size_t{1} << 15;
   try {
-    text::CsvTable table = text::read_csv(std::string_view(start_of(path)), path, {}, rules);
+    const std::string start = start_of_log(path, enough_bytes);
+    text::CsvTable table = text::read_csv(std::string_view(start), path, {}, rules);
     const bool stands_alone = has_all(table, wanted);
     return !stands_alone && spread(std::move(table)).has_value();
   } catch (const InputError&) {
