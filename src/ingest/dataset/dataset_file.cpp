@@ -22,8 +22,8 @@
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
-#include "ingest/text/csv_dialect.h"
 #include "ingest/manifest/urdf_file.h"
+#include "ingest/text/csv_dialect.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::dataset {
