@@ -66,8 +66,14 @@ class UrdfReader {
 
  private:
   [[nodiscard]] Location here() const {
-    return {file_, static_cast<long>(XML_GetCurrentLineNumber(parser_.get())),
-            static_cast<long>(XML_GetCurrentColumnNumber(parser_.get())) + 1};
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // which deprecates the others
+    const auto line = XML_GetCurrentLineNumber64(parser_.get());
+    const auto column = XML_GetCurrentColumnNumber64(parser_.get());
+#else
+    const auto line = XML_GetCurrentLineNumber(parser_.get());
+    const auto column = XML_GetCurrentColumnNumber(parser_.get());
+#endif
+    return {file_, static_cast<long>(line), static_cast<long>(column) + 1};
   }
 
   void refuse(InputError::Problem problem) {

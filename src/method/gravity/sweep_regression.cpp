@@ -385,26 +385,6 @@ bool matters(const SweepGravityFit& before, const SweepGravityFit& after) {
                               least_share * before.gravity_Nm.value);
 }
 
-/// A fit with a twist, its angle as uncertain as a spring makes it that is too weak to show.
-SweepGravityFit with_spring_that_hides(const motion::Sweep& sweep, const SweepDesign& design,
-                                       double middle, const SweepGravityFit& fit) {
-  constexpr double share_of_gravity_per_rad = 0.003;  // as of a light hose
-  Eigen::VectorXd spring_Nm(design.x.rows());
-  for (Eigen::Index i = 0; i < spring_Nm.size(); ++i) {
-    spring_Nm(i) = share_of_gravity_per_rad * fit.gravity_Nm.value *
-                   (sweep.q_rad(static_cast<std::size_t>(i)) - middle);
-  }
-  const Eigen::VectorXd moved = effect_on_coefficients(design, spring_Nm);
-  const double from_middle = fit.q_peak_rad.value - middle;
-  const double angle_rad =
-      (moved(1) * std::cos(from_middle) - moved(0) * std::sin(from_middle)) / fit.gravity_Nm.value;
-  SweepGravityFit out = fit;
-  out.q_peak_rad = statistics::symmetric_estimate(
-      fit.q_peak_rad.value, std::hypot(fit.q_peak_rad.half_width(), angle_rad),
-      fit.q_peak_rad.method);
-  return out;
-}
-
 }  // namespace
 
 SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, SweepDesign& design,
@@ -428,22 +408,17 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     take_kinks(design, spring);
     return fit_amplitude_and_angle(sweep, spring, middle, blocks);
   };
-  // No gear twists against its load: a spring then is the likelier of the two, shown or not.
-  const bool twists_against_load = fit.twist_rad && fit.twist_rad->value < 0;
-  const auto rival_of_twist = [&](SweepGravityFit of_spring) {
-    const bool hints = fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width();
-    SweepGravityFit unseen = with_spring_that_hides(sweep, design, middle, fit);
-    const bool is_narrower = of_spring.q_peak_rad.half_width() < unseen.q_peak_rad.half_width();
-    return hints || is_narrower ? of_spring : unseen;
-  };
+  // No gear twists against its load: a spring then is the likelier of the two.
+  const bool hints_at_spring =
+      fit.twist_rad && fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width();
   if (!is_even && (!is_odd || is_twist)) {
     const bool hints_at_odd = design.twist < 0 && shows(with_second, odd, hinted_at);
     if (hints_at_odd || shows(with_second, even, hinted_at)) rivals.push_back(with_second);
-    if (!twists_against_load) return fit;
+    if (!hints_at_spring) return fit;
     SweepDesign spring;
     SweepGravityFit of_spring = fit_spring(spring);
     if (fit.twist_rad->high > 0) {
-      rivals.push_back(rival_of_twist(std::move(of_spring)));
+      rivals.push_back(std::move(of_spring));
       return fit;
     }
     rivals.push_back(fit);
@@ -465,7 +440,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   }
   if (!matters(fit, chosen)) {
     SweepDesign spring;
-    if (twists_against_load) rivals.push_back(rival_of_twist(fit_spring(spring)));
+    if (hints_at_spring) rivals.push_back(fit_spring(spring));
     return fit;
   }
   constexpr double largest_share = 0.05;

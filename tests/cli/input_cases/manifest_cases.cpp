@@ -61,11 +61,12 @@ std::vector<InputCase> manifest_cases() {
           in_front_of_effort("[[limit]]\nquantity = \"coulomb_joint_Nm\"\nmin = 2\nmax = 1"),
           ":9:7: key 'limit.min': nothing is allowed between min and max, found 2..1, expected "
           "min <= max"),
-      manifest("48j", "Include", in_front_of_effort("[include]\nfile = \"dataset.toml\""),
-               ":7:1: unknown key 'include'; hint: known here: 'certificate', 'columns', 'effort', "
-               "'intervals', 'joint', 'known_gravity', 'known_load', 'limit', 'log', 'payload', "
-               "'recording', "
-               "'reference', 'robot', 'schema', 'surrogate', 'temperature', 'uncertainty'"),
+      manifest(
+          "48j", "Include", in_front_of_effort("[include]\nfile = \"dataset.toml\""),
+          ":7:1: unknown key 'include'; hint: known here: 'certificate', 'columns', 'effort', "
+          "'intervals', 'joint', 'known_gravity', 'known_load', 'limit', 'log', 'other_joint', "
+          "'payload', 'recording', "
+          "'reference', 'robot', 'schema', 'surrogate', 'temperature', 'uncertainty'"),
       manifest("48k", "DeepNesting", in_front_of_effort("x = " + std::string(10'000, '[')),
                ":7:37: brackets nested too deeply"),
       manifest("48l", "DeepKey", in_front_of_effort([] {
