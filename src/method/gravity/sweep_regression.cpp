@@ -408,22 +408,15 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     take_kinks(design, spring);
     return fit_amplitude_and_angle(sweep, spring, middle, blocks);
   };
-  // No gear twists against its load: a spring then is the likelier of the two.
+  // No gear twists against its load: a spring is the likelier of the two.
   const bool hints_at_spring =
       fit.twist_rad && fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width();
   if (!is_even && (!is_odd || is_twist)) {
     const bool hints_at_odd = design.twist < 0 && shows(with_second, odd, hinted_at);
     if (hints_at_odd || shows(with_second, even, hinted_at)) rivals.push_back(with_second);
-    if (!hints_at_spring) return fit;
     SweepDesign spring;
-    SweepGravityFit of_spring = fit_spring(spring);
-    if (fit.twist_rad->high > 0) {
-      rivals.push_back(std::move(of_spring));
-      return fit;
-    }
-    rivals.push_back(fit);
-    design = std::move(spring);
-    return of_spring;
+    if (hints_at_spring) rivals.push_back(fit_spring(spring));
+    return fit;
   }
   SweepGravityFit chosen = with_second;
   if (design.twist >= 0 && !is_twist) {
