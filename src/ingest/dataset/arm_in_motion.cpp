@@ -10,6 +10,7 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
+#include "base/requirements.h"
 #include "base/statement.h"
 #include "ingest/manifest/urdf_file.h"
 
@@ -126,7 +127,7 @@ void ArmInMotion::describe(std::string_view urdf, const std::string& path,
   is_known[tested_] = true;
   for (Other& other : others_) {
     other.in_arm = in_arm(other.joint.name);
-    is_known[*other.in_arm] = true;
+    is_known[present(other.in_arm)] = true;
   }
   for (std::size_t k = 0; k < arm_->size(); ++k) {
     const robot::WeightedJoint& joint = arm_->joints()[k];
@@ -200,18 +201,18 @@ std::size_t ArmInMotion::first_with_angles(const joint::Dataset& dataset) const 
 }
 
 std::vector<double> ArmInMotion::held(const joint::Dataset& dataset) const {
-  std::vector<double> positions(arm_->size(), 0.0);
+  std::vector<double> positions(present(arm_).size(), 0.0);
   const std::size_t first = first_with_angles(dataset);
   if (first == dataset.recordings.size()) return positions;
   for (const Other& other : others_) {
     const std::vector<double>& angles_rad = other.angles_rad[first];
-    if (!angles_rad.empty()) positions[*other.in_arm] = mean_of(angles_rad);
+    if (!angles_rad.empty()) positions[present(other.in_arm)] = mean_of(angles_rad);
   }
   return positions;
 }
 
 void ArmInMotion::note_assumptions(joint::Dataset& dataset) const {
-  const joint::ArmGravity& told = *dataset.manifest.arm_gravity;
+  const joint::ArmGravity& told = present(dataset.manifest.arm_gravity);
   const std::string file = printable(told.description);
   if (is_by_order_) {
     dataset.notes.push_back({"reading.arm_matched_by_order",
@@ -243,7 +244,7 @@ void ArmInMotion::note_assumptions(joint::Dataset& dataset) const {
 void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
   count_motions(dataset);
   if (!arm_) return;
-  joint::ArmGravity& told = *dataset.manifest.arm_gravity;
+  joint::ArmGravity& told = present(dataset.manifest.arm_gravity);
   const std::vector<double> held_rad = held(dataset);
   const Eigen::Vector3d gravity(told.gravity_m_s2[0], told.gravity_m_s2[1], told.gravity_m_s2[2]);
   told.tested = arm_->joints()[tested_].name;
@@ -253,7 +254,8 @@ void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
     const bool is_logged =
         std::any_of(other.angles_rad.begin(), other.angles_rad.end(),
                     [](const std::vector<double>& angles_rad) { return !angles_rad.empty(); });
-    told.held.push_back({arm_->joints()[*other.in_arm].name, held_rad[*other.in_arm], is_logged});
+    told.held.push_back(
+        {arm_->joints()[present(other.in_arm)].name, held_rad[present(other.in_arm)], is_logged});
   }
   const double gear_ratio = dataset.manifest.drive.gear_ratio();
   for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {
@@ -268,7 +270,7 @@ void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
       positions[tested_] = recording.q_rad[i];
       for (const Other& other : others_) {
         const std::vector<double>& angles_rad = other.angles_rad[k];
-        if (!angles_rad.empty()) positions[*other.in_arm] = angles_rad[i];
+        if (!angles_rad.empty()) positions[present(other.in_arm)] = angles_rad[i];
       }
       const double torque_Nm = gravity_of_others_Nm(*arm_, tested_, positions, held_rad, gravity);
       recording.others_gravity_Nm[i] = torque_Nm / gear_ratio;

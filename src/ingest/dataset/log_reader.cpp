@@ -302,7 +302,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
     ReadLog log = read_log(entry, path, columns, others, rules_, notes);
     if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
     complete_clock(entry, log.table, notes);
-    if (rate_Hz) make_clock(*entry.columns.time, path, log.table);
+    if (rate_Hz) make_clock(present(entry.columns.time), path, log.table);
     kept.log = std::make_shared<const ReadLog>(std::move(log));
     kept.columns = std::move(columns);
     kept.rate_Hz = rate_Hz;

@@ -1,12 +1,12 @@
 #include "ingest/manifest/urdf_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <new>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +15,7 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
+#include "ingest/text/fields.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::manifest {
@@ -152,23 +153,22 @@ const std::string& attribute(const XmlElement& element, const char* name) {
 
 /// So many numbers with blanks between them.
 std::vector<double> numbers(const XmlElement& element, const char* name, std::size_t count) {
-  const std::string& text = attribute(element, name);
+  const std::string& stated = attribute(element, name);
   std::vector<double> found;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  const auto skip_blanks = [&] {
-    while (at != end && (*at == ' ' || *at == '\t' || *at == '\n' || *at == '\r')) ++at;
-  };
-  for (skip_blanks(); at != end; skip_blanks()) {
-    if (*at == '+') ++at;
-    double value = 0;
-    const auto [behind, error] = std::from_chars(at, end, value);
-    if (error != std::errc{} || !std::isfinite(value)) break;
-    found.push_back(value);
-    at = behind;
+  constexpr std::string_view blanks = " \t\n\r";
+  bool are_numbers = true;
+  std::string_view left = stated;
+  while (are_numbers && left.find_first_not_of(blanks) != std::string_view::npos) {
+    left.remove_prefix(left.find_first_not_of(blanks));
+    const std::string_view one = left.substr(0, left.find_first_of(blanks));
+    const text::NumberField number = text::read_number(one);
+    are_numbers = number.kind == text::FieldKind::number;
+    found.push_back(number.value);
+    left.remove_prefix(one.size());
   }
-  if (at != end || found.size() != count) {
-    refuse_number(element, name, text, count == 1 ? "a number" : fmt::format("{} numbers", count));
+  if (!are_numbers || found.size() != count) {
+    refuse_number(element, name, stated,
+                  count == 1 ? "a number" : fmt::format("{} numbers", count));
   }
   return found;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/requirements.h"
 #include "ingest/text/csv_rows.h"
 #include "ingest/text/fields.h"
 
@@ -126,7 +127,7 @@ bool EchoedJointStates::lay_out(std::vector<Field>& row) const {
                            row.begin() + static_cast<std::ptrdiff_t>(before_names + joints));
   for (const auto& begin : *arrays) {
     for (std::size_t k = 0; k < joints; ++k) {
-      whole.push_back(begin ? row[*begin + k] : Field{"", row.back().column});
+      whole.push_back(begin ? row[present(begin) + k] : Field{"", row.back().column});
     }
   }
   row = std::move(whole);
