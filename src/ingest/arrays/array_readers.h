@@ -30,8 +30,8 @@ std::vector<log::LogTable> parse_npz(std::string_view bytes, const std::string& 
 /// "cell_0", "cell_1", or as a cell of as many different texts beside it says, where there is just
 /// one. Complex, sparse and text arrays, functions and objects are left out with the reason; for
 /// tables, timetables and timeseries that is the line that makes vectors of them in MATLAB. Of a
-/// file that is cut off the
-/// complete variables are read, which is noted; one whose compressed variables are damaged is
+/// file that is cut off the complete variables are read, which is noted; one whose compressed
+/// variables are damaged is
 /// refused. matio runs in a process of its own, see isolated_reading.h; a 7.3 file that leads to
 /// other files is refused.
 /// @throw InputError: matio is not installed; the file cannot be read, is no MAT file, is damaged,

@@ -32,7 +32,8 @@ struct NamedArray {
   bool was_rounded{};          ///< Holds integers that no double can hold exactly.
   bool is_time{};              ///< ISO 8601 texts, as seconds
   double origin{};             ///< since this one: the whole ones of the first reading.
-  /// Not empty: a vector of words, whose values are their places in this list. Of JSON alone.
+  /// Not empty: a vector of words, whose values are their places in this list. Of JSON, and
+  /// of text in long format.
   std::vector<std::string> words{};
 };
 

@@ -411,11 +411,14 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
   // No gear twists against its load: a spring is the likelier of the two.
   const bool hints_at_spring =
       fit.twist_rad && fit.twist_rad->value < -hinted_at * fit.twist_rad->half_width();
+  const auto hold_hinted_spring = [&] {
+    SweepDesign spring;
+    if (hints_at_spring) rivals.push_back(fit_spring(spring));
+  };
   if (!is_even && (!is_odd || is_twist)) {
     const bool hints_at_odd = design.twist < 0 && shows(with_second, odd, hinted_at);
     if (hints_at_odd || shows(with_second, even, hinted_at)) rivals.push_back(with_second);
-    SweepDesign spring;
-    if (hints_at_spring) rivals.push_back(fit_spring(spring));
+    hold_hinted_spring();
     return fit;
   }
   SweepGravityFit chosen = with_second;
@@ -432,8 +435,7 @@ SweepGravityFit with_torque_of_angle_where_it_shows(const motion::Sweep& sweep, 
     }
   }
   if (!matters(fit, chosen)) {
-    SweepDesign spring;
-    if (hints_at_spring) rivals.push_back(fit_spring(spring));
+    hold_hinted_spring();
     return fit;
   }
   constexpr double largest_share = 0.05;
