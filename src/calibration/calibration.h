@@ -121,9 +121,11 @@ struct Judgement {
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
 
-/// By how much a quantity changes where the masses of the arm's description are off by what is
-/// stated of them: found by identifying the recordings again with so much more and less taken off.
-struct DescriptionShift {
+/// By how much a quantity changes where an influence that acts on the torque sample by sample
+/// (masses of the arm's description, hoses) is off by what is stated of it: found by identifying
+/// the recordings again with so much more and less taken off.
+struct InfluenceShift {
+  Influence influence{};
   joint::Quantity quantity{};
   double half_width{};  ///< In the quantity's own unit.
 };
@@ -165,8 +167,8 @@ struct Calibration {
   method::intervals::CrossChecksResult cross_checks;
   std::optional<method::hysteresis::PositionPlan>
       position_plan;  ///< Where to oscillate next, if ripple requires it.
-  /// Where gravity of the other joints was taken off; else empty.
-  std::vector<DescriptionShift> description_shifts;
+  /// Where gravity of the other joints was taken off, or a torque of hoses is stated; else empty.
+  std::vector<InfluenceShift> influence_shifts;
   Judgement judgement;
   TruthCheckResult truth_check;
   Curves curves;

@@ -67,6 +67,7 @@ Json stated_uncertainty(const joint::StatedUncertainty& u) {
           {"surrogate_distance_percent", number(u.surrogate_distance_percent)},
           {"gravity_percent", number(u.gravity_percent)},
           {"angle_zero_deg", number(u.angle_zero_deg)},
+          {"hoses_percent", number(u.hoses_percent)},
           {"description_percent", number(u.description_percent)},
           {"id", u.id.empty() ? Json::object() : Json(u.id)}};
 }

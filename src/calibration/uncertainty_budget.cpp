@@ -33,6 +33,8 @@ std::string to_string(Influence influence) {
       return "gravity";
     case Influence::angle_zero:
       return "angle_zero";
+    case Influence::hoses:
+      return "hoses";
     case Influence::description:
       break;
   }
@@ -43,7 +45,7 @@ std::optional<Influence> influence_of(const std::string& word) {
   for (const Influence one :
        {Influence::recordings, Influence::disagreement, Influence::torque_constant,
         Influence::gear_ratio, Influence::surrogate_distance, Influence::gravity,
-        Influence::angle_zero, Influence::description}) {
+        Influence::angle_zero, Influence::hoses, Influence::description}) {
     if (to_string(one) == word) return one;
   }
   return std::nullopt;

@@ -21,6 +21,7 @@ enum class Influence {
   surrogate_distance,
   gravity,
   angle_zero,
+  hoses,        ///< Torque of the angle that over part of a turn looks like gravity.
   description,  ///< Masses of the arm, by which the gravity of its other joints was taken off.
 };
 

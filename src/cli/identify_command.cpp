@@ -63,7 +63,8 @@ The manifest says, for example:
   seed = 1
   [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
   torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
-                                # gravity_percent, angle_zero_deg, description_percent
+                                # gravity_percent, angle_zero_deg, hoses_percent,
+                                # description_percent
   [certificate]                 # optional: for a calibration certificate
   laboratory = "..."            # also number, replaces, laboratory_address, country, customer,
                                 # customer_address, place, received_on, procedure, conditions,

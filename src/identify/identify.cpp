@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -437,25 +438,63 @@ std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& da
   return verdict::judge(p.c).quantities;
 }
 
-/// The most that each quantity changes where the masses are too small or too large by what is
-/// stated of them: by steps that choose, it need not be the same to both sides.
-void find_description_shifts(Progress& p) {
-  const std::optional<double>& percent = p.dataset.manifest.uncertainty.description_percent;
-  const double share = percent.value_or(0) / 100;
-  if (share == 0) return;
-  const auto stated = verdict::judge(p.c).quantities;
-  const auto less = quantities_of(with_more_taken_off(p.dataset, -share));
-  const auto more = quantities_of(with_more_taken_off(p.dataset, share));
+/// The dataset with `spring_Nm` a radian more taken off, as hoses may add, from the middle of all
+/// motion.
+joint::Dataset with_spring_taken_off(const joint::Dataset& dataset, double spring_Nm) {
+  joint::Dataset shifted = dataset;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const joint::Recording& recording : shifted.recordings) {
+    for (const double angle : recording.q_rad) {
+      lowest = std::min(lowest, angle);
+      highest = std::max(highest, angle);
+    }
+  }
+  const double middle = (lowest + highest) / 2;
+  for (joint::Recording& recording : shifted.recordings) {
+    for (std::size_t i = 0; i < recording.torque_Nm.size(); ++i)
+      recording.torque_Nm[i] -= spring_Nm * (recording.q_rad[i] - middle);
+  }
+  return shifted;
+}
+
+/// Keeps the most that each quantity changes from `stated` to `less` or `more`: by steps that
+/// choose, it need not be the same to both sides.
+void keep_shifts(Progress& p, calibration::Influence influence,
+                 const std::vector<calibration::QuantityVerdict>& stated,
+                 const joint::Dataset& less_taken_off, const joint::Dataset& more_taken_off) {
+  const auto less = quantities_of(less_taken_off);
+  const auto more = quantities_of(more_taken_off);
   for (std::size_t k = 0; k < stated.size(); ++k) {
     if (!stated[k].estimate || !less[k].estimate || !more[k].estimate) continue;
     const double value = stated[k].estimate->value;
-    p.c.description_shifts.push_back(
-        {stated[k].quantity, std::max(std::abs(more[k].estimate->value - value),
-                                      std::abs(less[k].estimate->value - value))});
+    p.c.influence_shifts.push_back({influence, stated[k].quantity,
+                                    std::max(std::abs(more[k].estimate->value - value),
+                                             std::abs(less[k].estimate->value - value))});
   }
 }
 
-constexpr Step description_step{"masses of the arm's description", find_description_shifts};
+constexpr Step description_step{
+    "masses of the arm's description", [](Progress& p) {
+      const double share = p.dataset.manifest.uncertainty.description_percent.value_or(0) / 100;
+      if (share == 0) return;
+      keep_shifts(p, calibration::Influence::description, verdict::judge(p.c).quantities,
+                  with_more_taken_off(p.dataset, -share), with_more_taken_off(p.dataset, share));
+    }};
+
+constexpr Step hoses_step{
+    "torque of hoses", [](Progress& p) {
+      const auto stated = verdict::judge(p.c).quantities;
+      const auto gravity = std::find_if(stated.begin(), stated.end(), [](const auto& q) {
+        return q.quantity == joint::Quantity::gravity_torque;
+      });
+      if (gravity == stated.end() || !gravity->estimate) return;
+      const double spring_Nm = p.dataset.manifest.uncertainty.hoses_percent.value_or(0) / 100 *
+                               std::abs(gravity->estimate->value);
+      keep_shifts(p, calibration::Influence::hoses, stated,
+                  with_spring_taken_off(p.dataset, -spring_Nm),
+                  with_spring_taken_off(p.dataset, spring_Nm));
+    }};
 
 /// All there is to do where no torque was recorded: each stage's report says so, and what to
 /// record.
@@ -483,6 +522,7 @@ std::vector<Step> steps_for(const joint::Dataset& dataset, const IdentifyOptions
   steps.insert(steps.end(), std::begin(further_steps), std::end(further_steps));
   const std::optional<joint::ArmGravity>& arm = dataset.manifest.arm_gravity;
   if (arm && arm->largest_Nm > 0) steps.push_back(description_step);
+  if (dataset.manifest.uncertainty.hoses_percent.value_or(0) > 0) steps.push_back(hoses_step);
   if (options.truth_runs > 0) steps.push_back(truth_step);
   return steps;
 }

@@ -97,11 +97,14 @@ struct StatedUncertainty {
   std::optional<double> surrogate_distance_percent;
   std::optional<double> gravity_percent;  ///< Of the acceleration of gravity.
   std::optional<double> angle_zero_deg;   ///< Of the joint angle's zero.
-  /// What an error comes from, by the keys above without their unit: two calibrations that state
+  /// What an error comes from, by their keys without the unit: two calibrations that state
   /// the same share the error, and it cancels in their comparison.
   std::map<std::string, std::string> id;
   /// Of the masses in a description of the arm: where there is one, it is never absent.
   std::optional<double> description_percent{};
+  /// Torque of hoses and cables: by how much it changes over one radian, in percent of the gravity
+  /// torque. Over part of a turn it looks like gravity.
+  std::optional<double> hoses_percent{};
 
   bool operator==(const StatedUncertainty&) const = default;
 };

@@ -111,7 +111,8 @@ class BudgetMaker {
     add(Influence::surrogate_distance, e.distance, stated.surrogate_distance_percent);
     add(Influence::gravity, e.gravity, stated.gravity_percent);
     if (e.has_zero) add_zero(stated.angle_zero_deg);
-    add_description();
+    add_shift(Influence::hoses, stated.hoses_percent);
+    add_shift(Influence::description, stated.description_percent);
     return calibration::combined(estimate_, std::move(parts_), std::move(not_stated_));
   }
 
@@ -151,17 +152,25 @@ class BudgetMaker {
                       well_known, 0, id_of(Influence::angle_zero)});
   }
 
-  /// Of the masses by which the gravity of the other joints was taken off.
-  void add_description() {
-    const std::optional<double>& percent = c_.manifest.uncertainty.description_percent;
-    for (const calibration::DescriptionShift& shift : c_.description_shifts) {
-      if (shift.quantity != quantity_ || !percent) continue;
+  /// Of an influence whose effect was found by identifying again.
+  void add_shift(Influence influence, const std::optional<double>& percent) {
+    if (!percent) {
+      if (influence == Influence::hoses && depends_on_gravity()) not_stated_.push_back(influence);
+      return;
+    }
+    for (const calibration::InfluenceShift& shift : c_.influence_shifts) {
+      if (shift.influence != influence || shift.quantity != quantity_) continue;
       const double share = *percent / 100 * std::abs(estimate_.value);
       const double sensitivity = share > 0 ? shift.half_width / share : 0;
-      parts_.push_back({Influence::description, true, percent, sensitivity,
+      parts_.push_back({influence, true, percent, sensitivity,
                         shift.half_width / calibration::coverage_factor(well_known), well_known, 0,
-                        id_of(Influence::description)});
+                        id_of(influence)});
     }
+  }
+
+  [[nodiscard]] bool depends_on_gravity() const {
+    return quantity_ == Quantity::cog_angle || quantity_ == Quantity::gravity_torque ||
+           quantity_ == Quantity::surrogate_mass;
   }
 
   /// As the manifest states it; else what belongs to this joint is the same as long as its value
@@ -182,6 +191,7 @@ class BudgetMaker {
     if (influence == Influence::gear_ratio)
       return joint + fmt::format("{:g}", m.drive.gear_ratio());
     if (influence == Influence::angle_zero) return joint + "0°";
+    if (influence == Influence::hoses) return joint + "hoses";
     const std::optional<double> constant = m.drive.torque_constant_Nm_A();
     return joint + (constant ? fmt::format("{:g} N·m/A", *constant) : "N·m");
   }

@@ -495,6 +495,7 @@ const Messages& verdict_messages() {
       {"influence.surrogate_distance", text("distance of the surrogate mass")},
       {"influence.gravity", text("acceleration of gravity")},
       {"influence.angle_zero", text("zero of the angle")},
+      {"influence.hoses", text("torque of hoses and cables")},
       {"influence.description", text("masses of the arm")},
       {"budget.torque_constant_not_stated",
        text("the uncertainty of the torque constant is not stated, and is in no interval: every "

@@ -82,11 +82,11 @@ TEST_F(PostgresProgram, NoPasswordInAnyOutput) {
 TEST_F(PostgresProgram, KilledAtAnyMomentItLosesNothingItAcknowledged) {
   using Time = std::chrono::microseconds;
   constexpr int writers = 4;
-  const int kills_of_each = every_case() ? 80 : 12;
+  const int kills_of_each = every_case() ? 80 : 6;
   constexpr std::size_t at_a_time = 3;
   const ScratchDirectory scratch;
   const std::vector<std::string> files =
-      calibrations_like(read_text(calibration()), scratch.path(), every_case() ? 150 : 40);
+      calibrations_like(read_text(calibration()), scratch.path(), every_case() ? 150 : 24);
   const WriterRun undisturbed = archive_and_kill({files[0]}, uri_, Time(60'000'000));
   ASSERT_EQ(undisturbed.ids.size(), 1U);
 

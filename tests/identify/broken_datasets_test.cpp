@@ -43,7 +43,7 @@ joint::Dataset good_dataset() {
 /// With intervals as good as a verdict needs them.
 calibration::Calibration identified(const joint::Dataset& d) {
   identify::IdentifyOptions options;
-  options.resamples = 200;
+  options.resamples = test::every_case() ? 200 : 100;
   return identify::identify(d, options);
 }
 
@@ -440,7 +440,7 @@ const std::vector<Breach>& breaches() {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllBreaches, BrokenDataset,
-                         testing::ValuesIn(test::some_of(breaches(), 3)),
+                         testing::ValuesIn(test::some_of(breaches(), 4)),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(BrokenDatasets, AreTwentyAndMore) { EXPECT_GE(breaches().size(), 20U); }

@@ -24,7 +24,7 @@ using method::hysteresis::Estimator;
 constexpr double largest_coverage = 1;
 
 // Ripple makes each run long.
-std::size_t seeds_of_ripple() { return test::seeds_of(10, 100); }
+std::size_t seeds_of_ripple() { return test::seeds_of(6, 100); }
 
 simulate::Scenario with_ripple(simulate::Scenario s, std::uint64_t seed) {
   statistics::RandomStream random(seed, 777);

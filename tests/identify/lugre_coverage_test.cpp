@@ -90,7 +90,7 @@ TEST(LuGreCoverage, OfTheWholeModelFromALargeLoop) {
 
 TEST(LuGreCoverage, WithRippleFromEightPositions) {
   TRIBOLOG_EACH_NIGHT();
-  const std::size_t seeds = test::seeds_of(50, 200);
+  const std::size_t seeds = test::seeds_of(32, 200);
   auto all = tally(seeds, [](std::size_t seed) {
     simulate::Scenario s = test::noisy_paper_joint(seed);
     s.oscillation->cycles = 4;  // for the time of the test

@@ -15,7 +15,7 @@ namespace {
 using method::hysteresis::Estimator;
 
 TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
-  const std::uint64_t seeds = test::seeds_of(12, 100);
+  const std::uint64_t seeds = test::seeds_of(8, 100);
   int covered = 0;
   int b_is_possible = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {

@@ -23,7 +23,7 @@ calibration::Calibration identify_blind(joint::Dataset dataset) {
 
 TEST(QualityWithoutTruth, ReferenceAgreesWithTheTrueCurveWithinItsInterval) {
   TRIBOLOG_EACH_NIGHT();
-  const std::uint64_t seeds = test::seeds_of(8, 20);
+  const std::uint64_t seeds = test::seeds_of(5, 20);
   const friction::WaiboerFriction truth = test::paper_curve();
   int covered = 0;
   int all = 0;

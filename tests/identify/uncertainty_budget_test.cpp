@@ -1,6 +1,7 @@
 // What each quantity hangs on: the sensitivities of its budget against the quantity itself, found
 // once more with one influence changed.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -104,6 +105,36 @@ TEST(Budget, HoldsTheTruthBesideAWrongTorqueConstant) {
   const calibration::QuantityVerdict& mass = *wrong.judgement.find(Quantity::surrogate_mass);
   EXPECT_GT(mass.estimate->low, right.judgement.find(Quantity::surrogate_mass)->estimate->value);
   EXPECT_NEAR(mass.budget->expanded.half_width() / mass.estimate->value, 0.02, 0.0005);
+}
+
+/// A hose that over the sweep's part of a turn looks like gravity: what the manifest states of it
+/// is in the intervals, and where nothing is stated the budget says that it is not included.
+TEST(Budget, HoldsTheTruthBesideAHoseThatLooksLikeGravity) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  const calibration::Calibration right = identified(d);
+  const double spring_Nm =
+      0.002 * std::abs(right.judgement.find(Quantity::gravity_torque)->estimate->value);
+  for (joint::Recording& r : d.recordings) {
+    for (std::size_t i = 0; i < r.torque_Nm.size(); ++i) r.torque_Nm[i] += spring_Nm * r.q_rad[i];
+  }
+  const calibration::Calibration unstated = identified(d);
+  d.manifest.uncertainty.hoses_percent = 0.2;
+  const calibration::Calibration with_hose = identified(d);
+  for (const Quantity quantity :
+       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass}) {
+    const double truth = right.judgement.find(quantity)->estimate->value;
+    const calibration::QuantityVerdict& q = *with_hose.judgement.find(quantity);
+    ASSERT_TRUE(q.budget) << to_string(quantity);
+    EXPECT_LE(q.budget->expanded.low, truth) << to_string(quantity);
+    EXPECT_GE(q.budget->expanded.high, truth) << to_string(quantity);
+    EXPECT_NE(part_of(q, Influence::hoses), nullptr) << to_string(quantity);
+    const auto& missing = unstated.judgement.find(quantity)->budget->not_stated;
+    EXPECT_NE(std::find(missing.begin(), missing.end(), Influence::hoses), missing.end());
+  }
+  const auto half_width_of_angle = [](const calibration::Calibration& c) {
+    return c.judgement.find(Quantity::cog_angle)->budget->expanded.half_width();
+  };
+  EXPECT_GT(half_width_of_angle(with_hose), half_width_of_angle(unstated));
 }
 
 TEST(Budget, SaysWhereAnErrorComesFrom) {

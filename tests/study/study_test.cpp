@@ -78,7 +78,7 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
 
 TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
   TRIBOLOG_EACH_NIGHT();
-  const std::size_t runs = test::seeds_of(6, 12);
+  const std::size_t runs = test::seeds_of(4, 12);
   const double least = runs >= 12 ? 8.0 / 12 : 0.5;
   const study::StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, runs);
   const study::StudyLevel& one = factor(study, "ripple_one_position").levels.back();

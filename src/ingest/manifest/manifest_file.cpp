@@ -102,6 +102,7 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table,
   stated.surrogate_distance_percent = percent("surrogate_distance_percent");
   stated.gravity_percent = percent("gravity_percent");
   stated.angle_zero_deg = table.find_number("angle_zero_deg", Sign::not_negative);
+  stated.hoses_percent = percent("hoses_percent");
   if (arm) {
     stated.description_percent = percent("description_percent");
   } else if (table.has_misplaced("description_percent")) {
@@ -110,7 +111,7 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table,
   }
   if (const auto id = table.find_table("id")) {
     for (const char* const influence : {"torque_constant", "gear_ratio", "surrogate_distance",
-                                        "gravity", "angle_zero", "description"}) {
+                                        "gravity", "angle_zero", "hoses", "description"}) {
       const std::string text = id->text_or(influence, "");
       if (!text.empty()) stated.id[influence] = text;
     }

@@ -24,6 +24,7 @@
 #include "render/vector/drawn_set.h"
 #include "simulate/simulate_joint.h"
 #include "study/small_scenario.h"
+#include "support/breadth.h"
 
 namespace tribolog::test {
 namespace {
@@ -39,8 +40,8 @@ std::vector<figures::ReportFigure> figures_of_scenario(const std::string& name) 
   dataset.robot = std::make_shared<robot::RobotDescription>(
       ingest::manifest::read_robot(example_file("paper/am100ib.toml")));
   identify::IdentifyOptions options;
-  options.resamples = 200;
-  options.truth_runs = 3;
+  options.resamples = every_case() ? 200 : 100;
+  options.truth_runs = every_case() ? 3 : 2;
   const calibration::Calibration calibration = identify::identify(dataset, options);
   return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
                                            dataset.robot.get(), calibration);
@@ -67,7 +68,7 @@ std::vector<figures::ReportFigure> figures_of_the_models() {
 
 std::vector<figures::ReportFigure> figures_of_a_small_study() {
   study::StudyOptions options;
-  options.runs = 3;
+  options.runs = every_case() ? 3 : 2;
   return figures::study_figures(study::run_study(small_scenario(), options));
 }
 

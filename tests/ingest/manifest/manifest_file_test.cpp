@@ -398,10 +398,14 @@ TEST(ManifestLimits, AreReadWithTheirNumbers) {
 }
 
 TEST(ManifestUncertainty, IsReadAsHalfWidths) {
-  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
-      minimal + "[uncertainty]\ntorque_constant_percent = 2\nangle_zero_deg = 0.05\n", "m.toml");
+  const ingest::manifest::ManifestFile m =
+      ingest::manifest::parse_manifest(minimal +
+                                           "[uncertainty]\ntorque_constant_percent = "
+                                           "2\nangle_zero_deg = 0.05\nhoses_percent = 0.2\n",
+                                       "m.toml");
   EXPECT_EQ(m.manifest.uncertainty.torque_constant_percent, 2);
   EXPECT_EQ(m.manifest.uncertainty.angle_zero_deg, 0.05);
+  EXPECT_EQ(m.manifest.uncertainty.hoses_percent, 0.2);
   EXPECT_FALSE(m.manifest.uncertainty.gear_ratio_percent);
   EXPECT_FALSE(m.manifest.uncertainty.surrogate_distance_percent);
 }
