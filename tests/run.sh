@@ -6,10 +6,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ./setup.sh tests
-ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure -j "$(nproc)" "$@"
+ctest --test-dir "${TRIBOLOG_BUILD:-build}" --output-on-failure -j "$(($(nproc) + 1))" "$@"
 if [ -n "${TRIBOLOG_SANITIZE:-}" ]; then
   TRIBOLOG_BUILD=build-sanitize \
     TRIBOLOG_CMAKE="-DTRIBOLOG_SANITIZE=address;undefined -DCMAKE_BUILD_TYPE=RelWithDebInfo" \
     ./setup.sh tests
-  ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" "$@"
+  ctest --test-dir build-sanitize --output-on-failure -j "$(($(nproc) + 1))" "$@"
 fi

@@ -244,7 +244,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["position_plan"] = position_plan(c.position_plan);
   all["truth_check"] = truth_check(c.truth_check);
   all["provenance"] = provenance_json(provenance);
-  return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return json_without_hidden(all.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog::calibration

@@ -78,9 +78,8 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
       "which\n`tribolog report` reads the recorded log. What the limits do not allow is "
       "reported,\nwith the number and what would help. examples/plan/joint.toml shows every "
       "key.\n\nOf a "
-      "whole robot (examples/plan/robot.toml) each joint's files are in a directory of its\nown, "
-      "and "
-      "index.html leads to them.");
+      "whole robot (examples/plan/robot.toml) each joint's files are in a directory of its\nown; "
+      "index.html leads to them, and dataset.toml is the manifest of all of their logs.");
   return command;
 }
 

@@ -16,6 +16,7 @@
 #include "cli/joint_plan.h"
 #include "cli/robot_commands.h"
 #include "cli/robot_joints.h"
+#include "exports/experiment/plan_files.h"
 #include "exports/experiment/plan_table.h"
 #include "ingest/manifest/joint_file.h"
 #include "report/robot_plan_page.h"
@@ -24,6 +25,7 @@ namespace tribolog::cli {
 namespace {
 
 constexpr const char* robot_page_name = "index.html";
+constexpr const char* robot_manifest_name = "dataset.toml";
 
 struct JointToPlan {
   std::string name;
@@ -108,7 +110,8 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
     if (!joint.calibration.empty()) inputs.push_back(joint.calibration);
   }
   const std::string page = (folder / robot_page_name).string();
-  check_output_can_be_written(page, inputs);
+  const std::string manifest = (folder / robot_manifest_name).string();
+  for (const std::string& file : {page, manifest}) check_output_can_be_written(file, inputs);
   render::workers::FigureRenderer renderer(options.processes);  // starts while plans are simulated
 
   PlanCommandOptions each = options;
@@ -122,6 +125,7 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
   std::size_t failed_figures = 0;
   ExitStatus status = ExitStatus::done;
   std::vector<report::RobotPlanJoint> shown;
+  std::vector<exports::experiment::PlannedJoint> planned;
   for (JointToPlan& joint : all) {
     report::RobotPlanJoint& one = shown.emplace_back();
     one.name = joint.name;
@@ -141,8 +145,10 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
     one.plan = &joint.report->plan;
     one.expected = &joint.report->expected;
     one.file = joint.directory + "/" + plan_page_name;
+    planned.push_back({joint.directory, one.plan});
   }
   files.add(page, report::robot_plan_page(shown, provenance, options.language));
+  files.add(manifest, exports::experiment::plan_robot_toml(planned));
   files.commit();
   tell_plans(all, console);
   console.say("robot: " + printable(page, longest_path));

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "wording/rounding.h"
+
 namespace tribolog::figures {
 
 double day_of(const std::string& utc) {
@@ -26,7 +28,8 @@ wording::AxisScale quantity_axis(const std::string& unit, double largest) {
   if (unit == "rad") return wording::degrees();
   if (unit == "N·m" || unit == "N·m·s/rad" || unit == "N·m/rad")
     return wording::prefixed(unit, largest);
-  return {1.0, unit};
+  const wording::Scale scale = wording::quantity_scale(unit, largest);
+  return {scale.factor, scale.unit};
 }
 
 }  // namespace tribolog::figures

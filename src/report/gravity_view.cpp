@@ -81,7 +81,7 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
   }
   if (r.inertia_kgm2) {
     table.rows.push_back(estimate_row(tr("Inertia, reflected to the motor"), *r.inertia_kgm2,
-                                      wording::plain_scale("kg·m²")));
+                                      wording::inertia_scale(r.inertia_kgm2->value)));
   }
   const std::string fit = tr("fit of the whole sweep");
   table.rows.push_back(number_row(tr("Torque offset that is not gravity, at the motor"),

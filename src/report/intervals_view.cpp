@@ -26,7 +26,6 @@ wording::Scale degree(double) { return wording::degree_scale(); }
 wording::Scale plain(double) { return wording::plain_scale(""); }
 wording::Scale speed(double) { return wording::plain_scale("rad/s"); }
 wording::Scale weakening(double) { return wording::plain_scale("N·m·s²/rad²"); }
-wording::Scale inertia(double) { return wording::plain_scale("kg·m²"); }
 
 const Words exact_names[] = {
     {"q_peak_rough_rad", to_translate("q_peak, rough sweep"), degree},
@@ -46,7 +45,7 @@ const Words exact_names[] = {
     {"lugre.stribeck_speed_rad_s", to_translate("LuGre: Stribeck velocity ws"), speed},
     {"lugre.speed_weakening_Nms2_rad2", to_translate("LuGre: fall with speed (Ts − Tc)/ws²"),
      weakening},
-    {"lugre.inertia_kgm2", to_translate("LuGre: inertia"), inertia},
+    {"lugre.inertia_kgm2", to_translate("LuGre: inertia"), wording::inertia_scale},
     {"waiboer.asperity_torque_Nm", to_translate("Eq. (6): asperity torque Ta"),
      wording::torque_scale},
     {"waiboer.stribeck_speed_rad_s", to_translate("Eq. (6): Stribeck velocity"), speed},
@@ -202,7 +201,7 @@ Table classical_table(const method::selection::ClassicalRegression& c) {
       estimate_row(tr("Viscous coefficient, at the motor"), c.viscous_Nms_rad,
                    wording::viscous_scale(c.viscous_Nms_rad.value)),
       estimate_row(tr("Inertia, reflected to the motor"), c.inertia_kgm2,
-                   wording::plain_scale("kg·m²")),
+                   wording::inertia_scale(c.inertia_kgm2.value)),
       number_row(tr("Residual scatter of the fit"), c.residual_Nm,
                  wording::torque_scale(c.residual_Nm), tr("rows as averaged")),
       number_row(tr("Residual expected from the torque noise"), c.row_noise_Nm,

@@ -28,7 +28,6 @@ struct LuGreWords {
 
 wording::Scale weakening_scale(double) { return wording::plain_scale("N·m·s²/rad²"); }
 wording::Scale speed_scale(double) { return wording::plain_scale("rad/s"); }
-wording::Scale inertia_scale(double) { return wording::plain_scale("kg·m²"); }
 
 const std::map<LuGreParameterName, LuGreWords> words{
     {LuGreParameterName::bristle_stiffness,
@@ -45,7 +44,7 @@ const std::map<LuGreParameterName, LuGreWords> words{
     {LuGreParameterName::speed_weakening,
      {to_translate("Start of the fall of friction with speed"), 3, weakening_scale}},
     {LuGreParameterName::inertia,
-     {to_translate("Inertia J of motor, gear and arm"), 2, inertia_scale}}};
+     {to_translate("Inertia J of motor, gear and arm"), 2, wording::inertia_scale}}};
 
 void add_both_sides(const LuGreWords& quantity, const statistics::Estimate& motor, double n,
                     Table& table) {

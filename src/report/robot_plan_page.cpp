@@ -10,6 +10,7 @@
 #include "base/shown_text.h"
 #include "exports/experiment/plan_table.h"
 #include "joint/degrees.h"
+#include "plan/simulated_plan.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
@@ -155,6 +156,12 @@ void fill_verdict_of_plans(const std::vector<RobotPlanJoint>& joints, TemplateVa
   add_text(
       tr("The joints move one at a time, in this order; the others stand still, in a pose in "
          "which the axis of the moving joint is horizontal."));
+  if (planned > 0) {
+    add_text(
+        tr("Each joint's log is kept as {log} in its directory; the manifest of all of them is "
+           "dataset.toml: tribolog report dataset.toml -o robot.",
+           {{"log", plan::planned_log_name}}));
+  }
   if (is_first_of_two) {
     add_text(
         tr("Parts around a gravity peak have to wait for its angle: record these plans, report "

@@ -196,6 +196,15 @@ Scale stiffness_scale(double size_Nm_rad) {
   return absolute >= 1e4 ? Scale{1e-3, "kN·m/rad"} : Scale{1.0, "N·m/rad"};
 }
 
+Scale inertia_scale(double size_kgm2) {
+  constexpr double grams_per_kilogram = 1e3;
+  const double absolute = std::abs(size_kgm2);
+  if (!(absolute > 0 && absolute < 0.1)) return plain_scale("kg·m²");
+  Scale scale = prefixed(size_kgm2 * grams_per_kilogram, 0.1, "g·m²");
+  scale.factor *= grams_per_kilogram;
+  return scale;
+}
+
 Scale degree_scale() { return {joint::degrees_per_rad, "°"}; }
 Scale degree_per_second_scale() { return {joint::degrees_per_rad, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
@@ -205,6 +214,7 @@ Scale quantity_scale(const std::string& unit, double size) {
   if (unit == "N·m") return torque_scale(size);
   if (unit == "N·m/rad") return stiffness_scale(size);
   if (unit == "N·m·s/rad") return viscous_scale(size);
+  if (unit == "kg·m²") return inertia_scale(size);
   return plain_scale(unit);
 }
 

@@ -86,6 +86,9 @@ Scale viscous_scale(double size_Nms_rad);
 /// N·m/rad, kN·m/rad or MN·m/rad for stiffnesses.
 Scale stiffness_scale(double size_Nm_rad);
 
+/// kg·m², g·m² or mg·m² for inertias.
+Scale inertia_scale(double size_kgm2);
+
 Scale degree_scale();                 ///< rad -> °
 Scale degree_per_second_scale();      ///< rad/s -> °/s
 Scale plain_scale(std::string unit);  ///< SI as it is.

@@ -79,6 +79,12 @@ TEST(PlanCommand, OfAWholeRobotIsADirectoryForEachJointAndAPage) {
   }
   const std::string page = read_text(scratch.file("out/index.html"));
   EXPECT_NE(page.find("href=\"shoulder/plan.html\""), std::string::npos);
+  // The manifest of all logs names those that are not there yet.
+  const ProgramRun too_early = run_shell(program + "report '" + scratch.file("out/dataset.toml") +
+                                         "' -o '" + scratch.file("robot") + "'");
+  EXPECT_EQ(too_early.status, 3);
+  EXPECT_NE(too_early.err.find("shoulder/"), std::string::npos) << too_early.err;
+  EXPECT_NE(too_early.err.find("elbow/"), std::string::npos) << too_early.err;
   // The sums and the joints' own plans agree.
   const json numbers =
       json::parse(run_shell(program + "show '" + scratch.file("out") + "' --json").out);

@@ -2,6 +2,8 @@
 // what was simulated comes back.
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -56,6 +58,30 @@ TEST(RecordedPlan, EveryRecordingIsCutOutOfTheLog) {
   }
   EXPECT_EQ(dataset.manifest.robot, plan.joint.facts.robot);
   EXPECT_EQ(dataset.manifest.drive.gear_ratio(), 100);
+}
+
+TEST(RecordedPlan, OfARobotIsCutOutOfEachJointsLog) {
+  const TemporaryDirectory directory;
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  plan::ExperimentPlan second = plan;
+  second.joint.facts.joint = "wrist";
+  const joint::Recording log = plan::simulate_plan(plan, paper_joint_with_noise(), rate_Hz);
+  for (const char* name : {"elbow", "wrist"}) {
+    std::filesystem::create_directory(directory.path(name));
+    (void)directory.file(std::string(name) + "/" + plan::planned_log_name,
+                         exports::simulation::recording_csv(log));
+  }
+  const std::string manifest = directory.file(
+      "dataset.toml", exports::experiment::plan_robot_toml({{"elbow", &plan}, {"wrist", &second}}));
+  const std::vector<std::string> joints = ingest::dataset::joints_of_robot(manifest);
+  ASSERT_EQ(joints, (std::vector<std::string>{plan.joint.facts.joint, "wrist"}));
+  for (const std::string& joint : joints) {
+    const joint::Dataset dataset = ingest::dataset::read_dataset(manifest, joint);
+    EXPECT_EQ(dataset.manifest.joint, joint);
+    EXPECT_EQ(dataset.manifest.robot, plan.joint.facts.robot);
+    for (const plan::PlannedPart& part : plan.parts)
+      EXPECT_EQ(dataset.with_role(part.role).size(), part.recordings) << joint;
+  }
 }
 
 struct Truth {

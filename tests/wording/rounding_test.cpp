@@ -35,6 +35,18 @@ TEST(Rounding, NegativeNumbersHaveAMinusSignAndZeroHasNone) {
   EXPECT_EQ(wording::fixed(-0.0001, 2), "0.00");
 }
 
+TEST(Rounding, InertiasAreReadInTheGramsThatKeepThemShort) {
+  const auto shown = [](double value, double half_width) {
+    return wording::in_words({value, value - half_width, value + half_width, {}},
+                             wording::quantity_scale("kg·m²", value));
+  };
+  EXPECT_EQ(shown(24.65, 0.08), "24.650 ± 0.080\u00a0kg·m²");
+  EXPECT_EQ(shown(1.6834e-3, 5.2e-6), "1.6834 ± 0.0052\u00a0g·m²");
+  EXPECT_EQ(shown(1.96e-4, 4e-6), "0.1960 ± 0.0040\u00a0g·m²");
+  EXPECT_EQ(shown(2.5e-6, 1e-7), "2.50 ± 0.10\u00a0mg·m²");
+  EXPECT_EQ(wording::inertia_scale(0).unit, "kg·m²");
+}
+
 TEST(Rounding, DegreesTurnTheIntervalAlong) {
   const statistics::Estimate link = statistics::scaled({-0.388019, -0.389, -0.387, {}}, -1.0);
   const wording::RoundedEstimate text = wording::round_by_interval(link, wording::degree_scale());

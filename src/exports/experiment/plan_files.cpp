@@ -15,44 +15,86 @@
 
 namespace tribolog::exports::experiment {
 
-std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
-  const wording::WordsIn english({});
-  const joint::JointFacts& f = plan.joint.facts;
-  std::string text = fmt::format(
-      "# The log that is recorded while the joint follows setpoints.csv: name it {} or correct\n"
-      "# the name below. Its clock starts with the set points; where it does not, every from_s "
-      "and\n"
-      "# to_s shifts by the difference. Columns and units are to be corrected to the log's own.\n"
-      "schema = \"tribolog-dataset-1\"\n\n[robot]\nname = {}\n",
-      plan::planned_log_name, ingest::manifest::toml_text(f.robot));
+namespace {
+
+constexpr const char* schema_line = "schema = \"tribolog-dataset-1\"\n";
+
+std::string robot_table(const joint::JointFacts& f) {
+  std::string text = fmt::format("\n[robot]\nname = {}\n", ingest::manifest::toml_text(f.robot));
   if (!f.serial.empty())
     text += fmt::format("serial = {}\n", ingest::manifest::toml_text(f.serial));
-  text +=
-      fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", ingest::manifest::toml_text(f.joint),
-                  ingest::manifest::toml_number(f.gear_ratio));
-  text += fmt::format(
-      "\n[effort]  # what the log's effort is: correct it if it is not this\n"
+  return text;
+}
+
+std::string name_and_gear(const joint::JointFacts& f) {
+  return fmt::format("name = {}\ngear_ratio = {}\n", ingest::manifest::toml_text(f.joint),
+                     ingest::manifest::toml_number(f.gear_ratio));
+}
+
+/// Effort, columns and recordings. @param of before the tables' names: "", or "joints." of a robot.
+std::string log_tables(const plan::ExperimentPlan& plan, const std::string& of,
+                       const std::string& log) {
+  const joint::JointFacts& f = plan.joint.facts;
+  std::string text = fmt::format(
+      "\n[{}effort]  # what the log's effort is: correct it if it is not this\n"
       "kind = \"{}\"\nside = \"{}\"\n",
-      joint::to_string(f.effort_kind), joint::to_string(f.effort_side));
+      of, joint::to_string(f.effort_kind), joint::to_string(f.effort_side));
   if (f.torque_constant_Nm_A) {
     text += fmt::format("torque_constant_Nm_A = {}\n",
                         ingest::manifest::toml_number(*f.torque_constant_Nm_A));
   }
   const bool is_current = f.effort_kind == joint::EffortKind::motor_current;
   text += fmt::format(
-      "\n[columns]\ntime = {{name = \"t_s\", unit = \"s\"}}\n"
+      "\n[{}columns]\ntime = {{name = \"t_s\", unit = \"s\"}}\n"
       "angle = {{name = \"q_rad\", unit = \"rad\"}}\n"
       "speed = {{name = \"dq_rad_s\", unit = \"rad/s\"}}  # leave out where there is none\n"
       "effort = {{name = \"{}\", unit = \"{}\"}}\n",
-      is_current ? "current_A" : "torque_Nm", is_current ? "A" : "Nm");
+      of, is_current ? "current_A" : "torque_Nm", is_current ? "A" : "Nm");
   for (const plan::PlannedSegment& s : plan.segments) {
     if (!s.role) continue;
     text += fmt::format(
-        "\n[[recording]]\nrole = \"{}\"\nfile = {}\nfrom_s = {}\nto_s = {}\n"
+        "\n[[{}recording]]\nrole = \"{}\"\nfile = {}\nfrom_s = {}\nto_s = {}\n"
         "note = {}\n",
-        joint::to_string(*s.role), ingest::manifest::toml_text(plan::planned_log_name),
+        of, joint::to_string(*s.role), ingest::manifest::toml_text(log),
         ingest::manifest::toml_number(s.from_s), ingest::manifest::toml_number(s.to_s),
         ingest::manifest::toml_text(wording::words(s.name)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
+  const wording::WordsIn english({});
+  const joint::JointFacts& f = plan.joint.facts;
+  return fmt::format(
+             "# The log that is recorded while the joint follows setpoints.csv: name it {} or "
+             "correct\n"
+             "# the name below. Its clock starts with the set points; where it does not, every "
+             "from_s and\n"
+             "# to_s shifts by the difference. Columns and units are to be corrected to the log's "
+             "own.\n",
+             plan::planned_log_name) +
+         schema_line + robot_table(f) + "\n[joint]\n" + name_and_gear(f) +
+         log_tables(plan, "", plan::planned_log_name);
+}
+
+std::string plan_robot_toml(const std::vector<PlannedJoint>& joints) {
+  const wording::WordsIn english({});
+  std::string text = fmt::format(
+      "# The logs that are recorded while each joint follows its setpoints.csv: name them {} in "
+      "the\n"
+      "# joints' directories or correct the names below. Each clock starts with the set points; "
+      "where it\n"
+      "# does not, every from_s and to_s of that joint shifts by the difference. Columns and units "
+      "are to\n"
+      "# be corrected to the logs' own.\n",
+      plan::planned_log_name);
+  text += schema_line;
+  if (!joints.empty()) text += robot_table(joints.front().plan->joint.facts);
+  for (const PlannedJoint& one : joints) {
+    text += "\n[[joints]]\n" + name_and_gear(one.plan->joint.facts) +
+            log_tables(*one.plan, "joints.", one.directory + "/" + plan::planned_log_name);
   }
   return text;
 }

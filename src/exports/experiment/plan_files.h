@@ -3,6 +3,7 @@
 // come.
 
 #include <string>
+#include <vector>
 
 #include "calibration/provenance.h"
 #include "plan/expected_intervals.h"
@@ -14,6 +15,15 @@ namespace tribolog::exports::experiment {
 /// starts with the plan. Columns are named as in the set points, with torque_Nm for the effort, in
 /// SI; the user corrects names and units that the drive's log has otherwise.
 std::string plan_dataset_toml(const plan::ExperimentPlan& plan);
+
+/// A joint of a robot, with the directory of its files, relative to that of the robot.
+struct PlannedJoint {
+  std::string directory;
+  const plan::ExperimentPlan* plan{};  ///< Never null.
+};
+
+/// The same of a whole robot: each joint's log is planned_log_name in its directory.
+std::string plan_robot_toml(const std::vector<PlannedJoint>& joints);
 
 // A plan as set points for the drive.
 

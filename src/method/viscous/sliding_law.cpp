@@ -5,394 +5,20 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Core>
-
 #include "method/viscous/law_scan.h"
+#include "method/viscous/speed_laws.h"
+#include "method/viscous/speed_means.h"
 #include "statistics/distributions.h"
-#include "statistics/linear_systems.h"
 
 namespace tribolog::method::viscous {
 namespace {
 
 constexpr std::size_t fewest_speeds_of_law = 3;
-constexpr double line_parameters = 2;
-constexpr double dip_parameters = 4;
 constexpr double line_excluded = 0.01;   // chance at which the straight line is
 constexpr double shape_excluded = 0.01;  // and d = 2, or a viscous term linear in speed
 constexpr double shape_in_doubt = 0.05;  // at which one that is no straight line stays a rival
 constexpr double bend_excluded = 0.001;  // and that there is a bend in place of a dip
-constexpr double stray = 0.01;           // after Holm's correction
-constexpr double least_stray = 0.005;    // of the friction: what matters
-constexpr double strays_per_speed = 0.2;
-constexpr double least_error = 2e-4;  // of the friction
-constexpr double least_scale = 0.5;   // of the errors as stated
-constexpr std::size_t speeds_tried = 40;
-
-/// One speed with all of its runs.
-struct Speed {
-  SpeedMean mean;
-  bool has_both{};           ///< Directions.
-  double half_difference{};  ///< Friction of rising less that of falling, halved; if it has both.
-  std::vector<std::size_t> runs;
-};
-
-/// What one direction of a speed has.
-struct DirectionMean {
-  double friction{};
-  double variance{};
-  double count{};
-  void add(const CurveSample& s, double its_variance) {
-    friction = (count * friction + s.friction_Nm) / (count + 1);
-    variance += its_variance;
-    count += 1;
-  }
-  [[nodiscard]] double variance_of_mean() const { return variance / (count * count); }
-};
-
-/// Half the difference of rising and falling friction, for speeds with one direction only: the mean
-/// over speeds with both, or a line in speed where the terms have one.
-class Asymmetries {
- public:
-  void add(double speed, double half) {
-    ++n_;
-    w_ += speed;
-    h_ += half;
-    ww_ += speed * speed;
-    wh_ += speed * half;
-  }
-  [[nodiscard]] double at(double speed, bool line) const {
-    if (n_ == 0) return 0;
-    const double spread = n_ * ww_ - w_ * w_;
-    if (!line || n_ < 3 || !(spread > 0)) return h_ / n_;
-    const double slope = (n_ * wh_ - w_ * h_) / spread;
-    return (h_ - slope * w_) / n_ + slope * speed;
-  }
-
- private:
-  double n_{}, w_{}, h_{}, ww_{}, wh_{};
-};
-
-/// Variances of the runs' means, from ten blocks each, are themselves known only to a third, and
-/// weights must not depend on that: each is shrunk towards the common value for its number of
-/// samples, the more so the less they differ (empirical Bayes, Smyth 2004).
-std::vector<double> variances_of(const std::vector<CurveSample>& samples) {
-  constexpr double freedom = 9;
-  std::vector<double> logs;
-  for (const CurveSample& s : samples) {
-    if (s.standard_error_Nm > 0 && s.count > 0) {
-      logs.push_back(std::log(s.standard_error_Nm * s.standard_error_Nm * s.count));
-    }
-  }
-  std::vector<double> out;
-  if (logs.size() < 3) {
-    for (const CurveSample& s : samples) out.push_back(std::pow(s.standard_error_Nm, 2));
-    return out;
-  }
-  double mean = 0;
-  for (const double l : logs) mean += l / static_cast<double>(logs.size());
-  double spread = 0;
-  for (const double l : logs) {
-    spread += (l - mean) * (l - mean) / static_cast<double>(logs.size() - 1);
-  }
-  // Of the logarithm of a chi-squared number: its variance, and its mean.
-  const double own = 2 / freedom * (1 + 1 / freedom);
-  const double common = std::exp(mean + 1 / freedom);
-  const double weight = spread > own ? 2 / (spread - own) : std::numeric_limits<double>::infinity();
-  for (const CurveSample& s : samples) {
-    const double its = std::pow(s.standard_error_Nm, 2);
-    const double shared = s.count > 0 ? common / s.count : its;
-    if (!(its > 0)) {
-      out.push_back(shared);
-    } else {
-      out.push_back(std::isinf(weight) ? shared
-                                       : (weight * shared + freedom * its) / (weight + freedom));
-    }
-  }
-  return out;
-}
-
-std::vector<Speed> speeds_of(const std::vector<CurveSample>& samples, const CurveModel& terms) {
-  struct Group {
-    DirectionMean rising, falling;
-    double speed{}, load{}, count{};
-    std::vector<std::size_t> runs;
-  };
-  std::vector<Group> groups(group_count(samples));
-  const std::vector<double> variances = variances_of(samples);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const CurveSample& s = samples[i];
-    Group& g = groups[s.group];
-    (s.direction < 0 ? g.falling : g.rising).add(s, variances[i]);
-    g.speed += s.speed_rad_s;
-    g.load += s.load;
-    g.count += 1;
-    g.runs.push_back(s.run);
-  }
-  Asymmetries halves;
-  for (const Group& g : groups) {
-    if (g.rising.count == 0 || g.falling.count == 0) continue;
-    halves.add(g.speed / g.count, (g.rising.friction - g.falling.friction) / 2);
-  }
-  std::vector<Speed> speeds;
-  for (Group& g : groups) {
-    Speed s;
-    s.mean.speed_rad_s = g.speed / g.count;
-    s.mean.load = g.load / g.count;
-    if (g.rising.count > 0 && g.falling.count > 0) {
-      s.has_both = true;
-      s.half_difference = (g.rising.friction - g.falling.friction) / 2;
-      s.mean.friction_Nm = (g.rising.friction + g.falling.friction) / 2;
-      s.mean.variance = (g.rising.variance_of_mean() + g.falling.variance_of_mean()) / 4;
-    } else {
-      const bool is_rising = g.rising.count > 0;
-      const DirectionMean& one = is_rising ? g.rising : g.falling;
-      const double half =
-          halves.at(s.mean.speed_rad_s, terms.asymmetry == Asymmetry::coulomb_viscous);
-      s.mean.friction_Nm = one.friction - (is_rising ? half : -half);
-      s.mean.variance = one.variance_of_mean();
-    }
-    s.runs = std::move(g.runs);
-    speeds.push_back(std::move(s));
-  }
-  return speeds;
-}
-
-/// No mean is better known than motion and method allow.
-void floor_variances(std::vector<Speed>& speeds) {
-  double largest = 0;
-  for (const Speed& s : speeds) largest = std::max(largest, std::abs(s.mean.friction_Nm));
-  for (Speed& s : speeds) {
-    s.mean.variance +=
-        std::pow(least_error * std::abs(s.mean.friction_Nm), 2) + std::pow(1e-6 * largest, 2);
-  }
-}
-
-const LawPoint* best_of(const std::vector<LawPoint>& points) {
-  const auto at = std::min_element(points.begin(), points.end(),
-                                   [](const auto& a, const auto& b) { return a.chi2 < b.chi2; });
-  return at == points.end() ? nullptr : &*at;
-}
-
-/// The scatter, squared, at which the weighted sum of squares equals its degrees of freedom.
-/// @param largest friction.
-template <class Leaves>
-double root_of_scatter(const Leaves& leaves, double freedom, double largest) {
-  if (leaves(0) <= freedom) return 0;
-  double low = std::log(1e-14 * largest * largest);
-  double high = std::log(largest * largest);
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (low + high) / 2;
-    (leaves(std::exp(middle)) > freedom ? low : high) = middle;
-  }
-  return std::exp((low + high) / 2);
-}
-
-/// Scatter between speeds of the directions' difference, squared, beyond the scatter within the
-/// runs. A difference that is constant (gravity, offset), a share of the friction or proportional
-/// to the speed is no scatter. 0 if none is significant beyond `scatter2`.
-double direction_scatter2(const std::vector<Speed>& speeds, double scatter2,
-                          double freedom_of_scatter) {
-  constexpr Eigen::Index terms = 3;
-  std::vector<const Speed*> both;
-  double largest = 0;
-  for (const Speed& s : speeds) {
-    if (!s.has_both) continue;
-    both.push_back(&s);
-    largest = std::max(largest, std::abs(s.mean.friction_Nm));
-  }
-  const auto n = static_cast<Eigen::Index>(both.size());
-  const auto freedom = static_cast<double>(n - terms);
-  if (freedom < 2) return 0;
-  const auto leaves = [&](double scatter) {
-    Eigen::MatrixXd x(n, terms);
-    Eigen::VectorXd y(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Speed& s = *both[static_cast<std::size_t>(i)];
-      const double weight = 1 / std::sqrt(s.mean.variance + scatter);
-      x.row(i) << weight, weight * s.mean.friction_Nm / largest, weight * s.mean.speed_rad_s;
-      y(i) = weight * s.half_difference;
-    }
-    const Eigen::VectorXd c = statistics::least_squares(x, y);
-    return (y - x * c).squaredNorm();
-  };
-  // Of an error that the runs' own scatter tells, and of one that was found beside the law.
-  double variance = 0;
-  for (const Speed* s : both) variance += s->mean.variance / static_cast<double>(n);
-  const double sure = scatter2 > variance ? std::max(1.0, freedom_of_scatter) : 1e6;
-  if (statistics::f_upper_tail(leaves(scatter2) / freedom, freedom, sure) > 0.01) return 0;
-  return root_of_scatter(leaves, freedom, largest);
-}
-
-/// Laws against one set of speeds.
-class Laws {
- public:
-  Laws(std::vector<SpeedMean> means, bool load) : means_(std::move(means)), load_(load) {
-    slowest_ = fastest_ = means_.front().speed_rad_s;
-    for (const SpeedMean& m : means_) {
-      slowest_ = std::min(slowest_, m.speed_rad_s);
-      fastest_ = std::max(fastest_, m.speed_rad_s);
-      largest_ = std::max(largest_, std::abs(m.friction_Nm));
-    }
-  }
-
-  /// All speeds ws, at the present d and p.
-  [[nodiscard]] LawGrid whole_grid() const {
-    constexpr double below_slowest = 30;
-    constexpr double beyond_fastest = 3;
-    return {{exponent_}, {power_}, load_, slowest_ / below_slowest, beyond_fastest * fastest_};
-  }
-  void set_shape(double exponent, double power) {
-    exponent_ = exponent;
-    power_ = power;
-  }
-  [[nodiscard]] double freedom(double parameters) const {
-    return static_cast<double>(means_.size()) - parameters - (load_ ? 1 : 0);
-  }
-  /// Lines of these powers; of bent ones those that a joint can have: where Coulomb torque is not
-  /// negative.
-  [[nodiscard]] std::vector<LawPoint> possible_lines(const std::vector<double>& powers) const {
-    std::vector<LawPoint> out;
-    for (const double power : powers) {
-      LawPoint point = line(power);
-      if (power == 1 || point.coulomb_Nm >= 0) out.push_back(std::move(point));
-    }
-    return out;
-  }
-  [[nodiscard]] LawPoint line(double power = 1) const {
-    return line_at(means_, scatter2_, power, load_);
-  }
-  [[nodiscard]] std::vector<LawPoint> scan(const LawGrid& grid) const {
-    return scan_laws(means_, scatter2_, grid, speeds_tried);
-  }
-  /// The best law at d and p; the line where none is better.
-  [[nodiscard]] LawPoint best() const {
-    const LawPoint straight = line(power_);
-    if (!can_dip()) return straight;
-    const std::optional<LawPoint> dip = best_law(whole_grid());
-    return dip && dip->chi2 < straight.chi2 ? *dip : straight;
-  }
-  /// By successively finer scans.
-  [[nodiscard]] std::optional<LawPoint> best_law(LawGrid grid) const {
-    std::optional<LawPoint> best;
-    constexpr int rounds = 4;
-    for (int k = 0; k < rounds; ++k) {
-      const std::vector<LawPoint> points = scan(grid);
-      const LawPoint* at = best_of(points);
-      if (at == nullptr) break;
-      if (!best || at->chi2 < best->chi2) best = *at;
-      const double step = std::pow(grid.fastest_speed / grid.slowest_speed,
-                                   2.0 / static_cast<double>(speeds_tried - 1));
-      grid.slowest_speed = std::max(grid.slowest_speed, best->speed_rad_s / step);
-      grid.fastest_speed = std::min(grid.fastest_speed, best->speed_rad_s * step);
-    }
-    return best;
-  }
-  [[nodiscard]] bool can_dip() const { return freedom(dip_parameters) >= 2; }
-  [[nodiscard]] double best_freedom() const {
-    return freedom(can_dip() ? dip_parameters : line_parameters);
-  }
-  [[nodiscard]] double scatter2() const { return scatter2_; }
-  [[nodiscard]] double slowest() const { return slowest_; }
-  [[nodiscard]] double fastest() const { return fastest_; }
-  [[nodiscard]] double largest() const { return largest_; }
-  [[nodiscard]] const std::vector<SpeedMean>& means() const { return means_; }
-
-  /// Scatter between speeds at which the best law's chi2 equals its degrees of freedom.
-  void find_scatter() {
-    scatter2_ = 0;
-    constexpr int rounds = 3;
-    const double freedom = best_freedom();
-    if (!(freedom > 0)) return;
-    for (int k = 0; k < rounds; ++k) {
-      const LawPoint law = best();
-      const auto leaves = [&](double scatter2) {
-        if (!law.has_excess) return line_at(means_, scatter2, law.power, load_).chi2;
-        const LawGrid one{{law.exponent}, {law.power}, load_, law.speed_rad_s, law.speed_rad_s};
-        const std::vector<LawPoint> at = scan_laws(means_, scatter2, one, 2);
-        return at.empty() ? 0.0 : at.front().chi2;
-      };
-      const double before = scatter2_;
-      scatter2_ = root_of_scatter(leaves, freedom, largest_);
-      if (std::abs(scatter2_ - before) <= 1e-3 * before) break;
-    }
-  }
-  void set_scatter2(double scatter2) { scatter2_ = scatter2; }
-
- private:
-  std::vector<SpeedMean> means_;
-  bool load_{};
-  double slowest_{}, fastest_{}, largest_{};
-  double exponent_{2}, power_{1};
-  double scatter2_{};
-};
-
-std::vector<SpeedMean> means_of(const std::vector<Speed>& speeds, std::size_t without) {
-  std::vector<SpeedMean> means;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    if (i != without) means.push_back(speeds[i].mean);
-  }
-  return means;
-}
-
-constexpr std::size_t no_speed = std::numeric_limits<std::size_t>::max();
-
-/// Whether a viscous term of another power leaves of all speeds no more than a straight one leaves
-/// of the others: where the curve bends, no speed is a stray.
-bool bends_there(const std::vector<Speed>& speeds, std::size_t stray_speed, bool load) {
-  Laws others(means_of(speeds, stray_speed), load);
-  others.find_scatter();
-  double variance = 0;
-  for (const Speed& s : speeds) variance += s.mean.variance / static_cast<double>(speeds.size());
-  for (const double power : {0.4, 0.7, 1.3, 1.6, 1.9, 2.2}) {
-    Laws bent(means_of(speeds, no_speed), load);
-    bent.set_shape(2, power);
-    bent.find_scatter();
-    if (bent.scatter2() <= others.scatter2() + variance) return true;
-  }
-  return false;
-}
-
-/// Removes speeds that are inconsistent with the others, the farthest first.
-std::vector<StrayFriction> without_strays(std::vector<Speed>& speeds, bool load) {
-  std::vector<StrayFriction> out;
-  const auto most = static_cast<std::size_t>(strays_per_speed * static_cast<double>(speeds.size()));
-  while (out.size() < most) {
-    struct Farthest {
-      std::size_t index{no_speed};
-      double chance{1}, off_Nm{};
-    } farthest;
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
-      Laws others(means_of(speeds, i), load);
-      if (!others.can_dip()) return out;
-      others.find_scatter();
-      const LawPoint law = others.best();
-      Laws all(means_of(speeds, no_speed), load);
-      all.set_scatter2(others.scatter2());
-      const double freedom = others.best_freedom();
-      const double f = (all.best().chi2 - law.chi2) / (law.chi2 / freedom);
-      const double chance = statistics::f_upper_tail(f, 1, freedom);
-      const SpeedMean& m = speeds[i].mean;
-      const double w = m.speed_rad_s;
-      double there = law.coulomb_Nm + law.slope * w + law.load_Nm * m.load;
-      if (law.has_excess) {
-        there += law.excess_Nm * std::exp(-std::pow(w / law.speed_rad_s, law.exponent));
-      }
-      const double off = m.friction_Nm - there;
-      if (std::abs(off) < least_stray * all.largest()) continue;
-      if (chance < farthest.chance) farthest = {i, chance, off};
-    }
-    if (farthest.index == no_speed ||
-        farthest.chance * static_cast<double>(speeds.size()) > stray ||
-        bends_there(speeds, farthest.index, load)) {
-      break;
-    }
-    const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(farthest.index);
-    out.push_back({at->mean.speed_rad_s, at->runs, farthest.off_Nm});
-    speeds.erase(at);
-  }
-  return out;
-}
+constexpr double least_scale = 0.5;      // of the errors as stated
 
 /// Range of a parameter over the laws that are not excluded.
 struct Hull {
@@ -449,7 +75,7 @@ void add_points(const std::vector<LawPoint>& points, double limit, Hulls& hulls)
 }
 
 /// Successively finer scans about the speeds ws that are not excluded, including that of `law`.
-Hulls hulls_of(const Laws& laws, LawGrid grid, const LawPoint& law, double limit) {
+Hulls hulls_of(const SpeedLaws& laws, LawGrid grid, const LawPoint& law, double limit) {
   constexpr int rounds = 6;
   Hulls hulls;
   for (int k = 0; k < rounds; ++k) {
@@ -531,7 +157,7 @@ void take_limit(Choice& choice) {
 }
 
 /// The simplest that is not excluded: line, d = 2, any d; then p = 1, any p.
-Choice choose(Laws& laws, double direction_scatter) {
+Choice choose(SpeedLaws& laws, double direction_scatter) {
   const auto find_scatter = [&] {
     laws.find_scatter();
     laws.set_scatter2(std::max(laws.scatter2(), direction_scatter));
@@ -591,7 +217,7 @@ Choice choose(Laws& laws, double direction_scatter) {
 
 /// Shapes about a curved law, ever closer until some besides it are not excluded: on a coarse grid
 /// there may be none.
-void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
+void add_shapes_nearby(const SpeedLaws& laws, const Choice& choice, Hulls& hulls) {
   double exponent_step = 1.0 / 4;  // octaves
   double power_step = 0.05;
   constexpr int rounds = 5;
@@ -632,10 +258,10 @@ void add_shapes_nearby(const Laws& laws, const Choice& choice, Hulls& hulls) {
 
 /// A rival law of a curve that is not a straight line: linear plus quadratic in speed. Adds its
 /// values that are not excluded, if it describes the speeds about as well.
-void add_quadratic_rival(const Laws& laws, const Choice& choice, Hulls& hulls) {
+void add_quadratic_rival(const SpeedLaws& laws, const Choice& choice, Hulls& hulls) {
   std::vector<SpeedMean> means = laws.means();
   for (SpeedMean& m : means) m.load = std::pow(m.speed_rad_s / laws.fastest(), 2);
-  Laws quadratic(std::move(means), true);
+  SpeedLaws quadratic(std::move(means), true);
   quadratic.set_scatter2(laws.scatter2());
   LawPoint law = quadratic.line();
   if (choice.has_dip && quadratic.can_dip()) {
@@ -659,9 +285,9 @@ void add_quadratic_rival(const Laws& laws, const Choice& choice, Hulls& hulls) {
   hulls.coulomb.add(law.coulomb_Nm, std::sqrt(limit - law.chi2) * law.coulomb_error);
 }
 
-/// Laws with a viscous term of another power, which the speeds do not exclude. Their slopes only
-/// where the speeds speak for one: else the slope meant is that of the straight line.
-void add_other_powers(const Laws& laws, const Choice& choice, LawGrid grid, Hulls& hulls) {
+/// Laws with a viscous term of another power, which the speeds do not exclude. Their slopes
+/// only where the speeds speak for one: else the slope meant is that of the straight line.
+void add_other_powers(const SpeedLaws& laws, const Choice& choice, LawGrid grid, Hulls& hulls) {
   grid.exponents = exponents(2);
   grid.powers = powers(2);
   Hulls others;
@@ -674,7 +300,7 @@ void add_other_powers(const Laws& laws, const Choice& choice, LawGrid grid, Hull
   if (choice.may_curve) hulls.slope.add(others.slope);
 }
 
-Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
+Hulls hulls_about(const SpeedLaws& laws, const Choice& choice, bool with_rival) {
   LawGrid grid = laws.whole_grid();
   grid.exponents = exponents();
   const bool is_curved = choice.law.power != 1;
@@ -703,7 +329,7 @@ Hulls hulls_about(const Laws& laws, const Choice& choice, bool with_rival) {
 
 /// The power of a viscous term that describes the speeds about as well without a dip: what bends
 /// the curve is then not known to be one.
-std::optional<double> bend_instead_of_dip(const Laws& laws, const Choice& choice) {
+std::optional<double> bend_instead_of_dip(const SpeedLaws& laws, const Choice& choice) {
   if (!choice.has_dip) return std::nullopt;
   std::optional<LawPoint> best;
   for (const LawPoint& bent : laws.possible_lines(powers())) {
@@ -719,7 +345,7 @@ std::optional<double> bend_instead_of_dip(const Laws& laws, const Choice& choice
 /// Speeds below and beyond the dip that show the law on both sides.
 constexpr std::size_t enough_of_dip = 3;
 
-void add_findings(const Laws& laws, SlidingLaw& law) {
+void add_findings(const SpeedLaws& laws, SlidingLaw& law) {
   if (!law.left_out.empty()) {
     double farthest = 0;
     double its_speed = 0;
@@ -761,10 +387,9 @@ double residual_of(const SlidingLaw& law, const std::vector<SpeedMean>& means, d
 SlidingLaw fit_sliding_law(const std::vector<CurveSample>& samples, const CurveModel& terms) {
   SlidingLaw out;
   if (group_count(samples) < fewest_speeds_of_law) return out;
-  std::vector<Speed> speeds = speeds_of(samples, terms);
-  floor_variances(speeds);
+  std::vector<FrictionAtSpeed> speeds = speeds_of(samples, terms);
   out.left_out = without_strays(speeds, terms.load);
-  Laws laws(means_of(speeds, no_speed), terms.load);
+  SpeedLaws laws(means_of(speeds), terms.load);
   const bool can_fit = laws.largest() > 0 && laws.freedom(line_parameters) >= 1;
   if (!can_fit || !std::isfinite(laws.line().chi2)) return out;
   laws.find_scatter();

@@ -69,6 +69,7 @@ std::vector<figures::ReportFigure> figures_of_the_models() {
 std::vector<figures::ReportFigure> figures_of_a_small_study() {
   study::StudyOptions options;
   options.runs = every_case() ? 3 : 2;
+  if (!every_case()) options.factors = {"cycles", "torque_noise"};
   return figures::study_figures(study::run_study(small_scenario(), options));
 }
 

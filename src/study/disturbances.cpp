@@ -1,0 +1,319 @@
+// The disturbances of the misfit study, in three sizes each.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "friction/catalogue.h"
+#include "joint/degrees.h"
+#include "simulate/scenario.h"
+#include "study/misfit.h"
+#include "study/misfit_scenario.h"
+
+namespace tribolog::study {
+namespace {
+
+using simulate::Scenario;
+
+double friction_of(const Scenario& s) { return std::abs(s.presliding->steady_torque_Nm(1e-9)); }
+
+void set_contact(Scenario& s, const char* model) {
+  const LuGreParameters& p = lugre_of(s);
+  s.presliding = friction::dynamic_friction_model(model).matched(
+      {p.bristle_stiffness_Nm_rad, p.bristle_damping_Nms_rad, p.viscous_Nms_rad, p.coulomb_Nm,
+       p.static_Nm, p.stribeck_speed_rad_s});
+}
+
+void scale_amplitude(Scenario& s, double factor) {
+  if (s.oscillation) s.oscillation->amplitude_rad *= factor;
+  for (simulate::OscillationExperiment& e : s.further_oscillations) e.amplitude_rad *= factor;
+}
+
+/// Loops and ramps at one motor angle, that of the largest friction: from there nothing averages.
+void record_at_largest_friction(Scenario& s) {
+  s.effects.phase_of_motor_angle_rad =
+      -s.effects.periods_per_motor_turn * s.gear_ratio * s.break_away->centre_rad;
+  const double here = s.oscillation->centre_rad;
+  std::erase_if(s.further_oscillations,
+                [&](const simulate::OscillationExperiment& e) { return e.centre_rad != here; });
+}
+
+std::vector<Disturbance> all_disturbances() {
+  return {
+      {"torque_delay",
+       {0.0005, 0.002, 0.005},
+       [](Scenario& s, double x) { s.noise.effects.torque_delay_s = x; },
+       {"cause.lag"}},
+      {"angle_delay",
+       {0.0005, 0.002, 0.005},
+       [](Scenario& s, double x) { s.noise.effects.torque_delay_s = -x; },
+       {"cause.lag"}},
+      {"torque_filter",
+       {100, 50, 20},
+       [](Scenario& s, double x) { s.noise.effects.torque_filter_Hz = x; },
+       {"cause.lag"}},
+      {"elasto_plastic_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "elasto_plastic");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"maxwell_slip_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "gms");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"leuven_contact",
+       {1, 2, 0.7},
+       [](Scenario& s, double x) {
+         set_contact(s, "leuven");
+         scale_amplitude(s, x);
+       },
+       {"cause.other_contact"}},
+      {"gear_loss",
+       {0.005, 0.02, 0.05},
+       [](Scenario& s, double x) { s.effects.gear_loss = x; },
+       {"cause.load"}},
+      {"load_friction",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.load_friction = x; },
+       {"cause.load"}},
+      {"direction_asymmetry",
+       {0.01, 0.05, 0.2},
+       [](Scenario& s, double x) { s.effects.direction_asymmetry = x; },
+       {"cause.asymmetry"}},
+      {"torque_offset",
+       {0.001, 0.005, 0.02},
+       [](Scenario& s, double x) { s.effects.torque_offset_Nm = x * motor_gravity(s); },
+       {"cause.offset", "cause.asymmetry"}},
+      {"offset_drift",
+       {0.002, 0.01, 0.03},
+       [](Scenario& s, double x) { s.effects.offset_drift_Nm = x * motor_gravity(s); },
+       {"cause.drift", "cause.offset"}},
+      {"warm_up",
+       {0.05, 0.1, 0.2},
+       [](Scenario& s, double x) { s.effects.warm_up = x; },
+       {"cause.drift"}},
+      {"friction_by_angle",
+       {0.02, 0.05, 0.2},
+       [](Scenario& s, double x) { s.effects.friction_by_angle = x; },
+       {"cause.angle", "cause.load"}},
+      {"friction_by_motor_angle",
+       {0.02, 0.05, 0.1},
+       [](Scenario& s, double x) {
+         s.effects.friction_by_motor_angle = x;
+         record_at_largest_friction(s);
+       },
+       {"cause.friction_by_motor_angle", "cause.angle"}},
+      {"gear_windup",
+       {0.1, 0.5, 1},
+       [](Scenario& s, double x) { s.effects.gear_windup_rad = x * joint::rad_per_degree; },
+       {"cause.elastic_gear", "cause.lag"}},
+      {"spring",
+       {0.002, 0.01, 0.05},
+       [](Scenario& s, double x) { s.effects.spring_Nm_rad = x * motor_gravity(s); },
+       {"cause.spring", "cause.negative_twist", "cause.torque_of_angle"}},
+      {"twice_the_angle",
+       {0.002, 0.01, 0.05},
+       [](Scenario& s, double x) { s.effects.twice_the_angle_Nm = x * motor_gravity(s); },
+       {"cause.torque_of_angle", "cause.offset", "cause.saturation_or_offset"}},
+      {"late_stribeck_dip",
+       {2, 5, 10},
+       [](Scenario& s, double x) {
+         LuGreParameters p = lugre_of(s);
+         const double slowest = s.constant_speed->motor_speeds_rad_s.front();
+         p.stribeck_speed_rad_s *= x;
+         set_lugre(s, p);
+         s.constant_speed->motor_speeds_rad_s.front() = slowest;
+       },
+       {"cause.stribeck", "curve_model"}},
+      {"stribeck_power",
+       {1, 1.5, 3},
+       [](Scenario& s, double x) {
+         LuGreParameters p = lugre_of(s);
+         p.stribeck_power = x;
+         set_lugre(s, p);
+       },
+       {"cause.stribeck_exponent", "cause.stribeck"}},
+      {"damping_fall",
+       {1, 0.6, 0.3},  // of the loops' peak speed
+       [](Scenario& s, double x) {
+         LuGreParameters p = lugre_of(s);
+         p.damping_speed_rad_s = x * s.gear_ratio * 2 * std::numbers::pi *
+                                 s.oscillation->frequency_Hz * s.oscillation->amplitude_rad;
+         set_lugre(s, p);
+       },
+       {"cause.damping_falls", "cause.other_contact"}},
+      {"friction_taken_off",
+       {0.1, 0.4, 0.8},
+       [](Scenario& s, double x) {
+         s.effects.taken_off = x;
+         s.effects.taken_off_from_rad_s = 0.1 * lugre_of(s).stribeck_speed_rad_s;
+       },
+       {"cause.runs_against_ramps", "cause.runs_against_loops", "cause.friction_taken_off"}},
+      {"convex_viscous",
+       {1.2, 1.5, 1.8},
+       [](Scenario& s, double x) {
+         s.effects.viscous_exponent = x;
+         s.effects.bent_viscous_Nms_rad = lugre_of(s).viscous_Nms_rad;
+         s.effects.bent_viscous_rad_s = s.constant_speed->motor_speeds_rad_s.back();
+       },
+       {"curve_model.viscous_not_linear", "cause.viscous"}},
+      {"second_harmonic",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.second_harmonic = x; },
+       {"cause.motion"}},
+      {"third_harmonic",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.third_harmonic = x; },
+       {"cause.motion"}},
+      {"coloured_noise",
+       {1, 3, 10},
+       [](Scenario& s, double x) {
+         s.noise.effects.coloured_Nm = x * s.noise.torque_white_Nm;
+         s.noise.effects.coloured_time_s = 0.1;
+       },
+       {"cause.coloured_noise"}},
+      {"ripple",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) {
+         const double a = x * motor_gravity(s);
+         s.noise.ripple = {{a, 1, 0}, {a, 6, 0}};
+       },
+       {"cause.ripple", "check.torque_ripple", "positions."}},
+      {"vibration",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) {
+         s.noise.effects.vibration_Nm = x * motor_gravity(s);
+         s.noise.effects.vibration_Hz = 7.3;
+       },
+       {"cause.vibration"}},
+      {"other_joint_moves",
+       {0.01, 0.05, 0.2},
+       [](Scenario& s, double x) {
+         s.noise.effects.neighbour_Nm = x * motor_gravity(s);
+         s.noise.effects.neighbour_Hz = 0.13;
+       },
+       {"cause.other_joint", "cause.drift", "cause.vibration"}},
+      {"torque_constant",
+       {1.02, 1.1, 1.5},
+       [](Scenario& s, double x) { s.noise.effects.torque_scale = x; },
+       {"budget."},
+       {},
+       true},
+      {"torque_saturates",
+       {0.003, 0.01, 0.04},
+       [](Scenario& s, double x) {
+         s.noise.effects.saturation_per_Nm2 = x / std::pow(motor_gravity(s), 2);
+       },
+       {"cause.torque_saturates", "cause.saturation_or_offset", "cause.load"}},
+      {"torque_grows_out_of_proportion",
+       {0.005, 0.02, 0.05},
+       [](Scenario& s, double x) { s.noise.effects.saturation_per_Nm = x / motor_gravity(s); },
+       {"cause.torque_saturates", "cause.saturation_or_offset", "cause.load"}},
+      {"dead_zone",
+       {0.003, 0.01, 0.03},
+       [](Scenario& s, double x) { s.noise.effects.dead_zone_Nm = x * motor_gravity(s); },
+       {"cause.dead_zone", "cause.offset"}},
+      {"torque_limit",
+       {0.98, 0.9, 0.8},
+       [](Scenario& s, double x) {
+         s.noise.effects.torque_limit_Nm = x * (motor_gravity(s) + friction_of(s));
+       },
+       {"check.torque_saturation"}},
+      {"torque_outliers",
+       {0.05, 0.5, 5},
+       [](Scenario& s, double x) {
+         s.noise.effects.outlier_percent = x;
+         s.noise.effects.outlier_Nm = 5 * friction_of(s);
+       },
+       {"cause.outliers", "check.torque_outliers"}},
+      {"torque_stuck",
+       {1, 5, 20},
+       [](Scenario& s, double x) { s.noise.effects.held_percent = x; },
+       {"check.torque_alive", "check.torque_held"}},
+      {"torque_dead",
+       {10, 40, 100},
+       [](Scenario& s, double x) { s.noise.effects.dead_percent = x; },
+       {"check.torque_alive"}},
+      {"torque_step",
+       {0.05, 0.2, 0.5},
+       [](Scenario& s, double x) { s.noise.torque_step_Nm = x * friction_of(s); },
+       {"check.torque_step"}},
+      {"coarse_encoder",
+       {20, 8, 3},
+       [](Scenario& s, double x) {
+         const LuGreParameters& p = lugre_of(s);
+         const double bristle = p.static_Nm / p.bristle_stiffness_Nm_rad;
+         s.noise.encoder_counts_per_turn = 2 * std::numbers::pi / (bristle / x);
+       },
+       {"check.encoder_step"}},
+      {"angle_jumps",
+       {0.1, 0.3, 1},
+       [](Scenario& s, double x) { s.noise.effects.jump_rad = x * joint::rad_per_degree; },
+       {"check.angle_jumps"}},
+      {"homed_anew",
+       {0.2, 0.5, 2},
+       [](Scenario& s, double x) { s.noise.effects.homed_anew_rad = x * joint::rad_per_degree; },
+       {"cause.angle_of_runs", "cause.angle_of_precise_sweep", "check.oscillation_at_peak"}},
+      {"speed_scale",
+       {0.9, 0.5, 2},
+       [](Scenario& s, double x) { s.noise.effects.speed_scale = x; },
+       {"check.speed_scale"}},
+      {"small_oscillation",
+       {0.3, 0.15, 0.05},
+       [](Scenario& s, double x) {
+         scale_amplitude(s, x);
+         s.further_oscillations.pop_back();
+         s.break_away.reset();
+       },
+       {"check.oscillation_slides", "lugre."}},
+      {"one_direction",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         if (x != 2) s.constant_speed->both_directions = false;
+         if (x != 1) s.rough_sweep->both_directions = false;
+       },
+       {"check.run_directions", "check.sweep_directions"}},
+      {"few_speeds_below_dip",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         auto& speeds = s.constant_speed->motor_speeds_rad_s;
+         speeds.erase(speeds.begin(), speeds.begin() + static_cast<std::ptrdiff_t>(2 * x));
+       },
+       {"curve_model", "cause.stribeck"}},
+      {"jittered_clock",
+       {0.0002, 0.001, 0.003},
+       [](Scenario& s, double x) { s.noise.clock_jitter_s = x; },
+       {"cause.false_stamps", "check.clock_jitter"}},
+      {"no_gravity",
+       {0.05, 0.01, 0.001},
+       [](Scenario& s, double x) {
+         s.load = joint::GravityLoad(x * friction_of(s) * s.gear_ratio / (9.81 * 0.1), 0.1,
+                                     s.load.q_peak_rad());
+       },
+       {"cause.no_gravity"}},
+      {"mirrored",
+       {1, 2, 3},
+       [](Scenario& s, double x) {
+         s.noise.effects.mirrored_angle = x != 2;
+         s.noise.effects.mirrored_torque = x != 1;
+       },
+       {"check.friction_dissipates"},
+       3},
+  };
+}
+
+}  // namespace
+
+const std::vector<Disturbance>& disturbances() {
+  static const std::vector<Disturbance> all = all_disturbances();
+  return all;
+}
+
+}  // namespace tribolog::study
