@@ -5,6 +5,7 @@
 import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
+import { definition, jointState } from "./joint_state.mjs";
 
 const require = createRequire(join(process.env.PEER_PACKAGES, "package.json"));
 const { McapWriter } = require("@mcap/core");
@@ -13,42 +14,6 @@ const zstd = require("@foxglove/wasm-zstd");
 await zstd.isLoaded;
 
 const [output, compression, chunks, index] = process.argv.slice(2);
-const definition = `std_msgs/Header header
-string[] name
-float64[] position
-float64[] velocity
-float64[] effort
-================================================================================
-MSG: std_msgs/Header
-builtin_interfaces/Time stamp
-string frame_id
-================================================================================
-MSG: builtin_interfaces/Time
-int32 sec
-uint32 nanosec
-`;
-
-class Cdr {
-  bytes = [0, 1, 0, 0];
-  number(size, set) {
-    while ((this.bytes.length - 4) % size !== 0) this.bytes.push(0);
-    const view = new DataView(new ArrayBuffer(size));
-    set(view);
-    this.bytes.push(...new Uint8Array(view.buffer));
-  }
-  uint32(value) { this.number(4, (view) => view.setUint32(0, value, true)); }
-  float64(value) { this.number(8, (view) => view.setFloat64(0, value, true)); }
-  text(value) {
-    const bytes = new TextEncoder().encode(value);
-    this.uint32(bytes.length + 1);
-    this.bytes.push(...bytes, 0);
-  }
-  numbers(values) {
-    this.uint32(values.length);
-    values.forEach((value) => this.float64(value));
-  }
-}
-
 const parts = [];
 let length = 0n;
 const writable = {
@@ -81,18 +46,10 @@ const joints = ["shoulder", "elbow", "wrist"];
 for (let i = 0; i < 200; ++i) {
   const stamp = 1700000000000000000n + BigInt(i) * 1000000n;
   const order = [0, 1, 2].map((k) => (k + i) % 3);
-  const cdr = new Cdr();
-  cdr.uint32(Number(stamp / 1000000000n));
-  cdr.uint32(Number(stamp % 1000000000n));
-  cdr.text("base");
-  cdr.uint32(3);
-  order.forEach((k) => cdr.text(joints[k]));
-  cdr.numbers(order.map((k) => i / 8 + k));
-  cdr.numbers(order.map(() => -i));
-  cdr.numbers([]);
+  const data = jointState(stamp, order.map((k) => joints[k]), order.map((k) => i / 8 + k),
+                          order.map(() => -i), []);
   const logTime = stamp + 5000n;
-  await writer.addMessage({ channelId, sequence: i, logTime, publishTime: stamp,
-                            data: Uint8Array.from(cdr.bytes) });
+  await writer.addMessage({ channelId, sequence: i, logTime, publishTime: stamp, data });
   await writer.addMessage({ channelId: otherId, sequence: i, logTime, publishTime: stamp,
                             data: new TextEncoder().encode("{}") });
 }
