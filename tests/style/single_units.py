@@ -11,6 +11,7 @@ import sys
 
 
 OF_SEVERAL = r" -Wno-(?:shadow|subobject-linkage)\b"  # what only a unit of several files needs
+OF_GCC = r" --param=\S+"  # what other compilers do not know
 
 
 def single(unit):
@@ -19,7 +20,7 @@ def single(unit):
     files = [unit["file"]]
     if path.parent.name == "Unity":
         files = re.findall(r'^#include "(.+)"$', path.read_text(), flags=re.M)
-    command = re.sub(OF_SEVERAL, "", unit["command"])
+    command = re.sub(OF_GCC, "", re.sub(OF_SEVERAL, "", unit["command"]))
     return [{**unit, "file": file, "command": command.replace(unit["file"], file)} for file in files]
 
 
