@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/requirements.h"
 #include "calibration/calibration.h"
 #include "calibration/headline.h"
 #include "method/checks/data_checks.h"
@@ -161,7 +162,7 @@ method::hysteresis::BehindTorque behind_torque(const Progress& p) {
   // Of another contact neither is the joint's.
   if (fit.contacts.winner && fit.contacts.winner != method::hysteresis::ContactLaw::lugre)
     return {};
-  const double lag_s = p.c.torque_lag.is_clear() ? p.c.torque_lag.lag_s->value : 0;
+  const double lag_s = p.c.torque_lag.is_clear() ? present(p.c.torque_lag.lag_s).value : 0;
   return {damping->value / stiffness->value - lag_s, damping->half_width() / stiffness->value};
 }
 
@@ -177,7 +178,8 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   }
   fit = method::hysteresis::with_friction_of_angle(std::move(fit), p.c.rough, motor_angles);
   if (p.c.torque_lag.is_clear() && p.c.torque_lag.shape != method::motion::LagShape::delay) {
-    fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.c.torque_lag.lag_s->value);
+    fit =
+        method::hysteresis::with_lag_as_filter(std::move(fit), present(p.c.torque_lag.lag_s).value);
   }
   fit = method::hysteresis::with_rival_contacts(std::move(fit));
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
@@ -466,11 +468,13 @@ void keep_shifts(Progress& p, calibration::Influence influence,
   const auto less = quantities_of(less_taken_off);
   const auto more = quantities_of(more_taken_off);
   for (std::size_t k = 0; k < stated.size(); ++k) {
-    if (!stated[k].estimate || !less[k].estimate || !more[k].estimate) continue;
-    const double value = stated[k].estimate->value;
-    p.c.influence_shifts.push_back({influence, stated[k].quantity,
-                                    std::max(std::abs(more[k].estimate->value - value),
-                                             std::abs(less[k].estimate->value - value))});
+    double half_width = 0;
+    for (const auto* shifted : {&less[k].estimate, &more[k].estimate}) {
+      if (!stated[k].estimate || !*shifted) continue;
+      half_width =
+          std::max(half_width, std::abs((*shifted)->value - present(stated[k].estimate).value));
+    }
+    if (half_width > 0) p.c.influence_shifts.push_back({influence, stated[k].quantity, half_width});
   }
 }
 

@@ -75,8 +75,8 @@ class OverAngles {
     const auto over_angles = statistics::mean_of_groups_that_differ(by_angle);
     const double by_sweep = share_of_sweep_ * std::abs(mean.value);
     constexpr double matters = 0.002;
-    const double between =
-        over_angles ? over_angles->between_sd / std::abs(over_angles->mean) : 0.0;
+    if (!over_angles) return by_sweep;
+    const double between = over_angles->between_sd / std::abs(over_angles->mean);
     if (!(between > matters)) return by_sweep;
     between_ = between;
     mean = {over_angles->mean, 0};

@@ -59,7 +59,7 @@ std::vector<LawPoint> SpeedLaws::possible_lines(const std::vector<double>& power
   std::vector<LawPoint> out;
   for (const double power : powers) {
     LawPoint point = line(power);
-    if (power == 1 || point.coulomb_Nm >= 0) out.push_back(std::move(point));
+    if (power == 1 || point.coulomb_Nm >= 0) out.push_back(point);
   }
   return out;
 }
