@@ -170,7 +170,7 @@ TEST(CalibrationJson, SameCalibrationSameBytesInAFixedOrder) {
   const std::string text =
       calibration::calibration_json(complete_calibration(), sample_provenance());
   EXPECT_EQ(text, calibration::calibration_json(complete_calibration(), sample_provenance()));
-  EXPECT_EQ(text.rfind("{\n  \"schema\": \"tribolog-calibration-1\",\n  \"units\"", 0), 0U);
+  EXPECT_EQ(text.rfind("{\n \"schema\": \"tribolog-calibration-1\",\n \"units\"", 0), 0U);
   EXPECT_LT(text.find("\"cog\""), text.find("\"hysteresis\": {"));
 }
 

@@ -272,10 +272,10 @@ TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
     return text.find(piece) != std::string::npos;
   };
   const std::string stated = numbers("");
-  EXPECT_TRUE(holds(stated, "\"resamples\": 300,\n    \"seed\": 5,"));
+  EXPECT_TRUE(holds(stated, "\"resamples\": 300,\n  \"seed\": 5,"));
   EXPECT_TRUE(holds(stated, "\"name\": \"Resamples\""));
-  EXPECT_TRUE(holds(numbers("--resamples 200"), "\"resamples\": 200,\n    \"seed\": 5,"));
-  EXPECT_TRUE(holds(numbers("--seed 6"), "\"resamples\": 300,\n    \"seed\": 6,"));
+  EXPECT_TRUE(holds(numbers("--resamples 200"), "\"resamples\": 200,\n  \"seed\": 5,"));
+  EXPECT_TRUE(holds(numbers("--seed 6"), "\"resamples\": 300,\n  \"seed\": 6,"));
   EXPECT_TRUE(holds(numbers("--resamples 0"), "closed-form intervals only"));
   EXPECT_EQ(dataset.run("identify --resamples 7", "c.json").status, 2);
   EXPECT_EQ(dataset.run("identify --resamples many", "c.json").status, 2);
