@@ -486,19 +486,17 @@ constexpr Step description_step{
                   with_more_taken_off(p.dataset, -share), with_more_taken_off(p.dataset, share));
     }};
 
-constexpr Step hoses_step{
-    "torque of hoses", [](Progress& p) {
-      const auto stated = verdict::judge(p.c).quantities;
-      const auto gravity = std::find_if(stated.begin(), stated.end(), [](const auto& q) {
-        return q.quantity == joint::Quantity::gravity_torque;
-      });
-      if (gravity == stated.end() || !gravity->estimate) return;
-      const double spring_Nm = p.dataset.manifest.uncertainty.hoses_percent.value_or(0) / 100 *
-                               std::abs(gravity->estimate->value);
-      keep_shifts(p, calibration::Influence::hoses, stated,
-                  with_spring_taken_off(p.dataset, -spring_Nm),
-                  with_spring_taken_off(p.dataset, spring_Nm));
-    }};
+constexpr Step hoses_step{"torque of hoses", [](Progress& p) {
+                            const calibration::Judgement now = verdict::judge(p.c);
+                            const auto* gravity = now.find(joint::Quantity::gravity_torque);
+                            if (gravity == nullptr || !gravity->estimate) return;
+                            const double spring_Nm =
+                                p.dataset.manifest.uncertainty.hoses_percent.value_or(0) / 100 *
+                                std::abs(gravity->estimate->value);
+                            keep_shifts(p, calibration::Influence::hoses, now.quantities,
+                                        with_spring_taken_off(p.dataset, -spring_Nm),
+                                        with_spring_taken_off(p.dataset, spring_Nm));
+                          }};
 
 /// All there is to do where no torque was recorded: each stage's report says so, and what to
 /// record.

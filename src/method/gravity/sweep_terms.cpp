@@ -224,6 +224,12 @@ SweepDesign with_load_column(const SweepDesign& design) {
   return with;
 }
 
+/// A term of friction at varying speed is tried where there are strokes enough to hold one out.
+bool can_hold_out_strokes(const SweepDesign& design, const motion::SweepSamples& samples) {
+  const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
+  return design.direction >= 0 && !samples.constant_speed && has_strokes;
+}
+
 /// Mean squared error of each stroke, from a fit to the other strokes. By normal equations of
 /// scaled columns: a sweep has few, and they are not collinear.
 std::vector<double> held_out_strokes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
@@ -263,8 +269,7 @@ SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesig
                                           double middle_rad, const std::vector<std::size_t>& blocks,
                                           const SweepGravityFit& fit) {
   const motion::SweepSamples& samples = sweep.samples;
-  const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
-  if (design.direction < 0 || samples.constant_speed || !has_strokes) return fit;
+  if (!can_hold_out_strokes(design, samples)) return fit;
   std::vector<double> speed(samples.speed_rad_s);
   for (double& v : speed) v = std::abs(v);
   std::sort(speed.begin(), speed.end());
@@ -306,8 +311,7 @@ SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign&
                                         double middle_rad, const std::vector<std::size_t>& blocks,
                                         const SweepGravityFit& fit) {
   const motion::SweepSamples& samples = sweep.samples;
-  const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
-  if (design.direction < 0 || samples.constant_speed || !has_strokes) return fit;
+  if (!can_hold_out_strokes(design, samples)) return fit;
   SweepDesign with = with_load_column(design);
   double q_peak = fit.q_peak_rad.value;
   SweepGravityFit better;
