@@ -127,7 +127,9 @@ struct Judgement {
 struct InfluenceShift {
   Influence influence{};
   joint::Quantity quantity{};
-  double half_width{};  ///< In the quantity's own unit.
+  /// In the quantity's own unit; nullopt: at one of the influence's limits the quantity is not
+  /// found at all, and no interval holds what that does.
+  std::optional<double> half_width;
 };
 
 struct Calibration {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/requirements.h"
 #include "calibration/calibration.h"
 #include "calibration/headline.h"
+#include "identify/influence_shifts.h"
 #include "method/checks/data_checks.h"
 #include "method/hysteresis/break_away.h"
 #include "method/hysteresis/loop_widening.h"
@@ -419,17 +419,6 @@ void check_known_truth(Progress& p) {
 
 constexpr Step truth_step{"known-truth check", check_known_truth};
 
-/// The dataset with `share` more taken off of the gravity that the other joints' motion changes.
-joint::Dataset with_more_taken_off(const joint::Dataset& dataset, double share) {
-  joint::Dataset shifted = dataset;
-  for (joint::Recording& recording : shifted.recordings) {
-    for (std::size_t i = 0; i < recording.others_gravity_Nm.size(); ++i) {
-      recording.torque_Nm[i] -= share * recording.others_gravity_Nm[i];
-    }
-  }
-  return shifted;
-}
-
 /// Each quantity as the recordings give it, by closed forms alone.
 std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& dataset) {
   const IdentifyOptions by_closed_forms{0, 1, 1, 0};
@@ -440,63 +429,10 @@ std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& da
   return verdict::judge(p.c).quantities;
 }
 
-/// The dataset with `spring_Nm` a radian more taken off, as hoses may add, from the middle of all
-/// motion.
-joint::Dataset with_spring_taken_off(const joint::Dataset& dataset, double spring_Nm) {
-  joint::Dataset shifted = dataset;
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -lowest;
-  for (const joint::Recording& recording : shifted.recordings) {
-    for (const double angle : recording.q_rad) {
-      lowest = std::min(lowest, angle);
-      highest = std::max(highest, angle);
-    }
-  }
-  const double middle = (lowest + highest) / 2;
-  for (joint::Recording& recording : shifted.recordings) {
-    for (std::size_t i = 0; i < recording.torque_Nm.size(); ++i)
-      recording.torque_Nm[i] -= spring_Nm * (recording.q_rad[i] - middle);
-  }
-  return shifted;
-}
-
-/// Keeps the most that each quantity changes from `stated` to `less` or `more`: by steps that
-/// choose, it need not be the same to both sides.
-void keep_shifts(Progress& p, calibration::Influence influence,
-                 const std::vector<calibration::QuantityVerdict>& stated,
-                 const joint::Dataset& less_taken_off, const joint::Dataset& more_taken_off) {
-  const auto less = quantities_of(less_taken_off);
-  const auto more = quantities_of(more_taken_off);
-  for (std::size_t k = 0; k < stated.size(); ++k) {
-    double half_width = 0;
-    for (const auto* shifted : {&less[k].estimate, &more[k].estimate}) {
-      if (!stated[k].estimate || !*shifted) continue;
-      half_width =
-          std::max(half_width, std::abs((*shifted)->value - present(stated[k].estimate).value));
-    }
-    if (half_width > 0) p.c.influence_shifts.push_back({influence, stated[k].quantity, half_width});
-  }
-}
-
-constexpr Step description_step{
-    "masses of the arm's description", [](Progress& p) {
-      const double share = p.dataset.manifest.uncertainty.description_percent.value_or(0) / 100;
-      if (share == 0) return;
-      keep_shifts(p, calibration::Influence::description, verdict::judge(p.c).quantities,
-                  with_more_taken_off(p.dataset, -share), with_more_taken_off(p.dataset, share));
-    }};
-
-constexpr Step hoses_step{"torque of hoses", [](Progress& p) {
-                            const calibration::Judgement now = verdict::judge(p.c);
-                            const auto* gravity = now.find(joint::Quantity::gravity_torque);
-                            if (gravity == nullptr || !gravity->estimate) return;
-                            const double spring_Nm =
-                                p.dataset.manifest.uncertainty.hoses_percent.value_or(0) / 100 *
-                                std::abs(gravity->estimate->value);
-                            keep_shifts(p, calibration::Influence::hoses, now.quantities,
-                                        with_spring_taken_off(p.dataset, -spring_Nm),
-                                        with_spring_taken_off(p.dataset, spring_Nm));
-                          }};
+constexpr Step influences_step{"influences that the manifest states", [](Progress& p) {
+                                 p.c.influence_shifts = find_influence_shifts(
+                                     p.dataset, verdict::judge(p.c).quantities, quantities_of);
+                               }};
 
 /// All there is to do where no torque was recorded: each stage's report says so, and what to
 /// record.
@@ -522,9 +458,7 @@ std::vector<Step> steps_for(const joint::Dataset& dataset, const IdentifyOptions
   if (dataset.manifest.drive.kind() == joint::EffortKind::none) return {without_torque};
   std::vector<Step> steps(std::begin(papers_chain), std::end(papers_chain));
   steps.insert(steps.end(), std::begin(further_steps), std::end(further_steps));
-  const std::optional<joint::ArmGravity>& arm = dataset.manifest.arm_gravity;
-  if (arm && arm->largest_Nm > 0) steps.push_back(description_step);
-  if (dataset.manifest.uncertainty.hoses_percent.value_or(0) > 0) steps.push_back(hoses_step);
+  if (has_influence_to_shift(dataset.manifest)) steps.push_back(influences_step);
   if (options.truth_runs > 0) steps.push_back(truth_step);
   return steps;
 }

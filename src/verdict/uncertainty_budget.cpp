@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "joint/degrees.h"
+#include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -159,11 +160,12 @@ class BudgetMaker {
       return;
     }
     for (const calibration::InfluenceShift& shift : c_.influence_shifts) {
-      if (shift.influence != influence || shift.quantity != quantity_) continue;
+      const bool is_of_this = shift.influence == influence && shift.quantity == quantity_;
+      if (!is_of_this || !shift.half_width) continue;
       const double share = *percent / 100 * std::abs(estimate_.value);
-      const double sensitivity = share > 0 ? shift.half_width / share : 0;
+      const double sensitivity = share > 0 ? *shift.half_width / share : 0;
       parts_.push_back({influence, true, percent, sensitivity,
-                        shift.half_width / calibration::coverage_factor(well_known), well_known, 0,
+                        *shift.half_width / calibration::coverage_factor(well_known), well_known, 0,
                         id_of(influence)});
     }
   }
@@ -212,6 +214,18 @@ void state_budgets(const calibration::Calibration& c,
   for (calibration::QuantityVerdict& q : quantities) {
     if (q.estimate && std::isfinite(q.estimate->half_width()))
       q.budget = BudgetMaker(c, sides, q).made();
+  }
+}
+
+void doubt_what_influences_hide(const calibration::Calibration& c,
+                                std::vector<calibration::QuantityVerdict>& quantities) {
+  for (const calibration::InfluenceShift& shift : c.influence_shifts) {
+    if (shift.half_width) continue;
+    const bool is_of_hoses = shift.influence == Influence::hoses;
+    calibration::lower(
+        verdict_on(shift.quantity, quantities), calibration::Verdict::doubtful,
+        is_of_hoses ? Code{"cause.hidden_by_hoses"} : Code{"cause.hidden_by_description"},
+        is_of_hoses ? Code{"record.without_hoses"} : Code{"record.other_joints_at_rest"});
   }
 }
 

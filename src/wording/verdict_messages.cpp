@@ -81,6 +81,12 @@ const Messages& verdict_messages() {
        text("by {file} gravity is {own_Nm:.3g} N·m at the joint, largest at {own_deg:.1f}°; the "
             "recordings show {found_Nm:.3g} N·m, largest at {found_deg:.1f}°: do both count the "
             "angles from the same zero and with the same sign, and is the payload described?")},
+      {"cause.hidden_by_description",
+       text("with the masses of the arm off by what is stated of them, the recordings no longer "
+            "show this: its interval does not include them")},
+      {"cause.hidden_by_hoses",
+       text("with a torque of hoses as large as is stated, the recordings no longer show this: its "
+            "interval does not include hoses")},
       {"cause.others_move",
        text("joint {joint} moves by {travel_deg:.3g}° in these recordings: what that does to this "
             "joint's gravity cannot be told apart from its own without a description of the arm")},
@@ -554,6 +560,8 @@ const Messages& verdict_messages() {
        text("the same again with all other joints at rest, or a description of the arm with its "
             "masses (URDF)")},
       {"record.other_joints_at_rest", text("the same again with all other joints at rest")},
+      {"record.without_hoses",
+       text("the same again with hoses and cables taken off, or led so that they pull less")},
       {"record.eight_positions",
        text("the micro-oscillation at eight positions spread over one turn of the motor")},
       {"record.ramps",

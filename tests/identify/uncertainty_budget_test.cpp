@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "identify/identify.h"
+#include "identify/influence_shifts.h"
 #include "support/paper_joint.h"
+#include "verdict/judge.h"
 
 namespace tribolog::uncertainty_budget_test {
 namespace {
@@ -135,6 +139,49 @@ TEST(Budget, HoldsTheTruthBesideAHoseThatLooksLikeGravity) {
     return c.judgement.find(Quantity::cog_angle)->budget->expanded.half_width();
   };
   EXPECT_GT(half_width_of_angle(with_hose), half_width_of_angle(unstated));
+}
+
+/// What a stated influence makes unfindable is in no interval: the quantity is doubted, and why is
+/// told.
+TEST(Budget, DoubtsWhatAStatedInfluenceHides) {
+  calibration::Calibration c = identified(simulate::simulated_dataset(test::noisy_paper_joint(7)));
+  ASSERT_EQ(c.judgement.find(Quantity::cog_angle)->verdict, calibration::Verdict::usable);
+  c.influence_shifts.push_back({Influence::hoses, Quantity::cog_angle, std::nullopt});
+  const calibration::Judgement doubted = verdict::judge(c);
+  const calibration::QuantityVerdict& angle = *doubted.find(Quantity::cog_angle);
+  EXPECT_EQ(angle.verdict, calibration::Verdict::doubtful);
+  ASSERT_FALSE(angle.reasons.empty());
+  EXPECT_TRUE(angle.reasons.front().is("cause.hidden_by_hoses"));
+  EXPECT_EQ(doubted.find(Quantity::gravity_torque)->verdict, calibration::Verdict::usable);
+}
+
+/// The larger change of both sides is kept; what is lost at one side is kept as lost.
+TEST(Budget, KeepsTheLargerShiftAndWhatIsLost) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  d.manifest.uncertainty.hoses_percent = 1;
+  const auto quantity = [](Quantity name, double value) {
+    calibration::QuantityVerdict q;
+    q.quantity = name;
+    q.estimate = statistics::symmetric_estimate(value, 0, {});
+    return q;
+  };
+  const std::vector<calibration::QuantityVerdict> stated{quantity(Quantity::gravity_torque, 2),
+                                                         quantity(Quantity::cog_angle, 1),
+                                                         quantity(Quantity::inertia, 3)};
+  int calls = 0;
+  const auto shifts = identify::find_influence_shifts(d, stated, [&](const Dataset& /*shifted*/) {
+    std::vector<calibration::QuantityVerdict> found = stated;
+    const bool is_first = calls++ == 0;
+    found[0].estimate = statistics::symmetric_estimate(is_first ? 2.25 : 1.5, 0, {});
+    if (!is_first) found[1].estimate.reset();
+    return found;
+  });
+  ASSERT_EQ(calls, 2);
+  ASSERT_EQ(shifts.size(), 2U);
+  EXPECT_EQ(shifts[0].quantity, Quantity::gravity_torque);
+  EXPECT_EQ(shifts[0].half_width, 0.5);
+  EXPECT_EQ(shifts[1].quantity, Quantity::cog_angle);
+  EXPECT_FALSE(shifts[1].half_width);
 }
 
 TEST(Budget, SaysWhereAnErrorComesFrom) {
