@@ -1,4 +1,5 @@
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -173,19 +174,24 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     throw UsageError("--logs keeps what --misfit or --sound simulates: neither is given");
   }
   if (options.misfit || options.sound) return run_misfit_command(options, console);
-  if (options.output.empty()) throw UsageError("study needs -o FILE, --misfit or --sound");
+  if (options.output.empty() && options.json.empty()) {
+    throw UsageError("study needs -o FILE, --json FILE, --misfit or --sound");
+  }
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
-  if (!options.json.empty()) check_output_can_be_written(options.json, inputs);
-  check_output_can_be_written(options.output, inputs);
   check_outputs_differ({options.output, options.json});
-  for (const std::string& output : {options.output, options.json}) console.make_way_for(output);
+  for (const std::string& output : {options.output, options.json}) {
+    if (output.empty()) continue;
+    check_output_can_be_written(output, inputs);
+    console.make_way_for(output);
+  }
   report::StudyReport report;
   report.provenance = calibration::make_provenance(arguments);
   NamedScenario named = scenario_of(options);
   report.scenario_file = std::move(named.file);
   report.scenario_text = std::move(named.text);
-  render::workers::FigureRenderer renderer(options.processes);  // starts while the study runs
+  std::optional<render::workers::FigureRenderer> renderer;
+  if (!options.output.empty()) renderer.emplace(options.processes);  // starts while the study runs
   study::StudyOptions study;
   study.runs = options.runs;
   study.seed = options.seed;
@@ -201,12 +207,21 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     throw InputError({report.scenario_file, 0, 0},
                      {"cannot be studied", wording::words(refused), "", ""});
   }
-  AtomicFiles files;
-  if (!options.json.empty()) files.add(options.json, report::study_json(report));
+  if (!options.json.empty()) {
+    AtomicFiles numbers;
+    numbers.add(options.json, report::study_json(report));
+    numbers.commit();
+  }
+  if (!renderer) {
+    console.say(wording::words(study::study_sentence(report.study)));
+    console.say("numbers: " + options.json);
+    return ExitStatus::done;
+  }
   const std::vector<figures::ReportFigure> figures =
       figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
-  const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
+  const std::vector<render::workers::DrawnFigure> drawn = draw(*renderer, figures, console);
   report.provenance.drawing = api::software_that_drew(drawn);
+  AtomicFiles files;
   {
     const wording::WordsIn words(options.language);
     files.add(options.output, report::study_page(report, figures, drawn, options.language));

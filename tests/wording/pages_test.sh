@@ -16,8 +16,6 @@ $tribolog simulate "$examples/paper/scenario_noise.toml" -o noise
 python3 "$here/vary_dataset.py" noise
 # At every change those that say most; each night, by tests/nightly.sh cases, all.
 every_case=$TRIBOLOG_EVERY_CASE
-factor=cycles
-[ -z "$every_case" ] || factor=torque_noise
 variants='noise/limits_variant.toml noise/no_torque_variant.toml noise/runs_variant.toml'
 [ -z "$every_case" ] || variants=$(echo noise/*_variant.toml)
 for manifest in $variants; do
@@ -37,12 +35,12 @@ for language in en pl; do
     $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
     cp plan.$language/plan.html plan.$language.html
     $tribolog models --compare --language $language -o models.$language.html
+    $tribolog study --runs 2 --factor torque_noise --language $language -o study.$language.html
     $tribolog paper --wrong-joints --language $language -o wrong.$language.html
     $tribolog paper "$examples/paper/scenario_ripple.toml" --language $language \
       -o claims.$language.html
   fi
   $tribolog paper --language $language -o paper.$language.html
-  $tribolog study --runs 2 --factor $factor --language $language -o study.$language.html
   $tribolog archive trend --archive $language.tribolog --language $language -o trend.$language.html \
     >/dev/null
   $tribolog archive fleet --archive $language.tribolog --language $language -o fleet.$language.html

@@ -31,7 +31,7 @@ Sample sample_of(std::string_view example) {
   const render::text::Font font;
   const std::vector<Reading> readings = all_readings();
   Sample out;
-  const std::size_t step = every_case() ? 1 : 3;
+  const std::size_t step = every_case() ? 1 : 6;
   for (std::size_t i = 0; i < figures_of(example).size(); i += step) {
     const Reading& reading = readings[i % readings.size()];
     const figures::ReportFigure& figure = figures_of(example, reading.language)[i];

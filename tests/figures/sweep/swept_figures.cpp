@@ -33,16 +33,30 @@ std::string example_file(const std::string& name) {
   return std::string(TRIBOLOG_SOURCE_DIR) + "/examples/" + name;
 }
 
-/// As `tribolog report` draws them, but with fewer resamples.
-std::vector<figures::ReportFigure> figures_of_scenario(const std::string& name) {
-  joint::Dataset dataset =
-      simulate::simulated_dataset(ingest::manifest::read_scenario(example_file("paper/" + name)));
+struct Identified {
+  joint::Dataset dataset;
+  calibration::Calibration calibration;
+};
+
+/// With fewer resamples than `tribolog report` makes.
+Identified identified(const std::string& scenario) {
+  joint::Dataset dataset = simulate::simulated_dataset(
+      ingest::manifest::read_scenario(example_file("paper/" + scenario)));
   dataset.robot = std::make_shared<robot::RobotDescription>(
       ingest::manifest::read_robot(example_file("paper/am100ib.toml")));
   identify::IdentifyOptions options;
   options.resamples = every_case() ? 200 : 100;
   options.truth_runs = every_case() ? 3 : 2;
-  const calibration::Calibration calibration = identify::identify(dataset, options);
+  calibration::Calibration calibration = identify::identify(dataset, options);
+  return {std::move(dataset), std::move(calibration)};
+}
+
+/// As `tribolog report` draws them, in the language of now.
+std::vector<figures::ReportFigure> figures_of_scenario(const std::string& name) {
+  static std::map<std::string, Identified> made;
+  auto there = made.find(name);
+  if (there == made.end()) there = made.emplace(name, identified(name)).first;
+  const auto& [dataset, calibration] = there->second;
   return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
                                            dataset.robot.get(), calibration);
 }
