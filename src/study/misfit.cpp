@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "base/parallel_for.h"
+#include "base/requirements.h"
 #include "friction/lugre.h"
 #include "identify/identify.h"
 #include "joint/degrees.h"
@@ -126,12 +127,13 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       if (it == run.quantities.end() || !it->estimate ||
           it->verdict == calibration::Verdict::not_identifiable)
         continue;
+      const statistics::Estimate& found = present(it->estimate);
       ++q.found;
       const bool is_usable = it->verdict == calibration::Verdict::usable;
       q.usable += is_usable ? 1 : 0;
       if (std::isnan(q.truth)) continue;
-      const bool inside = it->estimate->low <= q.truth && q.truth <= it->estimate->high;
-      double off = it->estimate->value - q.truth;
+      const bool inside = found.low <= q.truth && q.truth <= found.high;
+      double off = found.value - q.truth;
       if (q.quantity == Quantity::cog_angle) off = std::remainder(off, 2 * std::numbers::pi);
       off = std::abs(off) / bound_of(q.quantity, q.truth);
       const bool is_wrong = !inside && off > 1;
@@ -140,9 +142,9 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       q.wrong_usable += is_wrong && is_usable ? 1 : 0;
       if (!is_usable) continue;
       q.worst_usable = std::max(q.worst_usable, off);
-      q.by_chance += chance_of_wrong(it->estimate->half_width() / bound_of(q.quantity, q.truth));
+      q.by_chance += chance_of_wrong(found.half_width() / bound_of(q.quantity, q.truth));
     }
-    out.quantities.push_back(std::move(q));
+    out.quantities.push_back(q);
   }
   for (const RunOutcome& run : runs) out.named += run.named ? 1 : 0;
   return out;

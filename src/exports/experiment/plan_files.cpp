@@ -17,7 +17,15 @@ namespace tribolog::exports::experiment {
 
 namespace {
 
-constexpr const char* schema_line = "schema = \"tribolog-dataset-1\"\n";
+/// What the reader of a manifest is to do before logs can be read by it.
+std::string head(const std::string& logs) {
+  return fmt::format(
+      "# {}\n"
+      "# or correct the names below. A log's clock starts with the set points; where it does not,\n"
+      "# its from_s and to_s shift by the difference. Columns and units are to be corrected to\n"
+      "# the log's own.\nschema = \"tribolog-dataset-1\"\n",
+      logs);
+}
 
 std::string robot_table(const joint::JointFacts& f) {
   std::string text = fmt::format("\n[robot]\nname = {}\n", ingest::manifest::toml_text(f.robot));
@@ -67,30 +75,19 @@ std::string log_tables(const plan::ExperimentPlan& plan, const std::string& of,
 std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
   const wording::WordsIn english({});
   const joint::JointFacts& f = plan.joint.facts;
-  return fmt::format(
-             "# The log that is recorded while the joint follows setpoints.csv: name it {} or "
-             "correct\n"
-             "# the name below. Its clock starts with the set points; where it does not, every "
-             "from_s and\n"
-             "# to_s shifts by the difference. Columns and units are to be corrected to the log's "
-             "own.\n",
-             plan::planned_log_name) +
-         schema_line + robot_table(f) + "\n[joint]\n" + name_and_gear(f) +
+  return head(fmt::format(
+             "The log that is recorded while the joint follows setpoints.csv: name it {}",
+             plan::planned_log_name)) +
+         robot_table(f) + "\n[joint]\n" + name_and_gear(f) +
          log_tables(plan, "", plan::planned_log_name);
 }
 
 std::string plan_robot_toml(const std::vector<PlannedJoint>& joints) {
   const wording::WordsIn english({});
-  std::string text = fmt::format(
-      "# The logs that are recorded while each joint follows its setpoints.csv: name them {} in "
-      "the\n"
-      "# joints' directories or correct the names below. Each clock starts with the set points; "
-      "where it\n"
-      "# does not, every from_s and to_s of that joint shifts by the difference. Columns and units "
-      "are to\n"
-      "# be corrected to the logs' own.\n",
-      plan::planned_log_name);
-  text += schema_line;
+  std::string text = head(
+      fmt::format("The logs that are recorded while each joint follows its setpoints.csv: name "
+                  "them\n# {} in the joints' directories",
+                  plan::planned_log_name));
   if (!joints.empty()) text += robot_table(joints.front().plan->joint.facts);
   for (const PlannedJoint& one : joints) {
     text += "\n[[joints]]\n" + name_and_gear(one.plan->joint.facts) +
