@@ -63,9 +63,9 @@ void add_shifts(Influence influence, const std::vector<QuantityVerdict>& stated,
     if (!stated[k].estimate) continue;
     InfluenceShift shift{influence, stated[k].quantity, std::nullopt};
     if (less[k].estimate && more[k].estimate) {
-      const double value = stated[k].estimate->value;
-      shift.half_width = std::max(std::abs(less[k].estimate->value - value),
-                                  std::abs(more[k].estimate->value - value));
+      const double value = present(stated[k].estimate).value;
+      shift.half_width = std::max(std::abs(present(less[k].estimate).value - value),
+                                  std::abs(present(more[k].estimate).value - value));
       if (shift.half_width == 0.0) continue;
     }
     shifts.push_back(shift);
