@@ -109,7 +109,7 @@ std::string range_in_words(double low, double high, const wording::Scale& scale)
               wording::with_unit(wording::significant(high * scale.factor, digits), scale.unit)}});
 }
 
-/// Angles, speeds and strokes: the numbers hold there.
+/// Angles, speeds and strokes: the numbers hold there. Empty: none was recorded.
 std::string what_was_seen(const calibration::Calibration& c) {
   std::vector<std::string> seen;
   const method::gravity::SweepCurves& sweep = c.curves.rough;
@@ -138,7 +138,7 @@ std::string what_was_seen(const calibration::Calibration& c) {
         {{"amplitude",
           wording::with_unit(wording::significant(strokes.high * scale.factor, 3), scale.unit)}}));
   }
-  return or_dash(fmt::format("{}", fmt::join(seen, ", ")));
+  return fmt::format("{}", fmt::join(seen, ", "));
 }
 
 std::string or_not_stated(const std::string& text) {
@@ -234,11 +234,13 @@ std::string report_number(const joint::Manifest& manifest, const std::string& id
 }
 
 std::vector<Fact> boundary_facts(const calibration::Calibration& c) {
+  const std::string seen = what_was_seen(c);
   return {{tr("What went in"), what_went_in(c)},
           {tr("Included in U"), included(c.judgement)},
           {tr("Not included"), not_included(c.judgement)},
           {tr("Holds for"),
-           tr("this item alone, as it was measured: {seen}", {{"seen", what_was_seen(c)}})}};
+           seen.empty() ? tr("this item alone, as it was measured")
+                        : tr("this item alone, as it was measured: {seen}", {{"seen", seen}})}};
 }
 
 std::vector<Fact> certificate_facts(const calibration::Calibration& c,

@@ -54,7 +54,9 @@ FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesRes
   out.stage = {"friction_parameters", statistics::StageState::skipped, {}};
   const viscous::ViscousCurve* curve = curves.find(selection.recommended);
   if (curve == nullptr || curves.runs.empty()) {
-    out.stage.reason = {"friction_parameters.no_curve"};
+    const bool has_no_runs = curves.runs.empty() && !curves.stage.reason.empty();
+    out.stage.reason =
+        has_no_runs ? curves.stage.reason : Statement{"friction_parameters.no_curve"};
     return out;
   }
   out.curve = curve->estimator;

@@ -68,7 +68,8 @@ QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& 
   QualityErrorsResult out;
   out.stage = {"quality_errors", statistics::StageState::skipped, {}};
   if (curves.runs.empty() || curves.curves.empty()) {
-    out.stage.reason = {"quality_errors.no_curve"};
+    out.stage.reason =
+        curves.stage.reason.empty() ? Statement{"quality_errors.no_curve"} : curves.stage.reason;
     return out;
   }
   std::size_t with_reference = 0;

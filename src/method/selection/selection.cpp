@@ -96,7 +96,8 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
   const std::optional<Recommendation> recommendation = recommend(masses);
   if (!recommendation) {
     out.stage.state = statistics::StageState::skipped;
-    out.stage.reason = {"selection.no_candidate"};
+    out.stage.reason =
+        masses.stage.reason.empty() ? Statement{"selection.no_candidate"} : masses.stage.reason;
     return out;
   }
   out.recommended = recommendation->estimator;
