@@ -207,11 +207,14 @@ void fill_data_checks(const ReportView& view, TemplateValues& values) {
   values.add_section("HAS_DATA_CHECKS");
   TemplateValues& table = values.add_include("DATA_CHECKS", "data_checks.tpl");
   for (const DataCheckRow& row : view.data_checks) fill_check(row, table.add_section("CHECK"));
-  const auto passed = static_cast<std::size_t>(
-      std::count_if(view.data_checks.begin(), view.data_checks.end(),
-                    [](const DataCheckRow& row) { return row.outcome == Outcome::good; }));
-  values.set("CHECKS_PASSED", tr("{passed} of {all} passed",
-                                 {{"passed", passed}, {"all", view.data_checks.size()}}));
+  const auto count = [&](Outcome outcome) {
+    return static_cast<std::size_t>(
+        std::count_if(view.data_checks.begin(), view.data_checks.end(),
+                      [&](const DataCheckRow& row) { return row.outcome == outcome; }));
+  };
+  values.set("CHECKS_PASSED", tr("passed: {passed} of the {all} that apply",
+                                 {{"passed", count(Outcome::good)},
+                                  {"all", view.data_checks.size() - count(Outcome::absent)}}));
   if (view.rules.empty()) return;
   TemplateValues& rules = table.add_section("HAS_RULES");
   for (const DataCheckRow& row : view.rules) fill_check(row, rules.add_section("RULE"));

@@ -242,11 +242,16 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
     }
     return q;
   };
+  // Who has recorded as many runs as are asked for is not told to record them.
+  constexpr std::size_t both_directions_of_ten = 20;
+  const bool has_runs = !c.viscous.from_sweep && c.viscous.runs.size() >= both_directions_of_ten;
   std::vector<calibration::QuantityVerdict> all{
-      judged(Quantity::coulomb_torque, "N·m", headline.coulomb_Nm, record_runs),
+      judged(Quantity::coulomb_torque, "N·m", headline.coulomb_Nm,
+             has_runs ? Code{"record.slower_speeds"} : record_runs),
       judged(Quantity::stribeck_speed, "rad/s", headline.stribeck_speed_rad_s,
              {"record.speeds_about_the_dip"}),
-      judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad, record_runs),
+      judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad,
+             has_runs ? Code{"record.faster_speeds"} : record_runs),
       viscous_curve(c)};
   // Above the dip, says the definition; a sweep's speeds may lie within it.
   const bool is_of_sweep =

@@ -541,6 +541,13 @@ const Messages& verdict_messages() {
       {"record.runs",
        text("ten to twenty constant speeds, from the slowest smooth one to the fastest allowed, in "
             "both directions over the same angles")},
+      {"record.slower_speeds",
+       text("runs at slower speeds, down to the slowest smooth one: they show what friction falls "
+            "to")},
+      {"record.faster_speeds",
+       text(
+           "runs at more of the fast speeds, up to the fastest allowed: the viscous coefficient is "
+           "the slope there")},
       {"record.sweep_and_oscillation",
        text("slow sweep over the joint's range in both directions, and a micro-oscillation about "
             "the gravity peak")},
