@@ -18,6 +18,11 @@ Json torque_of_angle(const std::optional<method::gravity::TorqueOfAngle>& t) {
           {"amplitude_Nm", number(t->amplitude_Nm)}};
 }
 
+Json unseen_spring(const std::optional<method::gravity::UnseenSpring>& s) {
+  if (!s) return nullptr;
+  return {{"per_radian_Nm", number(s->per_radian_Nm)}, {"on_angle_rad", number(s->on_angle_rad)}};
+}
+
 /// Standard deviations by cause, and the lines of the spectrum over time.
 Json residual_causes(const method::gravity::CogSweepResult& r) {
   Json lines = Json::array();
@@ -59,6 +64,8 @@ Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
           {"offset_drift_Nm", interval(r.offset_drift_Nm)},
           {"twist_rad", interval(r.twist_rad)},
           {"torque_of_angle", torque_of_angle(r.of_angle)},
+          {"offset_of_angle_Nm", if_found(r.offset_of_angle_Nm)},
+          {"unseen_spring", unseen_spring(r.unseen_spring)},
           {"residual_Nm", if_found(r.residual_Nm)},
           {"residual_causes", residual_causes(r)},
           {"lowest_rad", if_found(r.lowest_rad)},

@@ -273,6 +273,8 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   read_strokes(samples, fit, out);
   read_offset(design, samples, fit, out);
 
+  if (!amplitude_known && !precise)
+    out.unseen_spring = unseen_spring(sweep, design, middle, fit, blocks, out);
   const auto in_place_of_offset =
       amplitude_known ? std::nullopt
                       : torque_in_place_of_offset(sweep, design, middle, fit, blocks, out);

@@ -39,6 +39,12 @@ struct TorqueOfAngle {
   [[nodiscard]] double torque_Nm(double q_rad) const;
 };
 
+/// A spring beside gravity, as hoses and cables may add, as large as a sweep does not exclude.
+struct UnseenSpring {
+  double per_radian_Nm{};  ///< Motor side, per radian of the joint.
+  double on_angle_rad{};   ///< By which it would shift the gravity peak.
+};
+
 struct CogSweepResult {
   statistics::StageReport stage;
   bool found{false};  ///< The values below are valid.
@@ -79,6 +85,8 @@ struct CogSweepResult {
   double offset_of_angle_Nm{};
   /// Change of the offset from the start to the end of a recording.
   std::optional<statistics::Estimate> offset_drift_Nm;
+  /// Of a sweep at constant speed in which no torque of the angle was found.
+  std::optional<UnseenSpring> unseen_spring;
   double residual_Nm{};  ///< Standard deviation of the fit's residuals.
   /// Standard deviation of the part of the residual that is torque ripple: it repeats with the
   /// motor's angle, in both directions alike. 0 if none is visible. A loop at one position cannot

@@ -42,10 +42,9 @@ std::optional<InPlaceOfOffset> torque_in_place_of_offset(const motion::Sweep& sw
       out.highest_rad - out.lowest_rad < least_range_for_second_rad) {
     return std::nullopt;
   }
-  // One that chance gives is held as it is.
-  if (std::abs(out.torque_offset_Nm->value) <= surely_shown * out.torque_offset_Nm->half_width()) {
+  // One that chance gives is within its interval.
+  if (std::abs(out.torque_offset_Nm->value) <= out.torque_offset_Nm->half_width())
     return std::nullopt;
-  }
   SweepDesign second = design_of_angle(sweep, middle, true, false);
   const SweepGravityFit rival = fit_amplitude_and_angle(sweep, second, middle, blocks);
   Eigen::VectorXd gradient = offset_gradient(second, sweep.samples);
@@ -65,6 +64,23 @@ std::optional<InPlaceOfOffset> torque_in_place_of_offset(const motion::Sweep& sw
   const double amplitude = std::abs(out.torque_offset_Nm->value / on_offset);
   const Lever lever(fit, middle);
   return InPlaceOfOffset{amplitude, amplitude * std::abs(lever.on_gravity.dot(effect.head<2>()))};
+}
+
+std::optional<UnseenSpring> unseen_spring(const motion::Sweep& sweep, const SweepDesign& design,
+                                          double middle, const SweepGravityFit& fit,
+                                          const std::vector<std::size_t>& blocks,
+                                          const CogSweepResult& out) {
+  if (out.of_angle || !out.constant_speed || !out.both_directions) return std::nullopt;
+  SweepDesign with = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
+  const SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, with, middle, blocks);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(with.x.cols());
+  gradient(with.spring) = 1;
+  const double largest_Nm = std::abs(gradient.dot(of_spring.regression.coefficients)) +
+                            of_spring.regression.half_width_along(gradient);
+  const Eigen::Vector2d effect = effect_on_coefficients(design, with.x.col(with.spring)).head<2>();
+  const double shift = largest_Nm * std::abs(Lever(fit, middle).on_angle.dot(effect));
+  if (!std::isfinite(shift)) return std::nullopt;
+  return UnseenSpring{largest_Nm, shift};
 }
 
 statistics::Estimate widened(const statistics::Estimate& e, double by, Code why) {

@@ -33,6 +33,14 @@ std::optional<InPlaceOfOffset> torque_in_place_of_offset(const motion::Sweep& sw
                                                          const std::vector<std::size_t>& blocks,
                                                          const CogSweepResult& out);
 
+/// The largest spring that a fit with one in place of the gear's twist does not exclude: its
+/// estimate and half width. Not part of any interval; no sweep over part of a turn shows a small
+/// one. @param out with the range, and what was found.
+std::optional<UnseenSpring> unseen_spring(const motion::Sweep& sweep, const SweepDesign& design,
+                                          double middle, const SweepGravityFit& fit,
+                                          const std::vector<std::size_t>& blocks,
+                                          const CogSweepResult& out);
+
 /// Ripple of few periods a motor turn looks like gravity, or like a twist of the gear, where the
 /// motor makes less than a few turns: widens angle and amplitude by the effect of ripple as large
 /// as that seen, of any such period and at any phase. @param times factor on that size.
