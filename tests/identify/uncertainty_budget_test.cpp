@@ -135,6 +135,17 @@ TEST(Budget, HoldsTheTruthBesideAHoseThatLooksLikeGravity) {
     const auto& missing = unstated.judgement.find(quantity)->budget->not_stated;
     EXPECT_NE(std::find(missing.begin(), missing.end(), Influence::hoses), missing.end());
   }
+  // Nobody states them: then what they could do is told, and it is at least what they did.
+  const auto tells_of_hoses = [](const calibration::Calibration& c) {
+    return std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),
+                       [](const Statement& one) { return one.is("budget.hoses_not_stated"); });
+  };
+  EXPECT_TRUE(tells_of_hoses(unstated));
+  EXPECT_FALSE(tells_of_hoses(with_hose));
+  const double shifted_rad = unstated.rough.q_peak_rad.value - right.rough.q_peak_rad.value;
+  ASSERT_TRUE(unstated.rough.unseen_spring);
+  EXPECT_LE(std::abs(shifted_rad),
+            unstated.rough.unseen_spring->on_angle_rad + right.rough.q_peak_rad.half_width());
   const auto half_width_of_angle = [](const calibration::Calibration& c) {
     return c.judgement.find(Quantity::cog_angle)->budget->expanded.half_width();
   };

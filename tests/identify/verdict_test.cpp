@@ -105,6 +105,10 @@ TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantityThatDecides) {
         q.quantity == joint::Quantity::viscous_coefficient) {
       EXPECT_NE(q.verdict, calibration::Verdict::usable);
       EXPECT_FALSE(q.decides);
+      // Twenty speeds in both directions are there: it is not told to record them.
+      const bool is_coulomb = q.quantity == joint::Quantity::coulomb_torque;
+      EXPECT_TRUE(is_coulomb ? q.experiment.is("record.slower_speeds")
+                             : q.experiment.is("record.faster_speeds"));
       continue;
     }
     EXPECT_EQ(q.verdict, calibration::Verdict::usable)
