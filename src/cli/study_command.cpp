@@ -212,24 +212,20 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     numbers.add(options.json, report::study_json(report));
     numbers.commit();
   }
-  if (!renderer) {
-    console.say(wording::words(study::study_sentence(report.study)));
-    console.say("numbers: " + options.json);
-    return ExitStatus::done;
-  }
-  const std::vector<figures::ReportFigure> figures =
-      figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
-  const std::vector<render::workers::DrawnFigure> drawn = draw(*renderer, figures, console);
-  report.provenance.drawing = api::software_that_drew(drawn);
-  AtomicFiles files;
-  {
+  std::vector<render::workers::DrawnFigure> drawn;
+  if (renderer) {
+    const std::vector<figures::ReportFigure> figures =
+        figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
+    drawn = draw(*renderer, figures, console);
+    report.provenance.drawing = api::software_that_drew(drawn);
     const wording::WordsIn words(options.language);
-    files.add(options.output, report::study_page(report, figures, drawn, options.language));
+    AtomicFiles page;
+    page.add(options.output, report::study_page(report, figures, drawn, options.language));
+    page.commit();
   }
-  files.commit();
   console.say(wording::words(study::study_sentence(report.study)));
   if (!options.json.empty()) console.say("numbers: " + options.json);
-  console.say("study: " + options.output);
+  if (renderer) console.say("study: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }
 

@@ -431,7 +431,7 @@ std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& da
 
 constexpr Step influences_step{"influences that the manifest states", [](Progress& p) {
                                  p.c.influence_shifts = find_influence_shifts(
-                                     p.dataset, verdict::judge(p.c).quantities, quantities_of);
+                                     p.dataset, verdict::judge(p.c), quantities_of);
                                }};
 
 /// All there is to do where no torque was recorded: each stage's report says so, and what to

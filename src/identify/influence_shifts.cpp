@@ -72,15 +72,6 @@ void add_shifts(Influence influence, const std::vector<QuantityVerdict>& stated,
   }
 }
 
-/// The gravity torque as the recordings give it; 0: none.
-double gravity_Nm(const std::vector<QuantityVerdict>& stated) {
-  const auto gravity = std::find_if(stated.begin(), stated.end(), [](const QuantityVerdict& q) {
-    return q.quantity == joint::Quantity::gravity_torque;
-  });
-  const bool is_known = gravity != stated.end() && gravity->estimate;
-  return is_known ? std::abs(present(gravity->estimate).value) : 0;
-}
-
 }  // namespace
 
 bool has_influence_to_shift(const joint::Manifest& manifest) {
@@ -88,18 +79,22 @@ bool has_influence_to_shift(const joint::Manifest& manifest) {
 }
 
 std::vector<InfluenceShift> find_influence_shifts(const joint::Dataset& dataset,
-                                                  const std::vector<QuantityVerdict>& stated,
+                                                  const calibration::Judgement& stated,
                                                   const QuantitiesOf& quantities_of) {
   std::vector<InfluenceShift> shifts;
   const double of_description = share_of_description(dataset.manifest);
   if (of_description > 0) {
-    add_shifts(Influence::description, stated,
+    add_shifts(Influence::description, stated.quantities,
                quantities_of(with_more_taken_off(dataset, -of_description)),
                quantities_of(with_more_taken_off(dataset, of_description)), shifts);
   }
-  const double spring_Nm = share_of_hoses(dataset.manifest) * gravity_Nm(stated);
+  const QuantityVerdict* gravity = stated.find(joint::Quantity::gravity_torque);
+  if (gravity == nullptr || !gravity->estimate) return shifts;
+  const double spring_Nm =
+      share_of_hoses(dataset.manifest) * std::abs(present(gravity->estimate).value);
   if (spring_Nm > 0) {
-    add_shifts(Influence::hoses, stated, quantities_of(with_spring_taken_off(dataset, -spring_Nm)),
+    add_shifts(Influence::hoses, stated.quantities,
+               quantities_of(with_spring_taken_off(dataset, -spring_Nm)),
                quantities_of(with_spring_taken_off(dataset, spring_Nm)), shifts);
   }
   return shifts;

@@ -19,8 +19,8 @@ bool has_influence_to_shift(const joint::Manifest& manifest);
 
 /// The most that each quantity changes from `stated`, to either side: by steps that choose, it need
 /// not be the same to both.
-std::vector<calibration::InfluenceShift> find_influence_shifts(
-    const joint::Dataset& dataset, const std::vector<calibration::QuantityVerdict>& stated,
-    const QuantitiesOf& quantities_of);
+std::vector<calibration::InfluenceShift> find_influence_shifts(const joint::Dataset& dataset,
+                                                               const calibration::Judgement& stated,
+                                                               const QuantitiesOf& quantities_of);
 
 }  // namespace tribolog::identify

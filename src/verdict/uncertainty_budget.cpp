@@ -230,17 +230,16 @@ void doubt_what_influences_hide(const calibration::Calibration& c,
 }
 
 Statement what_hoses_could_do(const calibration::Calibration& c,
-                              const std::vector<calibration::QuantityVerdict>& quantities) {
+                              const calibration::Judgement& judgement) {
   const std::optional<method::gravity::UnseenSpring>& spring = c.rough.unseen_spring;
-  if (!spring || !c.rough.found || c.manifest.uncertainty.hoses_percent) return {};
-  for (const calibration::QuantityVerdict& q : quantities) {
-    if (q.quantity != Quantity::cog_angle || q.verdict != calibration::Verdict::usable) continue;
-    if (!q.budget || spring->on_angle_rad <= q.budget->expanded.half_width()) continue;
-    const double percent = 100 * spring->per_radian_Nm / c.rough.gravity_Nm.value;
-    return {"budget.hoses_not_stated",
-            {{"percent", percent}, {"angle_deg", spring->on_angle_rad * joint::degrees_per_rad}}};
-  }
-  return {};
+  const calibration::QuantityVerdict* angle = judgement.find(Quantity::cog_angle);
+  if (!spring || !c.rough.found || c.manifest.uncertainty.hoses_percent || angle == nullptr)
+    return {};
+  if (angle->verdict != calibration::Verdict::usable || !angle->budget) return {};
+  if (spring->on_angle_rad <= angle->budget->expanded.half_width()) return {};
+  const double percent = 100 * spring->per_radian_Nm / c.rough.gravity_Nm.value;
+  return {"budget.hoses_not_stated",
+          {{"percent", percent}, {"angle_deg", spring->on_angle_rad * joint::degrees_per_rad}}};
 }
 
 Statement what_is_not_stated(const calibration::Calibration& c,

@@ -40,7 +40,7 @@ joint::Dataset good_dataset() {
   return good;
 }
 
-/// With intervals as good as a verdict needs them.
+/// At a change with intervals in closed form, each night with resamples.
 calibration::Calibration identified(const joint::Dataset& d) {
   identify::IdentifyOptions options;
   options.resamples = test::every_case() ? 200 : 0;

@@ -176,12 +176,12 @@ TEST(Budget, KeepsTheLargerShiftAndWhatIsLost) {
     q.estimate = statistics::symmetric_estimate(value, 0, {});
     return q;
   };
-  const std::vector<calibration::QuantityVerdict> stated{quantity(Quantity::gravity_torque, 2),
-                                                         quantity(Quantity::cog_angle, 1),
-                                                         quantity(Quantity::inertia, 3)};
+  calibration::Judgement stated;
+  stated.quantities = {quantity(Quantity::gravity_torque, 2), quantity(Quantity::cog_angle, 1),
+                       quantity(Quantity::inertia, 3)};
   int calls = 0;
   const auto shifts = identify::find_influence_shifts(d, stated, [&](const Dataset& /*shifted*/) {
-    std::vector<calibration::QuantityVerdict> found = stated;
+    std::vector<calibration::QuantityVerdict> found = stated.quantities;
     const bool is_first = calls++ == 0;
     found[0].estimate = statistics::symmetric_estimate(is_first ? 2.25 : 1.5, 0, {});
     if (!is_first) found[1].estimate.reset();

@@ -73,10 +73,8 @@ std::optional<UnseenSpring> unseen_spring(const motion::Sweep& sweep, const Swee
   if (out.of_angle || !out.constant_speed || !out.both_directions) return std::nullopt;
   SweepDesign with = design_of_angle(sweep, middle, false, true, design.inertia_at_joint);
   const SweepGravityFit of_spring = fit_amplitude_and_angle(sweep, with, middle, blocks);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(with.x.cols());
-  gradient(with.spring) = 1;
-  const double largest_Nm = std::abs(gradient.dot(of_spring.regression.coefficients)) +
-                            of_spring.regression.half_width_along(gradient);
+  const double largest_Nm = std::abs(of_spring.regression.coefficients(with.spring)) +
+                            of_spring.regression.half_width(with.spring);
   const Eigen::Vector2d effect = effect_on_coefficients(design, with.x.col(with.spring)).head<2>();
   const double shift = largest_Nm * std::abs(Lever(fit, middle).on_angle.dot(effect));
   if (!std::isfinite(shift)) return std::nullopt;
