@@ -177,9 +177,9 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
     motor_angles.push_back(p.n * o.centre_rad);
   }
   fit = method::hysteresis::with_friction_of_angle(std::move(fit), p.c.rough, motor_angles);
-  if (p.c.torque_lag.is_clear() && p.c.torque_lag.shape != method::motion::LagShape::delay) {
-    fit =
-        method::hysteresis::with_lag_as_filter(std::move(fit), present(p.c.torque_lag.lag_s).value);
+  const double unknown_rounding_s = p.c.torque_lag.unknown_rounding_s();
+  if (unknown_rounding_s > 0) {
+    fit = method::hysteresis::with_lag_as_filter(std::move(fit), unknown_rounding_s);
   }
   fit = method::hysteresis::with_rival_contacts(std::move(fit));
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
@@ -277,9 +277,8 @@ constexpr Step papers_chain[] = {
        std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
        method::hysteresis::KnownOfStarts known;
        if (lag.lag_s) known.lag_half_width_s = lag.lag_s->half_width();
-       if (lag.is_clear() && lag.shape != method::motion::LagShape::delay) {
-         known.filter_taken_off_s = lag.lag_s->value;
-       }
+       known.rounding = lag.rounding();
+       known.unknown_rounding_s = lag.unknown_rounding_s();
        known.inertia_kgm2 = lag.inertia_kgm2;
        p.prepared.clear();
        p.prepared.reserve(loops.size());

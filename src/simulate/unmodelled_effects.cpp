@@ -63,7 +63,7 @@ bool JointEffects::any() const {
 }
 
 bool LogEffects::any() const {
-  return torque_delay_s != 0 || torque_filter_Hz != 0 || torque_scale != 1 ||
+  return torque_delay_s != 0 || torque_filter_Hz != 0 || torque_mean_s != 0 || torque_scale != 1 ||
          saturation_per_Nm2 != 0 || saturation_per_Nm != 0 || dead_zone_Nm != 0 ||
          torque_limit_Nm != 0 || vibration_Nm != 0 || coloured_Nm != 0 || neighbour_Nm != 0 ||
          outlier_percent != 0 || held_percent != 0 || dead_percent != 0 || speed_scale != 1 ||
@@ -177,6 +177,7 @@ void add_torque_effects(joint::Recording& r, const LogEffects& e, double sample_
   if (e.torque_filter_Hz > 0) {
     statistics::low_pass(torque, sample_rate_Hz / (2 * pi * e.torque_filter_Hz));
   }
+  statistics::moving_mean(torque, e.torque_mean_s * sample_rate_Hz);
   if (e.torque_delay_s != 0) delay(torque, e.torque_delay_s * sample_rate_Hz);
   if (e.coloured_Nm > 0)
     add_coloured(torque, e.coloured_Nm, e.coloured_time_s, sample_rate_Hz, random);

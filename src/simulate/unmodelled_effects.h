@@ -55,7 +55,8 @@ struct JointEffects {
 struct LogEffects {
   double torque_delay_s{};    ///< The torque is logged so much later than the angle; < 0: earlier.
   double torque_filter_Hz{};  ///< First-order low pass of the torque; 0: none.
-  double torque_scale{1.0};   ///< Logged over true: a torque constant that is off.
+  double torque_mean_s{};    ///< The torque is logged as its mean over so long before; 0: as it is.
+  double torque_scale{1.0};  ///< Logged over true: a torque constant that is off.
   double saturation_per_Nm2{};  ///< T is logged as T (1 + this T^2), motor side: the drive's torque
                                 ///< constant falls with its current.
   double saturation_per_Nm{};   ///< T is logged as T (1 + this |T|), motor side.

@@ -94,4 +94,24 @@ void low_pass(std::span<double> signal, double time_constant) {
   }
 }
 
+void moving_mean(std::span<double> signal, double width) {
+  if (!(width > 0) || signal.empty()) return;
+  std::vector<double> values(signal.begin(), signal.end());
+  std::vector<double> sum{0};  // integral up to each sample
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    sum.push_back(sum.back() + (values[i - 1] + values[i]) / 2);
+  }
+  const auto up_to = [&](double at) {
+    if (at <= 0) return values.front() * at;
+    const auto below = std::min(static_cast<std::size_t>(at), values.size() - 1);
+    const double share = at - static_cast<double>(below);
+    if (share == 0) return sum[below];
+    const double rise = values[below + 1] - values[below];
+    return sum[below] + share * (values[below] + share * rise / 2);
+  };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    signal[i] = (sum[i] - up_to(static_cast<double>(i) - width)) / width;
+  }
+}
+
 }  // namespace tribolog::statistics

@@ -67,6 +67,11 @@ double cut_off_of_slope_Hz(std::size_t h, double interval_s);
 /// @param time_constant in samples; 0: the signal stays as it is.
 void low_pass(std::span<double> signal, double time_constant);
 
+/// Puts in place of each sample the mean over the time that ends there, exactly for a signal that
+/// runs along straight lines between its samples. It has rested at its first value before.
+/// @param width of the window, in intervals between samples; 0: the signal stays as it is.
+void moving_mean(std::span<double> signal, double width);
+
 // Where a long signal first reaches a value, without visiting every sample before it.
 
 /// The largest values of a signal over stretches, over stretches of stretches, and so on.

@@ -54,6 +54,10 @@ std::vector<Disturbance> all_disturbances() {
        {100, 50, 20},
        [](Scenario& s, double x) { s.noise.effects.torque_filter_Hz = x; },
        {"cause.lag"}},
+      {"torque_mean",
+       {0.005, 0.02, 0.05},
+       [](Scenario& s, double x) { s.noise.effects.torque_mean_s = x; },
+       {"cause.lag"}},
       {"elasto_plastic_contact",
        {1, 2, 0.7},
        [](Scenario& s, double x) {

@@ -22,8 +22,9 @@ bool says(const Statement& statement, const std::vector<Code>& codes) {
 }
 
 /// Lags that the loops' fit cannot take off as what they are.
-const std::vector<Code> unnamed_lags{"cause.lag", "cause.lag_of_angle", "cause.lag_filter",
-                                     "cause.lag_filter_of_angle"};
+const std::vector<Code> unnamed_lags{"cause.lag",        "cause.lag_of_angle",
+                                     "cause.lag_filter", "cause.lag_filter_of_angle",
+                                     "cause.lag_mean",   "cause.lag_mean_of_angle"};
 
 /// Root mean square of what a torque changes by within a time [s].
 double change_within(const method::hysteresis::LoopTrace& loop, double time_s) {
@@ -56,7 +57,7 @@ bool lag_bends_loops(const calibration::Calibration& c) {
 
 /// Whether what one finding tells is a consequence of what the other does: estimates that disagree
 /// as an offset makes them, loops that are not symmetric as friction by direction makes them, loops
-/// that are beside a peak that a moving joint has shifted.
+/// that are beside a peak that a moving joint has shifted or that no gravity makes.
 bool follows_from(const Statement& finding, const Statement& cause,
                   const calibration::Calibration& c) {
   const std::vector<Code> by_direction{"cause.asymmetry", "cause.asymmetry_of_runs"};
@@ -75,7 +76,8 @@ bool follows_from(const Statement& finding, const Statement& cause,
   if (says(finding, {"cause.other_contact", "cause.damping_falls"}) && says(cause, unnamed_lags)) {
     return lag_bends_loops(c);
   }
-  return says(finding, {"check.oscillation_at_peak"}) && cause.is("cause.other_joint");
+  return says(finding, {"check.oscillation_at_peak"}) &&
+         (cause.is("cause.other_joint") || cause.is("cause.no_gravity"));
 }
 
 /// How many of the numbers that decide rest their doubt on a finding: it is the first reason, or

@@ -84,6 +84,7 @@ Code lag_code(const statistics::Estimate& lag, const std::optional<LagShape>& sh
   if (shape == LagShape::filter) {
     return of_torque ? Code{"cause.lag_filter"} : Code{"cause.lag_filter_of_angle"};
   }
+  if (shape == LagShape::moving_mean) return {"cause.lag_mean"};
   return of_torque ? Code{"cause.lag"} : Code{"cause.lag_of_angle"};
 }
 
@@ -117,20 +118,22 @@ std::optional<Measured> elastic_gear_of_starts(const Calibration& c) {
   return Measured{1e3 * time_s, {"cause.elastic_gear_of_starts", {{"frequency_Hz", 1 / time_s}}}};
 }
 
-/// Stiffness times a clear lag, as a share of the bristle damping: a delay and a filter differ by a
-/// part of that in the loops, and only a delay is taken off them as what it is.
+/// Stiffness times a clear lag that may round, as a share of the bristle damping: a delay and a
+/// filter differ by a part of that in the loops.
 std::optional<Measured> lag_in_damping(const Calibration& c) {
   using method::hysteresis::LuGreParameterName;
   if (!c.lugre || !c.torque_lag.lag_s) return std::nullopt;
   const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
   const auto damping = c.lugre->shown(LuGreParameterName::bristle_damping);
   if (!stiffness || !damping || damping->value == 0) return std::nullopt;
-  if (!c.torque_lag.is_clear() || c.torque_lag.shape == LagShape::delay) return Measured{0, {}};
-  const double lag_s = std::abs(c.torque_lag.lag_s->value);
-  const double percent = 100 * stiffness->value * lag_s / std::abs(damping->value);
+  // One whose shape is known is in the loops' model.
+  if (c.torque_lag.shape && c.torque_lag.rounding().any()) return Measured{0, {}};
+  const double percent =
+      100 * stiffness->value * c.torque_lag.unknown_rounding_s() / std::abs(damping->value);
+  if (percent == 0) return Measured{0, {}};
+  const bool is_known = c.torque_lag.shape && c.torque_lag.shape != LagShape::elastic_gear;
   return Measured{percent,
-                  {c.torque_lag.shape == LagShape::filter ? Code{"cause.lag_in_damping_of_filter"}
-                                                          : Code{"cause.lag_in_damping"},
+                  {is_known ? Code{"cause.lag_in_damping_of_filter"} : Code{"cause.lag_in_damping"},
                    {{"percent", percent}}}};
 }
 

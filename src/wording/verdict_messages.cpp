@@ -333,8 +333,11 @@ const Messages& verdict_messages() {
             "fitted")},
       {"cause.lag_filter",
        text("the torque is behind a low-pass filter, {lag_ms:.2f} ± {half_width_ms:.2f} ms later "
-            "than the angle, as starts and stops show; it was moved back by that before the loops "
-            "were fitted")},
+            "than the angle, as starts and stops show; the model of the loops was put behind the "
+            "same filter")},
+      {"cause.lag_mean",
+       text("the torque is a moving mean, {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the "
+            "angle, as starts and stops show; the model of the loops was averaged alike")},
       {"cause.elastic_gear_of_starts",
        text("starts and stops show an elastic gear: the link swings against the motor at "
             "{frequency_Hz:.2g} Hz at most")},

@@ -256,6 +256,29 @@ TEST(Saturation, IsNotTheTopOfACosineNorCoarseSteps) {
             method::checks::CheckState::passed);
 }
 
+// Of many runs one ends in three samples of the same largest torque: steps of the log, by chance.
+TEST(Saturation, IsNoSingleShortStretchAtTheLargestTorque) {
+  simulate::Scenario s = test::paper_joint();
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.oscillation.reset();
+  std::vector<joint::Recording> runs = simulate::simulate_joint(s);
+  joint::Recording& run = runs.front();
+  std::vector<double>& torque = run.torque_Nm;
+  const auto state_with = [&](std::size_t samples) {
+    const std::size_t middle = run.size() / 2;
+    const double top = *std::max_element(torque.begin(), torque.end()) + 0.05;
+    std::fill_n(torque.begin() + static_cast<std::ptrdiff_t>(middle), samples, top);
+    joint::Dataset d;
+    d.recordings = {run};
+    return method::checks::check_torque_saturation(method::checks::look_at(d)).state;
+  };
+  torque.resize(400);
+  for (auto* signal : {&run.t_s, &run.q_rad, &run.dq_rad_s}) signal->resize(400);
+  EXPECT_EQ(state_with(3), method::checks::CheckState::passed);
+  EXPECT_EQ(state_with(8), method::checks::CheckState::fails);
+}
+
 TEST(Saturation, IsSeenBelowNoiseInRunsWhoseLargestTorquesAreTheSame) {
   simulate::Scenario s = test::noisy_paper_joint(2);
   const auto state = [&] {

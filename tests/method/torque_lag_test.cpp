@@ -38,7 +38,7 @@ void expect_holds(const method::motion::TorqueLag& found, double lag_s) {
 }
 
 TEST(TorqueLag, IsFoundEitherWayAndZeroWhereThereIsNone) {
-  for (const double lag_s : {0.0, 0.5e-3, 2e-3, 5e-3, -2e-3}) {
+  for (const double lag_s : {0.0, 0.5e-3, 2e-3, 5e-3, -2e-3, 25e-3, -25e-3}) {
     const method::motion::TorqueLag found = lag_in(travels({.torque_delay_s = lag_s}));
     expect_holds(found, lag_s);
     EXPECT_EQ(found.is_clear(), lag_s != 0) << lag_s;
@@ -92,7 +92,7 @@ TEST(TorqueLag, OfAFilterIsMostOfItsTimeConstant) {
   EXPECT_LT(found.lag_s->value, 1.1 * time_constant_s);
 }
 
-TEST(TorqueLag, DelayAndFilterAreToldApart) {
+TEST(TorqueLag, DelayFilterAndMeanAreToldApart) {
   using method::motion::LagShape;
   for (const double lag_s : {5e-3, -5e-3}) {
     const method::motion::TorqueLag found = lag_in(travels({.torque_delay_s = lag_s}));
@@ -104,6 +104,13 @@ TEST(TorqueLag, DelayAndFilterAreToldApart) {
     const method::motion::TorqueLag found = lag_in(travels({.torque_filter_Hz = cut_off_Hz}));
     EXPECT_EQ(found.shape, LagShape::filter) << cut_off_Hz;
     EXPECT_NEAR(found.lag_s->value * 2 * std::numbers::pi * cut_off_Hz, 1, 0.05) << cut_off_Hz;
+  }
+  for (const double window_s : {10e-3, 20e-3, 50e-3}) {
+    const method::motion::TorqueLag found = lag_in(travels({.torque_mean_s = window_s}));
+    EXPECT_EQ(found.shape, LagShape::moving_mean) << window_s;
+    EXPECT_NEAR(found.lag_s->value, window_s / 2, 0.05 * window_s) << window_s;
+    // A box of that width has the variance of a filter with this time constant.
+    EXPECT_NEAR(found.rounds_as_filter_s, window_s / std::sqrt(12.0), 0.05 * window_s);
   }
   EXPECT_FALSE(lag_in(travels({})).shape);
 }

@@ -68,6 +68,20 @@ TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
   }
 }
 
+TEST(MisfitStudy, AFilterOrAMeanOfTheTorqueIsNamedAndLeavesTheStiffnessRight) {
+  for (const char* key : {"torque_filter", "torque_mean"}) {
+    for (const study::MisfitCase& c : study::run_misfit_study(on_the_direct_drive(key))) {
+      for (const study::MisfitQuantity& q : c.quantities) {
+        EXPECT_EQ(q.wrong_usable, 0U) << key << " " << c.size << " " << to_string(q.quantity);
+      }
+      EXPECT_EQ(quantity(c, joint::Quantity::bristle_stiffness).usable, c.runs) << key << c.size;
+      if (c.size > 0) {
+        EXPECT_EQ(c.named, c.runs) << key << " " << c.size;
+      }
+    }
+  }
+}
+
 TEST(MisfitStudy, AConvexViscousTorqueLeavesCoulombTorqueAndStribeckVelocityRight) {
   TRIBOLOG_EACH_NIGHT();
   for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm("convex_viscous"))) {

@@ -194,8 +194,8 @@ std::vector<DataCheck> gravity_checks(const joint::Dataset& dataset,
   std::optional<FoundGravity> found;
   if (runs.found) found = FoundGravity{runs.gravity_Nm, runs.q_peak_rad.value};
   if (sweep.found) found = FoundGravity{sweep.gravity_Nm, sweep.q_peak_rad.value};
-  // A gravity that is hardly there has no peak to speak of.
-  constexpr double least_of_friction = 0.05;
+  // A gravity that is hardly there has no peak to speak of (the verdict's friction_over_gravity).
+  constexpr double least_of_friction = 0.08;
   const bool has_peak = !sweep.found || !sweep.coulomb_Nm ||
                         sweep.gravity_Nm.value > least_of_friction * sweep.coulomb_Nm->value;
   return {check_oscillation_at_peak(dataset, has_peak ? gravity.q_peak_rad : std::nullopt),

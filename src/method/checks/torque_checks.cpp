@@ -216,6 +216,7 @@ DataCheck check_torque_step(const CheckedDataset& data) {
 namespace {
 
 constexpr std::size_t shortest_run = 3;    // samples in a row that make a flat stretch
+constexpr std::size_t fewest_flat = 6;     // a single short stretch is chance, in a log of steps
 constexpr std::size_t fewest_levels = 20;  // a torque of fewer values is coarse, not clipped
 constexpr double against_neighbours = 5;   // times as many samples as the values beside it
 constexpr double beside_share = 0.02;      // of the range: what counts as beside the extreme
@@ -298,7 +299,10 @@ Saturation saturation_of(const std::vector<double>& t) {
   for (const double end : {*low, *high}) {
     const Extreme extreme = extreme_of(t, end, range);
     const auto flat = static_cast<double>(extreme.flat_samples);
-    if (flat < against_neighbours * static_cast<double>(extreme.beside) / 2) continue;
+    if (extreme.flat_samples < fewest_flat ||
+        flat < against_neighbours * static_cast<double>(extreme.beside) / 2) {
+      continue;
+    }
     const double percent = 100 * flat / static_cast<double>(t.size());
     if (percent > out.percent) out.value_Nm = end;
     out.percent += percent;

@@ -11,6 +11,7 @@
 #include "base/requirements.h"
 #include "joint/degrees.h"
 #include "statistics/distributions.h"
+#include "statistics/held_out.h"
 #include "statistics/linear_systems.h"
 #include "statistics/order_statistics.h"
 
@@ -230,37 +231,10 @@ bool can_hold_out_strokes(const SweepDesign& design, const motion::SweepSamples&
   return design.direction >= 0 && !samples.constant_speed && has_strokes;
 }
 
-/// Mean squared error of each stroke, from a fit to the other strokes. By normal equations of
-/// scaled columns: a sweep has few, and they are not collinear.
-std::vector<double> held_out_strokes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
-                                     const std::vector<std::size_t>& stroke) {
-  const Eigen::VectorXd norms =
-      x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
-  const Eigen::MatrixXd scaled = x * norms.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd all = scaled.transpose() * scaled;
-  const Eigen::VectorXd all_y = scaled.transpose() * y;
-  std::vector<double> errors;
-  for (std::size_t first = 0; first < stroke.size();) {
-    std::size_t last = first;
-    while (last < stroke.size() && stroke[last] == stroke[first]) ++last;
-    const auto from = static_cast<Eigen::Index>(first);
-    const auto rows = static_cast<Eigen::Index>(last - first);
-    const Eigen::MatrixXd part = scaled.middleRows(from, rows);
-    const Eigen::VectorXd c = statistics::solve_normal(
-        all - part.transpose() * part, all_y - part.transpose() * y.segment(from, rows));
-    errors.push_back((y.segment(from, rows) - part * c).squaredNorm() / static_cast<double>(rows));
-    first = last;
-  }
-  return errors;
-}
-
+/// Whether the mean of `without - with` over the strokes exceeds twice its standard error.
 bool pays(const std::vector<double>& without, const std::vector<double>& with) {
-  const auto n = static_cast<double>(with.size());
-  double mean = 0;
-  for (std::size_t k = 0; k < with.size(); ++k) mean += (without[k] - with[k]) / n;
-  double squares = 0;
-  for (std::size_t k = 0; k < with.size(); ++k) squares += std::pow(without[k] - with[k] - mean, 2);
-  return mean > standard_errors * std::sqrt(squares / (n * (n - 1)));
+  const statistics::ErrorDifference gain = statistics::difference(without, with);
+  return gain.mean > standard_errors * gain.standard_error;
 }
 
 }  // namespace
@@ -291,13 +265,13 @@ SweepGravityFit with_kinks_where_they_pay(const motion::Sweep& sweep, SweepDesig
   const Eigen::MatrixXd bent = with.x.rightCols(kinks);
   with.x.rightCols(kinks) =
       bent - line * statistics::solve_normal(line.transpose() * line, line.transpose() * bent);
-  const auto without = held_out_strokes(design.x, design.y, samples.stroke);
-  const auto held_out = held_out_strokes(with.x, with.y, samples.stroke);
+  const auto without = statistics::held_out_errors(design.x, design.y, samples.stroke);
+  const auto held_out = statistics::held_out_errors(with.x, with.y, samples.stroke);
   if (!pays(without, held_out)) return fit;
   // In a sine the speed is a function of the angle, and so is the load: the better one is taken.
   SweepDesign loaded = with_load_column(design);
   fill_load_column(sweep, fit.q_peak_rad.value, loaded);
-  const auto with_load = held_out_strokes(loaded.x, loaded.y, samples.stroke);
+  const auto with_load = statistics::held_out_errors(loaded.x, loaded.y, samples.stroke);
   const auto sum = [](const std::vector<double>& errors) {
     return std::accumulate(errors.begin(), errors.end(), 0.0);
   };
@@ -323,8 +297,8 @@ SweepGravityFit with_load_where_it_pays(const motion::Sweep& sweep, SweepDesign&
     if (std::abs(step) < 1e-9) break;
   }
   if (!(better.regression.coefficients(with.load) > 0)) return fit;
-  if (!pays(held_out_strokes(design.x, design.y, samples.stroke),
-            held_out_strokes(with.x, with.y, samples.stroke))) {
+  if (!pays(statistics::held_out_errors(design.x, design.y, samples.stroke),
+            statistics::held_out_errors(with.x, with.y, samples.stroke))) {
     return fit;
   }
   design = with;

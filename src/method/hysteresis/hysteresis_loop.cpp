@@ -198,7 +198,8 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
                       loop.traced ? &*loop.traced : nullptr,
                       loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad,
                       std::max(loop.followed_from_s,
-                               settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz))});
+                               settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz)),
+                      known.rounding});
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;

@@ -275,24 +275,11 @@ class LateTorque {
     }
     return out;
   }
-  /// The torque after a first-order filter of that time constant, less the torque delayed by it.
-  [[nodiscard]] Eigen::VectorXd filtered_less_delayed(double lag_s) const {
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(torque_.size());
-    double filtered = torque_(0);
-    Eigen::Index behind = 0;
-    for (Eigen::Index i = 1; i < torque_.size(); ++i) {
-      // The torque runs along a straight line between two rows.
-      const double step = at(i) - at(i - 1);
-      const double rate = (torque_(i) - torque_(i - 1)) / step;
-      const double before = filtered - torque_(i - 1) + rate * lag_s;
-      filtered = torque_(i) - rate * lag_s + before * std::exp(-step / lag_s);
-      const double then = at(i) - lag_s;
-      while (behind + 1 < i && at(behind + 1) < then) ++behind;
-      const double share =
-          std::clamp((then - at(behind)) / (at(behind + 1) - at(behind)), 0.0, 1.0);
-      out(i) = filtered - std::lerp(torque_(behind), torque_(behind + 1), share);
-    }
-    return out;
+  /// What a first-order filter whose lag is taken off changes.
+  [[nodiscard]] Eigen::VectorXd rounded_by_filter(double time_constant_s) const {
+    Eigen::VectorXd out = torque_;
+    motion::TorqueRounding{motion::LagShape::filter, time_constant_s}.apply(t_, out);
+    return out - torque_;
   }
 
  private:
@@ -312,10 +299,7 @@ Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& probl
         model.row_times_s(),
         model.measured() + climb.linear.fit.residuals.segment(top, model.rows()));
     late.col(0).segment(top, model.rows()) = torque.slope() * known.lag_half_width_s;
-    if (known.filter_taken_off_s != 0) {
-      late.col(1).segment(top, model.rows()) =
-          torque.filtered_less_delayed(std::abs(known.filter_taken_off_s));
-    }
+    late.col(1).segment(top, model.rows()) = torque.rounded_by_filter(known.unknown_rounding_s);
     top += model.rows();
   }
   return statistics::least_squares(climb.linear.fit.jacobian, late) / statistics::normal_975;

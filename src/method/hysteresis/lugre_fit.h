@@ -150,9 +150,9 @@ struct LuGreSignals {
 
 /// What starts and stops say of the loops.
 struct KnownOfStarts {
-  /// Of the torque behind the angle, removed as a delay although it is a filter's or may be; 0: it
-  /// was a delay's, or there was none.
-  double filter_taken_off_s{};
+  motion::TorqueRounding rounding;  ///< Of the torque, whose lag was removed.
+  /// Time constant of a filter that may have rounded the torque beyond that; 0: none.
+  double unknown_rounding_s{};
   double lag_half_width_s{};                         ///< 95 %; 0: known exactly.
   std::optional<statistics::Estimate> inertia_kgm2;  ///< Motor side.
 };

@@ -149,16 +149,18 @@ std::vector<double> LuGreLoopModel::look_at_rows(const joint::Recording& recordi
 LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
                                std::shared_ptr<const simulate::Motion> motion, double gear_ratio,
                                double q_peak_rad, const LuGreGrain& grain)
-    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
+    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row), rounding_(grain.rounding) {
   const std::vector<double> instants =
       samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
   add_instants(instants, gear_ratio, q_peak_rad);
   add_ways(instants);
-  if (grain.compared_from_s > 0) {
-    const std::vector<double> times = row_times_s();
-    rows_left_out_ =
-        std::lower_bound(times.begin(), times.end(), grain.compared_from_s) - times.begin();
-  }
+  if (!(grain.compared_from_s > 0) && !rounding_.any()) return;
+  const std::vector<double> times = row_times_s();
+  if (rounding_.any()) rounded_at_s_ = times;
+  const double from_s = std::max(grain.compared_from_s, rounding_.looks_back_s());
+  const double to_s = times.back() - rounding_.looks_ahead_s();
+  rows_left_out_ = std::lower_bound(times.begin(), times.end(), from_s) - times.begin();
+  rows_left_out_behind_ = times.end() - std::upper_bound(times.begin(), times.end(), to_s);
 }
 
 void LuGreLoopModel::add_instants(const std::vector<double>& times_s, double gear_ratio,
@@ -317,11 +319,17 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
     average_over_rows(residuals);
     for (int k = 0; k < columns; ++k) average_over_rows(derivatives.col(k));
   }
+  if (rounding_.any()) {
+    rounding_.apply(rounded_at_s_, residuals);
+    for (int k = 0; k < columns; ++k) rounding_.apply(rounded_at_s_, derivatives.col(k));
+  }
   for (Eigen::Index row = 0; row < residuals.size(); ++row) {
     residuals(row) -= measured_Nm_[static_cast<std::size_t>(row)];
   }
   residuals.head(rows_left_out_).setZero();
   derivatives.topRows(rows_left_out_).setZero();
+  residuals.tail(rows_left_out_behind_).setZero();
+  derivatives.bottomRows(rows_left_out_behind_).setZero();
 }
 
 /// Turns values at the instants of evaluation into means over the rows' samples. For a row
@@ -364,9 +372,10 @@ Eigen::VectorXd LuGreLoopModel::residuals(const Shared::Vector& p, const LuGreLo
                 const auto i = static_cast<std::size_t>(row);
                 out(row) = local.gravity_Nm * cosine_[i] + std::exp(p(Shared::log_stiffness)) * z +
                            p(Shared::damping) * dz + p(Shared::viscous) * speed_[i] +
-                           p(Shared::inertia) * acceleration_[i] - measured_Nm_[i];
+                           p(Shared::inertia) * acceleration_[i];
               });
-  return out;
+  rounding_.apply(time_s_, out);
+  return out - measured();
 }
 
 void LuGreLoopModel::bristle(const Shared::Vector& shared, double start_rad,

@@ -20,6 +20,7 @@
 #include <Eigen/Core>
 
 #include "joint/recording.h"
+#include "method/motion/torque_rounding.h"
 #include "simulate/motion.h"
 
 namespace tribolog::method::hysteresis {
@@ -44,6 +45,7 @@ struct LuGreGrain {
   std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< Counted from the first.
   /// Rows before are not compared: the drive starts the motion there [s since the first sample].
   double compared_from_s{0};
+  motion::TorqueRounding rounding{};  ///< Of the measured torque.
 };
 
 class LuGreLoopModel {
@@ -71,7 +73,8 @@ class LuGreLoopModel {
   /// micro-speed limit is integrated at half the cost.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
-  /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s).
+  /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s, and what a rounding
+  /// takes from before).
   [[nodiscard]] Eigen::Index rows_left_out() const { return rows_left_out_; }
   /// Residuals alone, of all rows. @pre a row is a sample
   [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
@@ -114,6 +117,9 @@ class LuGreLoopModel {
   std::shared_ptr<const simulate::Motion> motion_;
   std::size_t samples_in_row_;
   Eigen::Index rows_left_out_{0};
+  Eigen::Index rows_left_out_behind_{0};
+  motion::TorqueRounding rounding_;
+  std::vector<double> rounded_at_s_;  ///< Of each row; empty: nothing is rounded.
   [[nodiscard]] Eigen::Index row_of(Eigen::Index instant) const;
   void average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -44,10 +45,21 @@ Eigen::VectorXd filtered(const Eigen::Ref<const Eigen::VectorXd>& x, double samp
   return out;
 }
 
+/// Behind a mean that lags by so much.
+Eigen::VectorXd averaged(const Eigen::Ref<const Eigen::VectorXd>& x, double samples) {
+  Eigen::VectorXd out = x;
+  statistics::moving_mean(std::span(out.data(), static_cast<std::size_t>(out.size())), 2 * samples);
+  return out;
+}
+
+/// After so many lags a filter holds little of what the torque was before.
+constexpr std::size_t lags_to_forget = 4;
+
 class Rivalry {
  public:
-  Rivalry(const Transients& transients, const std::vector<double>& knots)
-      : transients_(transients) {
+  /// @param lag_s about as large as the rivals'.
+  Rivalry(const Transients& transients, const std::vector<double>& knots, double lag_s)
+      : transients_(transients), lag_s_(lag_s) {
     for (const Travel& travel : transients.travels) {
       const joint::Recording& r = *travel.recording;
       const Eigen::Map<const Eigen::VectorXd> angle(r.q_rad.data(),
@@ -55,7 +67,14 @@ class Rivalry {
       const Eigen::Map<const Eigen::VectorXd> torque(r.torque_Nm.data(), angle.size());
       signals_.push_back({angle.array() - angle.mean(), torque, forces_at_samples(travel, knots)});
     }
-    for (const TransientRow& row : transients.rows) blocks_.push_back(row.transient);
+    for (const TransientRow& row : transients.rows) {
+      const Travel& travel = transients.travels[row.travel];
+      if (row.index + samples_late(travel) + travel.half >= travel.recording->size()) continue;
+      if (!has_moved_for(lags_to_forget * samples_late(travel) + travel.half, travel, row))
+        continue;
+      rows_.push_back(row);
+      blocks_.push_back(row.transient);
+    }
   }
 
   /// The rival, and what it leaves at each row.
@@ -66,6 +85,8 @@ class Rivalry {
     double bend_s2{};  ///< What is left of the torque along J d^4 q/dt^4, over J.
   };
 
+  /// Those whose torque was recorded.
+  [[nodiscard]] const std::vector<TransientRow>& rows() const { return rows_; }
   /// Start or stop of each row.
   [[nodiscard]] const std::vector<std::size_t>& blocks() const { return blocks_; }
 
@@ -134,6 +155,20 @@ class Rivalry {
     return out;
   }
 
+  /// By how many samples the torque of a row is late: where the motion is made late as well, a row
+  /// is looked at then, so that it is still of the moving joint.
+  [[nodiscard]] std::size_t samples_late(const Travel& travel) const {
+    return lag_s_ > 0 ? static_cast<std::size_t>(std::lround(lag_s_ / travel.dt_s)) : 0;
+  }
+
+  /// What a torque that is late holds of the contact before it slides is no friction of a speed.
+  static bool has_moved_for(std::size_t samples, const Travel& travel, const TransientRow& row) {
+    constexpr double least_share = 0.05;
+    if (row.index < samples) return false;
+    const double before = travel.speed[row.index - samples];
+    return before * row.speed > 0 && std::abs(before) > least_share * std::abs(row.speed);
+  }
+
   [[nodiscard]] double bend_left_by(LagShape shape, double size_s) const {
     const Regression r = regression(shape, size_s, true);
     const statistics::BlockRegression fit = statistics::block_regression(r.x, r.y, blocks_);
@@ -160,21 +195,23 @@ class Rivalry {
   [[nodiscard]] Regression regression(LagShape shape, double size_s, bool bends) const {
     const Eigen::Index columns = signals_.front().forces.cols();
     Regression out;
-    out.x.resize(static_cast<Eigen::Index>(transients_.rows.size()),
+    out.x.resize(static_cast<Eigen::Index>(rows_.size()),
                  RivalColumn::forces + columns + (bends ? 1 : 0));
     out.y.resize(out.x.rows());
     Signals shifted;
-    for (std::size_t i = 0; i < transients_.rows.size(); ++i) {
-      const TransientRow& row = transients_.rows[i];
-      if (i == 0 || row.travel != transients_.rows[i - 1].travel) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const TransientRow& row = rows_[i];
+      if (i == 0 || row.travel != rows_[i - 1].travel) {
         shifted = late_by(row.travel, shape, size_s);
       }
-      const Travel& travel = transients_.travels[row.travel];
+      const Travel& travel = transients_.get().travels[row.travel];
       const Eigen::MatrixXd& weights = travel.smoothed.weights();
-      const auto first = static_cast<Eigen::Index>(row.index - travel.half);
+      const std::size_t at =
+          row.index + (makes_motion_late(shape, size_s) ? samples_late(travel) : 0);
+      const auto first = static_cast<Eigen::Index>(at - travel.half);
       const Eigen::VectorXd motion =
           weights * (shifted.angle.segment(first, weights.cols()).array() -
-                     shifted.angle(static_cast<Eigen::Index>(row.index)))
+                     shifted.angle(static_cast<Eigen::Index>(at)))
                         .matrix();
       const auto k = static_cast<Eigen::Index>(i);
       out.x(k, RivalColumn::inertia) = motion(2);
@@ -187,16 +224,21 @@ class Rivalry {
     return out;
   }
 
+  static bool makes_motion_late(LagShape shape, double size_s) {
+    return shape != LagShape::elastic_gear && size_s > 0;
+  }
+
   [[nodiscard]] Signals late_by(std::size_t travel, LagShape shape, double size_s) const {
     Signals out = signals_[travel];
     if (shape == LagShape::elastic_gear || size_s == 0) return out;
-    const double samples = std::abs(size_s) / transients_.travels[travel].dt_s;
+    const double samples = std::abs(size_s) / transients_.get().travels[travel].dt_s;
     const auto make_late = [&](auto&& column) {
-      const Eigen::VectorXd late =
-          shape == LagShape::delay ? delayed(column, samples) : filtered(column, samples);
+      const Eigen::VectorXd late = shape == LagShape::delay    ? delayed(column, samples)
+                                   : shape == LagShape::filter ? filtered(column, samples)
+                                                               : averaged(column, samples);
       column = late;
     };
-    if (size_s > 0) {
+    if (makes_motion_late(shape, size_s)) {
       make_late(out.angle);
       for (Eigen::Index k = 0; k < out.forces.cols(); ++k) make_late(out.forces.col(k));
     } else {
@@ -205,18 +247,20 @@ class Rivalry {
     return out;
   }
 
-  const Transients& transients_;
+  std::reference_wrapper<const Transients> transients_;
+  double lag_s_;
+  std::vector<TransientRow> rows_;
   std::vector<Signals> signals_;
   std::vector<std::size_t> blocks_;
 };
 
 /// Over starts alone, or over stops alone; where there are none, nothing speaks against it.
-bool leaves_less_in(const Transients& transients, bool starts, const Rivalry::Fitted& a,
+bool leaves_less_in(const std::vector<TransientRow>& rows, bool starts, const Rivalry::Fitted& a,
                     const Rivalry::Fitted& b) {
   double gain = 0;
   bool any = false;
-  for (std::size_t i = 0; i < transients.rows.size(); ++i) {
-    const TransientRow& row = transients.rows[i];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const TransientRow& row = rows[i];
     if ((row.speed * row.acceleration > 0) != starts) continue;
     const auto k = static_cast<Eigen::Index>(i);
     gain += b.residuals(k) * b.residuals(k) - a.residuals(k) * a.residuals(k);
@@ -233,49 +277,153 @@ std::string to_string(LagShape shape) {
       return "delay";
     case LagShape::filter:
       return "filter";
+    case LagShape::moving_mean:
+      return "moving_mean";
     case LagShape::elastic_gear:
       return "elastic_gear";
   }
   return "";
 }
 
+namespace {
+
+/// The largest of those that make one channel late.
+double longest_lag_s(const std::vector<Rivalry::Fitted>& all, double at_least_s) {
+  double longest_s = at_least_s;
+  for (const Rivalry::Fitted& one : all) {
+    const bool is_late = one.converged && one.rival.shape != LagShape::elastic_gear;
+    if (is_late && std::abs(one.rival.size_s) > std::abs(longest_s)) longest_s = one.rival.size_s;
+  }
+  return longest_s;
+}
+
+/// Fitted rivals, and which of them tells itself from the others.
+class Contest {
+ public:
+  Contest(const Transients& transients, const std::vector<double>& knots, double lag_s)
+      : lag_s_(lag_s), rivalry_(transients, knots, lag_s) {
+    fit();
+    // What a late torque holds of the time before the joint slid is left out: how much that is, the
+    // rivals tell better than the lag that they start from.
+    constexpr double much_longer = 1.1;
+    const double longest_s = longest_lag_s(all_, lag_s);
+    if (longest_s > much_longer * std::abs(lag_s)) {
+      rivalry_ = Rivalry(transients, knots, longest_s);
+      lag_s_ = longest_s;
+      fit();
+    }
+    for (const Travel& travel : transients.travels) {
+      interval_s_ = std::max(interval_s_, travel.dt_s);
+    }
+  }
+
+  [[nodiscard]] const std::vector<Rivalry::Fitted>& all() const { return all_; }
+
+  [[nodiscard]] bool wins(const Rivalry::Fitted& one) const {
+    return is_told_by_shape(one) && leaves_less(one, none_) &&
+           std::all_of(all_.begin(), all_.end(), [&](const Rivalry::Fitted& other) {
+             return &other == &one || beats(one, other);
+           });
+  }
+  [[nodiscard]] bool is_beaten(const Rivalry::Fitted& one) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Rivalry::Fitted& other) {
+      return &other != &one && other.converged && beats(other, one);
+    });
+  }
+
+ private:
+  void fit() {
+    none_ = rivalry_.without_lag();
+    all_ = {rivalry_.late(LagShape::delay, lag_s_, none_),
+            rivalry_.late(LagShape::filter, lag_s_, none_), rivalry_.elastic_gear()};
+    // A late angle is matched by a torque made late: a mean would take noise off that, and win.
+    if (lag_s_ > 0) all_.push_back(rivalry_.late(LagShape::moving_mean, lag_s_, none_));
+  }
+
+  /// At a start the bristle bends over first, which looks like a filter; at a stop it does not.
+  [[nodiscard]] bool leaves_less(const Rivalry::Fitted& a, const Rivalry::Fitted& b) const {
+    constexpr double least_gain = 0.02;  // no model is closer to starts and stops
+    return statistics::leaves_less(a.residuals, b.residuals, rivalry_.blocks(), least_gain) &&
+           leaves_less_in(rivalry_.rows(), true, a, b) &&
+           leaves_less_in(rivalry_.rows(), false, a, b);
+  }
+  /// A mean takes noise off the angle as well, and may leave less than a delay for that alone: of
+  /// these two, what is left along the difference tells.
+  [[nodiscard]] bool beats(const Rivalry::Fitted& a, const Rivalry::Fitted& b) const {
+    if (leaves_less(a, b)) return true;
+    return a.rival.shape == LagShape::delay && b.rival.shape == LagShape::moving_mean &&
+           leaves_little_of(of_delay_and_mean, a) && !leaves_little_of(of_delay_and_mean, b);
+  }
+
+  // A delay and a filter of size d differ by d^2/2 J d^4 q/dt^4, a delay and a mean by a third of
+  // that. What else bends starts and stops, such as the bristle, does so in all of them alike: it
+  // must be less than what tells them.
+  static constexpr double of_delay_and_filter = 1.0 / 2;
+  static constexpr double of_delay_and_mean = 1.0 / 6;
+  static bool leaves_little_of(double difference, const Rivalry::Fitted& one) {
+    constexpr double most = 0.3;
+    const double size_s = one.rival.size_s;
+    return one.converged && std::abs(one.bend_s2) < most * difference * size_s * size_s;
+  }
+
+  /// Over few samples, what sampling and smoothing do to a start looks like a filter, or like a
+  /// gear that gives way.
+  [[nodiscard]] bool is_told_by_shape(const Rivalry::Fitted& one) const {
+    constexpr double fewest_samples = 3;
+    const bool is_short = std::abs(one.rival.size_s) < fewest_samples * interval_s_;
+    switch (one.rival.shape) {
+      case LagShape::elastic_gear:
+        return !is_short;
+      case LagShape::moving_mean:
+        return !is_short && leaves_little_of(of_delay_and_mean, one);
+      case LagShape::filter:
+        return !is_short && leaves_little_of(of_delay_and_filter, one);
+      case LagShape::delay:
+        return leaves_little_of(of_delay_and_filter, one);
+    }
+    return false;
+  }
+
+  double lag_s_;
+  double interval_s_{};
+  Rivalry rivalry_;
+  Rivalry::Fitted none_;
+  std::vector<Rivalry::Fitted> all_;
+};
+
+/// @param lag_s of what no rival stands for.
+double rounds_as_filter_s(const LagRival& rival, double lag_s) {
+  switch (rival.shape) {
+    case LagShape::delay:
+      return 0;
+    case LagShape::moving_mean:
+      return std::abs(rival.size_s) / std::sqrt(3.0);
+    case LagShape::filter:
+      return std::abs(rival.size_s);
+    case LagShape::elastic_gear:
+      break;
+  }
+  return std::abs(lag_s);
+}
+
+}  // namespace
+
 LagCompetition let_rivals_compete(const Transients& transients, const std::vector<double>& knots,
                                   double lag_s) {
-  const Rivalry rivalry(transients, knots);
-  const Rivalry::Fitted none = rivalry.without_lag();
-  const std::vector<Rivalry::Fitted> all{rivalry.late(LagShape::delay, lag_s, none),
-                                         rivalry.late(LagShape::filter, lag_s, none),
-                                         rivalry.elastic_gear()};
-  constexpr double least_gain = 0.02;  // no model is closer to starts and stops
-  // At a start the bristle bends over first, which looks like a filter; at a stop it does not.
-  const auto beats = [&](const Rivalry::Fitted& a, const Rivalry::Fitted& b) {
-    return statistics::leaves_less(a.residuals, b.residuals, rivalry.blocks(), least_gain) &&
-           leaves_less_in(transients, true, a, b) && leaves_less_in(transients, false, a, b);
-  };
-  // A delay and a filter of size d differ by d^2/2 J d^4 q/dt^4. What else bends starts and stops,
-  // such as the bristle, does so in all of them alike: it must be less than what tells the two.
-  constexpr double most_of_difference = 0.3;
-  // Over few samples, what sampling and smoothing do to a start looks like a filter, or like a gear
-  // that gives way.
-  constexpr double fewest_samples = 3;
-  double interval_s = 0;
-  for (const Travel& travel : transients.travels) interval_s = std::max(interval_s, travel.dt_s);
-  const auto is_told_by_shape = [&](const Rivalry::Fitted& one) {
-    const LagRival& rival = one.rival;
-    const bool is_short = std::abs(rival.size_s) < fewest_samples * interval_s;
-    if (rival.shape == LagShape::elastic_gear) return !is_short;
-    if (rival.shape == LagShape::filter && is_short) return false;
-    return std::abs(one.bend_s2) < most_of_difference * rival.size_s * rival.size_s / 2;
-  };
+  const Contest contest(transients, knots, lag_s);
   LagCompetition out;
-  for (const Rivalry::Fitted& one : all) {
+  bool any_is_left = false;
+  for (const Rivalry::Fitted& one : contest.all()) {
     if (!one.converged) continue;
     out.rivals.push_back(one.rival);
-    const bool wins = is_told_by_shape(one) && beats(one, none) &&
-                      std::all_of(all.begin(), all.end(), [&](const Rivalry::Fitted& other) {
-                        return &other == &one || beats(one, other);
-                      });
-    if (wins) out.winner = one.rival.shape;
+    if (contest.wins(one)) out.winner = one.rival.shape;
+    if (contest.is_beaten(one)) continue;
+    any_is_left = true;
+    out.rounds_as_filter_s = std::max(out.rounds_as_filter_s, rounds_as_filter_s(one.rival, lag_s));
+  }
+  if (!any_is_left) out.rounds_as_filter_s = std::abs(lag_s);
+  for (const LagRival& rival : out.rivals) {
+    if (out.winner == rival.shape) out.rounds_as_filter_s = rounds_as_filter_s(rival, lag_s);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include "method/motion/transients.h"
 #include "statistics/block_regression.h"
 #include "statistics/linear_systems.h"
+#include "statistics/rival_fits.h"
 
 namespace tribolog::method::motion {
 namespace {
@@ -79,10 +81,18 @@ class TransientRegression {
   [[nodiscard]] Eigen::VectorXd coefficients(double lag_s) const {
     return solved_.solve(torque(lag_s)).col(0).cwiseQuotient(norms_);
   }
+  /// What the torque keeps beside all columns, once the lag is removed [N·m, norm over the rows].
+  [[nodiscard]] double left_beside(double lag_s) const {
+    return (torque(lag_s) - x_ * coefficients(lag_s)).norm();
+  }
   [[nodiscard]] statistics::BlockRegression with_intervals(double lag_s) const {
-    std::vector<std::size_t> blocks;
-    for (const TransientRow& row : rows_) blocks.push_back(row.transient);
-    return statistics::block_regression(x_, torque(lag_s), blocks);
+    return statistics::block_regression(x_, torque(lag_s), blocks());
+  }
+  /// Start or stop of each row.
+  [[nodiscard]] std::vector<std::size_t> blocks() const {
+    std::vector<std::size_t> out;
+    for (const TransientRow& row : rows_) out.push_back(row.transient);
+    return out;
   }
 
  private:
@@ -108,6 +118,44 @@ class TransientRegression {
   Eigen::VectorXd norms_;
   statistics::OrthogonalColumns solved_;
 };
+
+/// The lag that is left where the torque was moved back by one, and so on until none is.
+double settled_lag_s(const TransientRegression& regression, double lag_s) {
+  constexpr int most_steps = 12;
+  constexpr double last_step_s = 1e-6;
+  for (int k = 0; k < most_steps; ++k) {
+    const Eigen::VectorXd c = regression.coefficients(lag_s);
+    // Noise of the angle takes something off the coefficient of the jerk: it is right at zero.
+    const double step = c(lag) / c(inertia);
+    if (!(std::abs(step) > last_step_s) || std::abs(lag_s + step) > most_lag_s) break;
+    lag_s += step;
+  }
+  return lag_s;
+}
+
+/// From zero the steps reach a lag that is shorter than starts and stops are; a longer one is
+/// looked for from the lag that leaves least, and taken where it leaves less beyond doubt.
+double found_lag_s(const TransientRegression& regression) {
+  constexpr double shortest_s = 4e-3;
+  constexpr double ratio = 1.5;
+  constexpr double least_gain = 0.02;
+  double best_s = 0;
+  double least = regression.left_beside(0);
+  for (double size_s = shortest_s; size_s < most_lag_s; size_s *= ratio) {
+    for (const double lag_s : {size_s, -size_s}) {
+      const double left = regression.left_beside(lag_s);
+      if (left >= least) continue;
+      least = left;
+      best_s = lag_s;
+    }
+  }
+  const double near_s = settled_lag_s(regression, 0);
+  const double far_s = settled_lag_s(regression, best_s);
+  const bool is_better = statistics::leaves_less(regression.with_intervals(far_s).residuals,
+                                                 regression.with_intervals(near_s).residuals,
+                                                 regression.blocks(), least_gain);
+  return is_better ? far_s : near_s;
+}
 
 /// 95 % half width of a ratio of two coefficients.
 double half_width_of_ratio(const statistics::BlockRegression& fit, Eigen::Index top,
@@ -192,6 +240,20 @@ const LagRival* TorqueLag::rival(LagShape of) const {
   return it == rivals.end() ? nullptr : &*it;
 }
 
+TorqueRounding TorqueLag::rounding() const {
+  if (!is_clear() || lag_s->value < 0) return {};
+  if (shape) return {*shape, lag_s->value};
+  return {LagShape::filter, rounds_as_filter_s / std::numbers::sqrt2};
+}
+
+double TorqueLag::unknown_rounding_s() const {
+  if (!is_clear()) return 0;
+  if (!rounding().any()) return rounds_as_filter_s;
+  // It rounds by its square.
+  const double share = shape ? 2 * lag_s->half_width() / lag_s->value : 0.5;
+  return rounds_as_filter_s * std::sqrt(std::min(1.0, share));
+}
+
 joint::Recording aligned(const joint::Recording& recording, double lag_s) {
   joint::Recording out = recording;
   if (recording.torque_Nm.empty() || recording.size() < 2) return out;
@@ -246,17 +308,8 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     return out;
   }
   const std::vector<double> knots = speed_knots(rows);
-  // Noise of the angle takes something off the coefficient of the jerk: it is right at zero.
-  constexpr int most_steps = 12;
-  constexpr double last_step_s = 1e-6;
-  double lag_s = 0;
   const TransientRegression regression(transients.travels, rows, knots);
-  for (int k = 0; k < most_steps; ++k) {
-    const Eigen::VectorXd c = regression.coefficients(lag_s);
-    const double step = c(lag) / c(inertia);
-    if (!(std::abs(step) > last_step_s) || std::abs(lag_s + step) > most_lag_s) break;
-    lag_s += step;
-  }
+  const double lag_s = found_lag_s(regression);
   const statistics::BlockRegression fit = regression.with_intervals(lag_s);
   // Where something else moves the joint, such as ripple that its controller follows, the torque is
   // an answer to the acceleration and not its cause; no coefficient is then what it is meant to be.
@@ -298,22 +351,26 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     LagCompetition competition = let_rivals_compete(transients, knots, lag_s);
     out.rivals = std::move(competition.rivals);
     out.shape = competition.winner;
+    out.rounds_as_filter_s = competition.rounds_as_filter_s;
   }
   const LagRival* delay = out.rival(LagShape::delay);
   const LagRival* filter = out.rival(LagShape::filter);
+  const LagRival* rounding = out.shape == LagShape::filter        ? filter
+                             : out.shape == LagShape::moving_mean ? out.rival(LagShape::moving_mean)
+                                                                  : nullptr;
   double inertia_here = fit.coefficients(inertia);
   double inertia_noise = inertia_half_width;
   double size_s = lag_s;
   double size_noise_s = lag_noise_s;
-  if (out.shape == LagShape::filter) {
+  if (rounding != nullptr) {
     out.change_s.reset();  // its lag depends on how short the starts are
-    inertia_here = filter->inertia_kgm2;
+    inertia_here = rounding->inertia_kgm2;
     inertia_noise =
-        std::hypot(filter->inertia_half_width, apart.inertia, share_of_model * inertia_here);
-    size_s = filter->size_s;
-    size_noise_s = std::hypot(filter->half_width_s, apart.lag_s);
+        std::hypot(rounding->inertia_half_width, apart.inertia, share_of_model * inertia_here);
+    size_s = rounding->size_s;
+    size_noise_s = std::hypot(rounding->half_width_s, apart.lag_s);
   }
-  if (out.shape == LagShape::filter || out.shape == LagShape::delay) {
+  if (rounding != nullptr || out.shape == LagShape::delay) {
     shape_s = 0;
   } else if (delay != nullptr && filter != nullptr) {
     shape_s = std::max(shape_s, std::abs(filter->size_s - delay->size_s));

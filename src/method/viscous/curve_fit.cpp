@@ -275,23 +275,4 @@ std::vector<double> held_out_errors(const CurveFit& all, const std::vector<Curve
   return errors;
 }
 
-ErrorDifference difference(const std::vector<double>& one, const std::vector<double>& other) {
-  const auto n = static_cast<double>(one.size());
-  ErrorDifference out;
-  for (std::size_t i = 0; i < one.size(); ++i) out.mean += (one[i] - other[i]) / n;
-  double squares = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    squares += std::pow(one[i] - other[i] - out.mean, 2);
-  }
-  out.standard_error =
-      n > 1 ? std::sqrt(squares / (n * (n - 1))) : std::numeric_limits<double>::infinity();
-  return out;
-}
-
-double root_mean(const std::vector<double>& squares) {
-  double sum = 0;
-  for (const double s : squares) sum += s;
-  return std::sqrt(sum / static_cast<double>(squares.size()));
-}
-
 }  // namespace tribolog::method::viscous

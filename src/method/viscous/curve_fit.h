@@ -50,13 +50,4 @@ std::vector<std::size_t> groups_to_hold_out(const std::vector<CurveSample>& samp
 std::vector<double> held_out_errors(const CurveFit& all, const std::vector<CurveSample>& samples,
                                     const std::vector<std::size_t>& groups);
 
-/// Mean of `one - other` over the groups, and its standard error.
-struct ErrorDifference {
-  double mean{};
-  double standard_error{};
-};
-ErrorDifference difference(const std::vector<double>& one, const std::vector<double>& other);
-
-double root_mean(const std::vector<double>& squares);
-
 }  // namespace tribolog::method::viscous

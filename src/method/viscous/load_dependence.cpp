@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "method/motion/sweep_samples.h"
-#include "method/viscous/curve_fit.h"
 #include "statistics/block_regression.h"
+#include "statistics/held_out.h"
 #include "statistics/linear_systems.h"
 
 namespace tribolog::method::viscous {
@@ -97,43 +97,10 @@ Eigen::MatrixXd columns_of(const std::vector<Row>& rows, Terms terms) {
   return x;
 }
 
-/// Squared errors of each block of angles, from a fit to the others; mean over the block.
-std::vector<double> held_out_errors(const std::vector<Row>& rows, Terms terms) {
-  std::vector<double> errors;
-  const std::size_t blocks = (cells + cells_in_a_block - 1) / cells_in_a_block;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    std::vector<Row> kept;
-    std::vector<Row> held;
-    for (const Row& row : rows) {
-      (row.cell / cells_in_a_block == block ? held : kept).push_back(row);
-    }
-    if (held.empty()) continue;
-    const Eigen::MatrixXd x = columns_of(kept, terms);
-    Eigen::VectorXd y(x.rows());
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      y(i) = kept[static_cast<std::size_t>(i)].friction_Nm;
-    }
-    const Eigen::VectorXd c = statistics::least_squares(x, y);
-    const Eigen::VectorXd predicted = columns_of(held, terms) * c;
-    double squares = 0;
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      squares += std::pow(held[i].friction_Nm - predicted(static_cast<Eigen::Index>(i)), 2);
-    }
-    errors.push_back(squares / static_cast<double>(held.size()));
-  }
-  return errors;
-}
-
-/// The mean of `worse - better` exceeds its standard error.
+/// Whether the mean of `worse - better` exceeds its standard error.
 bool pays(const std::vector<double>& worse, const std::vector<double>& better) {
-  const auto n = static_cast<double>(worse.size());
-  double mean = 0;
-  for (std::size_t i = 0; i < worse.size(); ++i) mean += (worse[i] - better[i]) / n;
-  double squares = 0;
-  for (std::size_t i = 0; i < worse.size(); ++i) {
-    squares += std::pow(worse[i] - better[i] - mean, 2);
-  }
-  return mean > std::sqrt(squares / (n * (n - 1)));
+  const statistics::ErrorDifference gain = statistics::difference(worse, better);
+  return gain.mean > gain.standard_error;
 }
 
 void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
@@ -422,12 +389,15 @@ LoadDependenceResult identify_load_dependence(const motion::Sweep& sweep,
   out.unloaded_Nm = estimate(0);
   out.per_load = estimate(1);
   if (speed_changes) out.viscous_Nms_rad = estimate(2);
-  const std::vector<double> errors = held_out_errors(rows, with);
-  const std::vector<double> errors_without = held_out_errors(rows, without);
-  out.held_out_Nm = root_mean(errors);
-  out.held_out_without_load_Nm = root_mean(errors_without);
+  const auto held_out = [&](Terms terms) {  // one block of angles at a time
+    return statistics::held_out_errors(columns_of(rows, terms), y, blocks);
+  };
+  const std::vector<double> errors = held_out(with);
+  const std::vector<double> errors_without = held_out(without);
+  out.held_out_Nm = statistics::root_mean(errors);
+  out.held_out_without_load_Nm = statistics::root_mean(errors_without);
   out.held_out_speed_alone_Nm = speed_changes
-                                    ? root_mean(held_out_errors(rows, Terms::cubic_of_speed))
+                                    ? statistics::root_mean(held_out(Terms::cubic_of_speed))
                                     : std::numeric_limits<double>::quiet_NaN();
   add_points(rows, fit.residuals, out);
   out.examined = true;

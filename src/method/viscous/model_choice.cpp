@@ -9,6 +9,7 @@
 
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
+#include "statistics/held_out.h"
 
 namespace tribolog::method::viscous {
 namespace {
@@ -97,8 +98,8 @@ class Chooser {
       why = {"curve_fit.needs_every_speed"};
       return t;
     }
-    t.trial.training_rms_Nm = root_mean(training_errors(*fit));
-    t.trial.held_out_rms_Nm = root_mean(t.errors);
+    t.trial.training_rms_Nm = statistics::root_mean(training_errors(*fit));
+    t.trial.held_out_rms_Nm = statistics::root_mean(t.errors);
     for (const double w : curve_speeds_) {
       t.trial.curve_Nm.push_back(fit->friction_Nm({w, 0, 0, mean_load_, 0}));
     }
@@ -131,7 +132,7 @@ class Chooser {
     for (const CurveLaw law : curve_laws) {
       const Tried& t = tried({law, terms_for(law, terms.asymmetry), terms.load});
       if (!t.took_part()) continue;
-      const ErrorDifference d = difference(t.errors, best->errors);
+      const statistics::ErrorDifference d = statistics::difference(t.errors, best->errors);
       if (d.mean <= one_standard_error * d.standard_error || is_rounding(t)) return law;
     }
     return best->trial.model.law;
@@ -182,7 +183,7 @@ CurveModel Chooser::with_terms_that_pay(CurveLaw law, CurveModelChoice& out) {
       const Tried& t = tried(candidate);
       out.options.push_back(t.trial);
       if (!t.took_part() || !base.took_part() || is_rounding(base)) continue;
-      const ErrorDifference gain = difference(base.errors, t.errors);
+      const statistics::ErrorDifference gain = statistics::difference(base.errors, t.errors);
       if (gain.mean > term_standard_errors * gain.standard_error && gain.mean > best_gain) {
         best = &candidate;
         best_gain = gain.mean;
