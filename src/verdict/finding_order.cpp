@@ -22,9 +22,8 @@ bool says(const Statement& statement, const std::vector<Code>& codes) {
 }
 
 /// Lags that the loops' fit cannot take off as what they are.
-const std::vector<Code> unnamed_lags{"cause.lag",        "cause.lag_of_angle",
-                                     "cause.lag_filter", "cause.lag_filter_of_angle",
-                                     "cause.lag_mean",   "cause.lag_mean_of_angle"};
+const std::vector<Code> unnamed_lags{"cause.lag", "cause.lag_of_angle",
+                                     "cause.lag_filter_of_angle"};
 
 /// Root mean square of what a torque changes by within a time [s].
 double change_within(const method::hysteresis::LoopTrace& loop, double time_s) {

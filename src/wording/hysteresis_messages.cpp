@@ -11,8 +11,8 @@ const Messages& hysteresis_messages() {
       {"loop.bristle_fitted", text("LuGre model fitted to the loop")},
       {"loop.no_oscillation",
        text("no oscillation was recorded; a sine of about ten cycles, with an amplitude of a few "
-            "times the pre-sliding range, would give hysteresis and bristle stiffness, and at the "
-            "gravity peak the surrogate mass, too")},
+            "times the pre-sliding range, would give hysteresis and bristle stiffness; at the "
+            "gravity peak, if there is one, the surrogate mass too")},
       {"loop.presliding_not_resolved",
        text("hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
             "{step_rad:.3g} rad leaves {steps:.1f} steps in the {travel_rad:.2g} rad of "

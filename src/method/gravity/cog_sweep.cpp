@@ -42,6 +42,7 @@ void read_without_gravity(const motion::Sweep& sweep, double gear_ratio, CogSwee
                                       : Code{"sweep_fit.varying_speed_without_gravity"};
   read_friction(design, samples, fit, gear_ratio, out);
   read_strokes(samples, fit, out);
+  out.stage.state = statistics::StageState::skipped;
   out.stage.reason = {"gravity.stated_none"};
   if (!samples.both_directions()) return;
   const Eigen::VectorXd gradient = offset_gradient(design, samples);
@@ -165,8 +166,10 @@ CogSweep identify_cog_sweep(SweepKind kind, const motion::Sweep& sweep, double g
   CogSweep made;
   CogSweepResult& out = made.result;
   if (sweep.recordings.empty()) {
+    const Code not_recorded =
+        precise ? Code{"gravity.no_precise_sweep"} : Code{"gravity.no_rough_sweep"};
     out.stage = {to_string(kind), statistics::StageState::skipped,
-                 precise ? Code{"gravity.no_precise_sweep"} : Code{"gravity.no_rough_sweep"}};
+                 known.has_no_gravity ? Code{"gravity.stated_none"} : not_recorded};
     return made;
   }
   made.curves = curves_without_fit(sweep);

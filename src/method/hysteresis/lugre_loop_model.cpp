@@ -159,7 +159,11 @@ LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
   if (rounding_.any()) rounded_at_s_ = times;
   const double from_s = std::max(grain.compared_from_s, rounding_.looks_back_s());
   const double to_s = times.back() - rounding_.looks_ahead_s();
-  rows_left_out_ = std::lower_bound(times.begin(), times.end(), from_s) - times.begin();
+  const auto rows_before = [&](double t) {
+    return std::lower_bound(times.begin(), times.end(), t) - times.begin();
+  };
+  rows_left_out_ = rows_before(from_s);
+  rows_not_rounded_ = rows_before(rounding_.looks_back_s());
   rows_left_out_behind_ = times.end() - std::upper_bound(times.begin(), times.end(), to_s);
 }
 
@@ -374,8 +378,12 @@ Eigen::VectorXd LuGreLoopModel::residuals(const Shared::Vector& p, const LuGreLo
                            p(Shared::damping) * dz + p(Shared::viscous) * speed_[i] +
                            p(Shared::inertia) * acceleration_[i];
               });
+  if (!rounding_.any()) return out - measured();
   rounding_.apply(time_s_, out);
-  return out - measured();
+  out -= measured();
+  out.head(rows_not_rounded_).setZero();
+  out.tail(rows_left_out_behind_).setZero();
+  return out;
 }
 
 void LuGreLoopModel::bristle(const Shared::Vector& shared, double start_rad,

@@ -76,7 +76,8 @@ class LuGreLoopModel {
   /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s, and what a rounding
   /// takes from before).
   [[nodiscard]] Eigen::Index rows_left_out() const { return rows_left_out_; }
-  /// Residuals alone, of all rows. @pre a row is a sample
+  /// Residuals alone, of all rows; zero where a rounding looks beyond the recording.
+  /// @pre a row is a sample
   [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
                                           const LuGreLocal& local) const;
   /// z and dz/dt of the model at the samples. @pre a row is a sample
@@ -117,6 +118,7 @@ class LuGreLoopModel {
   std::shared_ptr<const simulate::Motion> motion_;
   std::size_t samples_in_row_;
   Eigen::Index rows_left_out_{0};
+  Eigen::Index rows_not_rounded_{0};  ///< At the beginning: the log holds what was before.
   Eigen::Index rows_left_out_behind_{0};
   motion::TorqueRounding rounding_;
   std::vector<double> rounded_at_s_;  ///< Of each row; empty: nothing is rounded.

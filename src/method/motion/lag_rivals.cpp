@@ -287,16 +287,6 @@ std::string to_string(LagShape shape) {
 
 namespace {
 
-/// The largest of those that make one channel late.
-double longest_lag_s(const std::vector<Rivalry::Fitted>& all, double at_least_s) {
-  double longest_s = at_least_s;
-  for (const Rivalry::Fitted& one : all) {
-    const bool is_late = one.converged && one.rival.shape != LagShape::elastic_gear;
-    if (is_late && std::abs(one.rival.size_s) > std::abs(longest_s)) longest_s = one.rival.size_s;
-  }
-  return longest_s;
-}
-
 /// Fitted rivals, and which of them tells itself from the others.
 class Contest {
  public:
@@ -306,11 +296,18 @@ class Contest {
     // What a late torque holds of the time before the joint slid is left out: how much that is, the
     // rivals tell better than the lag that they start from.
     constexpr double much_longer = 1.1;
-    const double longest_s = longest_lag_s(all_, lag_s);
-    if (longest_s > much_longer * std::abs(lag_s)) {
-      rivalry_ = Rivalry(transients, knots, longest_s);
-      lag_s_ = longest_s;
-      fit();
+    constexpr int most_times = 3;
+    for (int k = 0; k < most_times; ++k) {
+      const Rivalry::Fitted* closest = closest_late();
+      if (closest == nullptr || !(closest->rival.size_s > much_longer * std::abs(lag_s_))) break;
+      Contest longer(*this);
+      longer.lag_s_ = closest->rival.size_s;
+      longer.rivalry_ = Rivalry(transients, knots, longer.lag_s_);
+      if (longer.rivalry_.rows().size() < fewest_rows) break;
+      longer.fit();
+      const Rivalry::Fitted* then = longer.closest_late();
+      if (then == nullptr || then->rival.residual_Nm > closest->rival.residual_Nm) break;
+      *this = std::move(longer);
     }
     for (const Travel& travel : transients.travels) {
       interval_s_ = std::max(interval_s_, travel.dt_s);
@@ -332,6 +329,18 @@ class Contest {
   }
 
  private:
+  static constexpr std::size_t fewest_rows = 50;
+
+  /// Of those that make one channel late, the one that leaves least; nullptr: none is found.
+  [[nodiscard]] const Rivalry::Fitted* closest_late() const {
+    const Rivalry::Fitted* closest = nullptr;
+    for (const Rivalry::Fitted& one : all_) {
+      if (!one.converged || one.rival.shape == LagShape::elastic_gear) continue;
+      if (closest == nullptr || one.rival.residual_Nm < closest->rival.residual_Nm) closest = &one;
+    }
+    return closest;
+  }
+
   void fit() {
     none_ = rivalry_.without_lag();
     all_ = {rivalry_.late(LagShape::delay, lag_s_, none_),
@@ -370,7 +379,8 @@ class Contest {
   /// gear that gives way.
   [[nodiscard]] bool is_told_by_shape(const Rivalry::Fitted& one) const {
     constexpr double fewest_samples = 3;
-    const bool is_short = std::abs(one.rival.size_s) < fewest_samples * interval_s_;
+    const bool is_short =
+        std::abs(one.rival.size_s) < fewest_samples * interval_s_ && !stands_out(one);
     switch (one.rival.shape) {
       case LagShape::elastic_gear:
         return !is_short;
@@ -382,6 +392,14 @@ class Contest {
         return leaves_little_of(of_delay_and_filter, one);
     }
     return false;
+  }
+
+  /// Leaves so much less than all others that no small effect can have brought it there.
+  [[nodiscard]] bool stands_out(const Rivalry::Fitted& one) const {
+    constexpr double share = 0.5;
+    return std::all_of(all_.begin(), all_.end(), [&](const Rivalry::Fitted& other) {
+      return &other == &one || one.rival.residual_Nm < share * other.rival.residual_Nm;
+    });
   }
 
   double lag_s_;

@@ -370,8 +370,16 @@ TorqueLag find_torque_lag(const std::vector<const joint::Recording*>& recordings
     size_s = rounding->size_s;
     size_noise_s = std::hypot(rounding->half_width_s, apart.lag_s);
   }
+  const LagRival* mean = out.rival(LagShape::moving_mean);
   if (rounding != nullptr || out.shape == LagShape::delay) {
     shape_s = 0;
+  } else if (delay != nullptr && filter != nullptr && mean != nullptr) {
+    // Each is as late as it would be if the torque had its shape: they may agree.
+    const auto [least_s, most_s] = std::minmax({delay->size_s, filter->size_s, mean->size_s});
+    size_s = (least_s + most_s) / 2;
+    shape_s = (most_s - least_s) / 2;
+    size_noise_s = std::hypot(
+        lag_noise_s, std::max({delay->half_width_s, filter->half_width_s, mean->half_width_s}));
   } else if (delay != nullptr && filter != nullptr) {
     shape_s = std::max(shape_s, std::abs(filter->size_s - delay->size_s));
   }
