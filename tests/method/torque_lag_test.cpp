@@ -115,6 +115,20 @@ TEST(TorqueLag, DelayFilterAndMeanAreToldApart) {
   EXPECT_FALSE(lag_in(travels({})).shape);
 }
 
+TEST(TorqueLag, LongerThanStartsAndStopsIsNoReasonToFail) {
+  for (const double window_s : {0.1, 0.3}) {
+    const method::motion::TorqueLag found = lag_in(travels({.torque_mean_s = window_s}));
+    if (found.lag_s) expect_holds(found, window_s / 2);
+  }
+  // Of starts alone that are over before the torque shows them nothing is left to fit.
+  std::vector<joint::Recording> starts = travels({.torque_delay_s = 0.15});
+  for (joint::Recording& r : starts) {
+    const std::size_t kept = std::min<std::size_t>(r.size(), 160);
+    for (auto* signal : {&r.t_s, &r.q_rad, &r.dq_rad_s, &r.torque_Nm}) signal->resize(kept);
+  }
+  EXPECT_FALSE(lag_in(starts).is_clear());
+}
+
 // What the bristle does at starts is as large there: it must not be taken for a filter.
 TEST(TorqueLag, AShortDelayIsNoFilter) {
   for (const double lag_s : {1e-3, 2e-3, -1e-3, -2e-3}) {

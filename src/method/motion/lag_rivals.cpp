@@ -67,14 +67,8 @@ class Rivalry {
       const Eigen::Map<const Eigen::VectorXd> torque(r.torque_Nm.data(), angle.size());
       signals_.push_back({angle.array() - angle.mean(), torque, forces_at_samples(travel, knots)});
     }
-    for (const TransientRow& row : transients.rows) {
-      const Travel& travel = transients.travels[row.travel];
-      if (row.index + samples_late(travel) + travel.half >= travel.recording->size()) continue;
-      if (!has_moved_for(lags_to_forget * samples_late(travel) + travel.half, travel, row))
-        continue;
-      rows_.push_back(row);
-      blocks_.push_back(row.transient);
-    }
+    take_rows_moved_for(lags_to_forget);
+    if (rows_.size() < fewest_rows) take_rows_moved_for(0);  // starts are shorter than that
   }
 
   /// The rival, and what it leaves at each row.
@@ -85,7 +79,8 @@ class Rivalry {
     double bend_s2{};  ///< What is left of the torque along J d^4 q/dt^4, over J.
   };
 
-  /// Those whose torque was recorded.
+  /// Fewer show no lag.
+  static constexpr std::size_t fewest_rows = 50;
   [[nodiscard]] const std::vector<TransientRow>& rows() const { return rows_; }
   /// Start or stop of each row.
   [[nodiscard]] const std::vector<std::size_t>& blocks() const { return blocks_; }
@@ -159,6 +154,20 @@ class Rivalry {
   /// is looked at then, so that it is still of the moving joint.
   [[nodiscard]] std::size_t samples_late(const Travel& travel) const {
     return lag_s_ > 0 ? static_cast<std::size_t>(std::lround(lag_s_ / travel.dt_s)) : 0;
+  }
+
+  /// Those whose torque was recorded, and whose joint has moved for so many lags.
+  void take_rows_moved_for(std::size_t lags) {
+    rows_.clear();
+    blocks_.clear();
+    for (const TransientRow& row : transients_.get().rows) {
+      const Travel& travel = transients_.get().travels[row.travel];
+      const std::size_t late = samples_late(travel);
+      if (row.index + late + travel.half >= travel.recording->size()) continue;
+      if (lags > 0 && !has_moved_for(lags * late + travel.half, travel, row)) continue;
+      rows_.push_back(row);
+      blocks_.push_back(row.transient);
+    }
   }
 
   /// What a torque that is late holds of the contact before it slides is no friction of a speed.
@@ -292,6 +301,7 @@ class Contest {
  public:
   Contest(const Transients& transients, const std::vector<double>& knots, double lag_s)
       : lag_s_(lag_s), rivalry_(transients, knots, lag_s) {
+    if (rivalry_.rows().size() < Rivalry::fewest_rows) return;
     fit();
     // What a late torque holds of the time before the joint slid is left out: how much that is, the
     // rivals tell better than the lag that they start from.
@@ -303,7 +313,7 @@ class Contest {
       Contest longer(*this);
       longer.lag_s_ = closest->rival.size_s;
       longer.rivalry_ = Rivalry(transients, knots, longer.lag_s_);
-      if (longer.rivalry_.rows().size() < fewest_rows) break;
+      if (longer.rivalry_.rows().size() < Rivalry::fewest_rows) break;
       longer.fit();
       const Rivalry::Fitted* then = longer.closest_late();
       if (then == nullptr || then->rival.residual_Nm > closest->rival.residual_Nm) break;
@@ -329,8 +339,6 @@ class Contest {
   }
 
  private:
-  static constexpr std::size_t fewest_rows = 50;
-
   /// Of those that make one channel late, the one that leaves least; nullptr: none is found.
   [[nodiscard]] const Rivalry::Fitted* closest_late() const {
     const Rivalry::Fitted* closest = nullptr;
