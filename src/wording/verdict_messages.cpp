@@ -435,7 +435,9 @@ const Messages& verdict_messages() {
       {"verdict.no_angle",
        text("The angle of the centre of gravity cannot be found in these recordings.")},
       {"verdict.usable",
-       text("All stages have their data, and the independent estimates of the mass agree.")},
+       text(
+           "All numbers that the verdict rests on are usable, and the independent estimates of the "
+           "mass agree.")},
       {"verdict.checks_fail", text("Checks on the data fail.")},
       {"verdict.estimates_disagree", text("Independent estimates disagree.")},
       {"verdict.limit_not_kept", text("A limit in the manifest is not met.")},
