@@ -13,6 +13,40 @@ quick='--resamples 0 --truth-runs 0'
 for name in scenario scenario_noise; do
   "$tribolog" --quiet simulate "$sources/../../examples/paper/$name.toml" -o $name
 done
+# All that a certificate may state.
+cat scenario_noise/dataset.toml - > scenario_noise/certificate.toml <<'END'
+[uncertainty]
+torque_constant_percent = 0.5
+angle_zero_deg = 0.01
+[temperature]
+degC = 21.5
+[payload]
+mass_kg = 5
+[[limit]]
+quantity = "surrogate_mass_kg"
+min = 75
+max = 85
+[certificate]
+number = "K-2026-0117"
+laboratory = "Joint Laboratory"
+laboratory_address = "Example Street 1, 10115 Berlin"
+country = "DE"
+customer = "Robot User Ltd"
+customer_address = "Industry Road 5, Hannover"
+place = "laboratory"
+received_on = 2026-11-20
+procedure = "AA-12, edition 3"
+conditions = "indoors, no draught"
+humidity_percent = 45
+adjustment = "none was made"
+decision_rule = "simple acceptance"
+responsible = "Dr. A. Nowak"
+[[certificate.instrument]]
+name = "Torque sensor T20"
+identification = "SN 4711"
+traceability = "D-K-15195-01-00, 2026-03"
+END
+"$tribolog" --quiet report scenario_noise/certificate.toml $quick --no-figures -o certificate.html
 rm -f pair.tribolog
 "$tribolog" --quiet report scenario/dataset.toml $quick -o paper.html
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures -o noisy.html

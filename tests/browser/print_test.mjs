@@ -55,6 +55,20 @@ for (const [format, width, height] of [["A4", 595, 842], ["Letter", 612, 792]]) 
     }));
 }
 
+test("page one of the fullest certificate prints alone on A4, down to the signature",
+  { skip: hasPoppler() ? false : "poppler-utils is not installed" },
+  () => withReport("certificate.html", {}, async (page) => {
+    const file = reportPath("certificate.pdf");
+    await page.pdf({ path: file, format: "A4", preferCSSPageSize: true });
+    const sheets = execFileSync("pdftotext", ["-layout", file, "-"], { encoding: "utf8" }).split("\f");
+    for (const words of ["Results with expanded", "Friction curve", "K-2026-0117", "Joint Laboratory", "Robot User Ltd",
+      "2026-11-20", "AA-12, edition 3", "simple acceptance", "D-K-15195-01-00", "Dr. A. Nowak", "Authorised by",
+      "Date, signature", "torque constant 100 %"]) {
+      assert.ok(sheets[0].includes(words), words);
+    }
+    assert.ok(sheets[1].includes("Findings") && !sheets[1].includes("Authorised by"));
+  }));
+
 test("a picture cut by a page's end would be found", { skip: !hasPoppler() && "poppler-utils is not installed" },
   () => withReport("paper.html", {}, async (page) => {
     await page.evaluate(() => {
