@@ -216,18 +216,20 @@ std::vector<std::string> comparison_notes(const history::Comparison& c) {
   SharedStatements why_not;
   SharedStatements cautions;
   for (const history::ComparedQuantity& q : c.quantities) {
-    for (const Statement& why : q.why_not) why_not.add(why, name_of(q));
+    const std::string name = wording::within_a_sentence(name_of(q));
+    for (const Statement& why : q.why_not) why_not.add(why, name);
     if (q.word == history::ChangeWord::not_comparable) continue;
-    for (const Statement& caution : q.cautions) cautions.add(caution, name_of(q));
+    for (const Statement& caution : q.cautions) cautions.add(caution, name);
   }
   std::vector<std::string> notes;
   for (const Statement& remark : c.remarks) notes.push_back(as_sentence(remark));
   why_not.append_to(notes, [](const std::string& quantities, const Statement& why) {
-    return tr("{quantities}, not comparable: {why}", {{"quantities", quantities}, {"why", why}});
+    return as_sentence(
+        tr("{quantities}, not comparable: {why}", {{"quantities", quantities}, {"why", why}}));
   });
   cautions.append_to(notes, [](const std::string& quantities, const Statement& caution) {
-    return tr("{quantities}, with caution: {caution}",
-              {{"quantities", quantities}, {"caution", caution}});
+    return as_sentence(tr("{quantities}, with caution: {caution}",
+                          {{"quantities", quantities}, {"caution", caution}}));
   });
   return notes;
 }

@@ -213,7 +213,8 @@ void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) 
   std::vector<std::string> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.state == history::TrendState::too_few) {
-      names.push_back(fmt::format("{} ({})", name_of(q), q.count(history::LeftOut::none)));
+      names.push_back(fmt::format("{} ({})", wording::within_a_sentence(name_of(q)),
+                                  q.count(history::LeftOut::none)));
     }
   }
   if (names.empty()) return;
@@ -230,7 +231,7 @@ void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& n
   std::vector<std::string> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
-      names.push_back(name_of(q));
+      names.push_back(wording::within_a_sentence(name_of(q)));
     }
   }
   if (names.empty()) return;
@@ -341,7 +342,7 @@ std::vector<std::string> trend_notes(const history::JointTrend& t) {
         history::TemperatureUse::not_recorded}) {
     std::vector<std::string> names;
     for (const history::QuantityTrend& q : t.quantities) {
-      if (q.temperature == use) names.push_back(name_of(q));
+      if (q.temperature == use) names.push_back(wording::within_a_sentence(name_of(q)));
     }
     if (names.empty()) continue;
     notes.push_back(as_sentence(temperature_note(use, wording::listed(names))));
