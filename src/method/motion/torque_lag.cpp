@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "base/requirements.h"
 #include "method/motion/lost_rows.h"
 #include "method/motion/transients.h"
 #include "statistics/block_regression.h"
@@ -241,8 +242,8 @@ const LagRival* TorqueLag::rival(LagShape of) const {
 }
 
 TorqueRounding TorqueLag::rounding() const {
-  if (!is_clear() || lag_s->value < 0) return {};
-  if (shape) return {*shape, lag_s->value};
+  if (!is_clear() || present(lag_s).value < 0) return {};
+  if (shape) return {*shape, present(lag_s).value};
   return {LagShape::filter, rounds_as_filter_s / std::numbers::sqrt2};
 }
 
@@ -250,7 +251,8 @@ double TorqueLag::unknown_rounding_s() const {
   if (!is_clear()) return 0;
   if (!rounding().any()) return rounds_as_filter_s;
   // It rounds by its square.
-  const double share = shape ? 2 * lag_s->half_width() / lag_s->value : 0.5;
+  const statistics::Estimate& size = present(lag_s);
+  const double share = shape ? 2 * size.half_width() / size.value : 0.5;
   return rounds_as_filter_s * std::sqrt(std::min(1.0, share));
 }
 
