@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -59,14 +60,22 @@ class Rivalry {
  public:
   /// @param lag_s about as large as the rivals'.
   Rivalry(const Transients& transients, const std::vector<double>& knots, double lag_s)
-      : transients_(transients), lag_s_(lag_s) {
+      : transients_(transients) {
+    std::vector<Signals> signals;
     for (const Travel& travel : transients.travels) {
       const joint::Recording& r = *travel.recording;
       const Eigen::Map<const Eigen::VectorXd> angle(r.q_rad.data(),
                                                     static_cast<Eigen::Index>(r.size()));
       const Eigen::Map<const Eigen::VectorXd> torque(r.torque_Nm.data(), angle.size());
-      signals_.push_back({angle.array() - angle.mean(), torque, forces_at_samples(travel, knots)});
+      signals.push_back({angle.array() - angle.mean(), torque, forces_at_samples(travel, knots)});
     }
+    signals_ = std::make_shared<const std::vector<Signals>>(std::move(signals));
+    look_behind(lag_s);
+  }
+
+  /// Takes the rows that a lag of about this size leaves.
+  void look_behind(double lag_s) {
+    lag_s_ = lag_s;
     take_rows_moved_for(lags_to_forget);
     if (rows_.size() < fewest_rows) take_rows_moved_for(0);  // starts are shorter than that
   }
@@ -202,7 +211,7 @@ class Rivalry {
   /// Of torque on motion, the one or the other late by `size_s`.
   /// @param bends whether the last column is the acceleration's second derivative.
   [[nodiscard]] Regression regression(LagShape shape, double size_s, bool bends) const {
-    const Eigen::Index columns = signals_.front().forces.cols();
+    const Eigen::Index columns = signals_->front().forces.cols();
     Regression out;
     out.x.resize(static_cast<Eigen::Index>(rows_.size()),
                  RivalColumn::forces + columns + (bends ? 1 : 0));
@@ -238,7 +247,7 @@ class Rivalry {
   }
 
   [[nodiscard]] Signals late_by(std::size_t travel, LagShape shape, double size_s) const {
-    Signals out = signals_[travel];
+    Signals out = (*signals_)[travel];
     if (shape == LagShape::elastic_gear || size_s == 0) return out;
     const double samples = std::abs(size_s) / transients_.get().travels[travel].dt_s;
     const auto make_late = [&](auto&& column) {
@@ -257,9 +266,9 @@ class Rivalry {
   }
 
   std::reference_wrapper<const Transients> transients_;
-  double lag_s_;
+  double lag_s_{};
   std::vector<TransientRow> rows_;
-  std::vector<Signals> signals_;
+  std::shared_ptr<const std::vector<Signals>> signals_;  // the same behind any lag
   std::vector<std::size_t> blocks_;
 };
 
@@ -312,7 +321,7 @@ class Contest {
       if (closest == nullptr || !(closest->rival.size_s > much_longer * std::abs(lag_s_))) break;
       Contest longer(*this);
       longer.lag_s_ = closest->rival.size_s;
-      longer.rivalry_ = Rivalry(transients, knots, longer.lag_s_);
+      longer.rivalry_.look_behind(longer.lag_s_);
       if (longer.rivalry_.rows().size() < Rivalry::fewest_rows) break;
       longer.fit();
       const Rivalry::Fitted* then = longer.closest_late();
