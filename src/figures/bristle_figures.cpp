@@ -69,7 +69,7 @@ std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
   const auto add = [&](LuGreParameterName name, const char* symbol, const char* unit) {
     if (const auto e = fit.shown(name)) {
       found.push_back(std::string(symbol) + " " +
-                      wording::with_interval(*e, wording::AxisScale{1.0, unit}));
+                      wording::with_interval(*e, wording::prefixed(unit, e->value)));
     }
   };
   add(LuGreParameterName::bristle_stiffness, "σ₀", "N·m/rad");

@@ -38,7 +38,7 @@ std::string meaning_of(Estimator estimator) {
     case Estimator::runs:
       return tr("gravity amplitude of the runs at constant speed");
     case Estimator::stated:
-      return tr("gravity stated in the manifest; it decides nothing");
+      return tr("gravity stated in the manifest");
   }
   return "–";
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "method/motion/oscillation_motion.h"
 #include "statistics/levenberg_marquardt.h"
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
@@ -284,6 +285,37 @@ TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
   EXPECT_NE(wording::words(parameter(f, LuGreParameterName::static_torque).experiment)
                 .find("of larger amplitude"),
             std::string::npos);
+}
+
+/// Of what a start leaves behind, least squares made a deflection of a radian and the picture of
+/// the model an axis of 150 kN·m.
+TEST(LuGreFit, BehindAStartThatIsLeftOutTheModelStartsFromWhatABristleHolds) {
+  const simulate::Scenario s = test::paper_joint();
+  std::vector<joint::Recording> loops = test::oscillations_of(s);
+  joint::Recording& r = loops[0];
+  const double settled_s = 1 / s.oscillation->frequency_Hz;
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    low = std::min(low, r.torque_Nm[i]);
+    high = std::max(high, r.torque_Nm[i]);
+    const double since = r.t_s[i] - r.t_s.front() - settled_s;
+    if (since > 0) r.torque_Nm[i] += 0.2 * std::exp(-since / (0.05 * settled_s));
+  }
+  const auto motion = method::motion::fit_oscillation_motion(r);
+  ASSERT_TRUE(motion);
+  const method::hysteresis::FittedLuGre made = method::hysteresis::fit_lugre(
+      {{&r, &*motion, nullptr, 0, settled_s}}, s.gear_ratio, test::true_q_peak_rad());
+  ASSERT_TRUE(made.fit.converged) << wording::words(made.fit.reason);
+  ASSERT_GT(made.fit.loops[0].samples_left_out, 100u);
+  const auto true_values = test::true_parameters(s);
+  EXPECT_LE(std::abs(made.fit.loops[0].start_deflection_rad),
+            1.2 * true_values.at(LuGreParameterName::static_torque) /
+                true_values.at(LuGreParameterName::bristle_stiffness));
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    ASSERT_GT(made.signals[0].torque_Nm[i], low - 1) << i;
+    ASSERT_LT(made.signals[0].torque_Nm[i], high + 1) << i;
+  }
 }
 
 TEST(LuGreFit, ConstantTorqueIsRefused) {

@@ -189,6 +189,18 @@ double systematic_of_all(const LuGreFit& fit) {
   return std::sqrt(squares / static_cast<double>(fit.loops.size()));
 }
 
+/// Local parameters from which a recording's model can be told from its first sample on. Behind a
+/// start that is left out nothing but a remainder of its deflection is compared, and what least
+/// squares makes of that need not be a deflection that a bristle holds: T_s/sigma0 is the largest
+/// (eq. (4)); beyond it the arm is taken to start from rest.
+LuGreLocal told_from_the_start(const LuGreLoopModel& model, const LuGreShared::Vector& shared,
+                               LuGreLocal local) {
+  const double largest_rad =
+      std::exp(shared(LuGreShared::log_static) - shared(LuGreShared::log_stiffness));
+  if (model.rows_left_out() > 0 && std::abs(local.start_rad) > largest_rad) local.start_rad = 0;
+  return local;
+}
+
 /// Gravity of each recording, and the fit's bristle in it.
 /// @param problem of every sample.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
@@ -204,7 +216,12 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     loop.recording = recording.name;
     LuGreSignals signals;
     const LuGreLoopModel& model = problem.models()[r];
-    const Eigen::VectorXd residuals = model.residuals(climb.point.shared, climb.point.locals[r]);
+    Eigen::VectorXd residuals = model.residuals(climb.point.shared, climb.point.locals[r]);
+    const LuGreLocal told = told_from_the_start(model, climb.point.shared, climb.point.locals[r]);
+    if (model.rows_left_out() > 0) {
+      residuals.head(model.rows_left_out()) =
+          model.residuals(climb.point.shared, told).head(model.rows_left_out());
+    }
     const auto part = residuals.tail(model.rows() - model.rows_left_out());
     loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(part.size()));
     squares += part.squaredNorm();
@@ -228,7 +245,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
           climb.point.locals[r].gravity_Nm, half_width(column), {"interval.lugre_fit_blocks"});
       // The loop shows the deflection at its start within an interval; where that holds zero, the
       // arm started from rest and z = 0 is the simpler truth.
-      loop.start_deflection_rad = climb.point.locals[r].start_rad;
+      loop.start_deflection_rad = told.start_rad;
       const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
                                ? 0.0
                                : loop.start_deflection_rad;
