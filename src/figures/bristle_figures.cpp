@@ -14,6 +14,7 @@
 #include "wording/axis_scale.h"
 #include "wording/labels.h"
 #include "wording/number_text.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
 
 namespace tribolog::figures {
@@ -69,7 +70,7 @@ std::string found_sentence(const method::hysteresis::LuGreFit& fit) {
   const auto add = [&](LuGreParameterName name, const char* symbol, const char* unit) {
     if (const auto e = fit.shown(name)) {
       found.push_back(std::string(symbol) + " " +
-                      wording::with_interval(*e, wording::prefixed(unit, e->value)));
+                      wording::in_words(*e, wording::quantity_scale(unit, e->value)));
     }
   };
   add(LuGreParameterName::bristle_stiffness, "σ₀", "N·m/rad");

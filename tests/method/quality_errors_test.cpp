@@ -32,6 +32,26 @@ TEST(QualityErrors, HandWorkedPercentages) {
   EXPECT_NEAR(q.errors[0].rms_percent, 1.0, 1e-12);
 }
 
+/// A speed of a single pair has no interval: it made that of the whole reference infinite, and
+/// every error "no evidence".
+TEST(QualityErrors, TheReferenceIsJudgedByTheRunsWhoseIntervalIsKnown) {
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ConstantSpeedRun run;
+  run.torque_Nm = 4.0;
+  run.direction_difference_Nm = 0.5;
+  run.direction_difference_half_width_Nm = 0.08;
+  v.runs = {run, run};
+  v.runs[1].direction_difference_half_width_Nm = INFINITY;
+  v.curves = {{Estimator::A, {0.9, 0.9}}};
+  method::selection::QualityErrorsResult q = method::selection::identify_quality_errors(v, nullptr);
+  EXPECT_NEAR(q.reference_rms_percent, 2.0, 1e-12);
+  EXPECT_TRUE(q.evidence.is("quality_errors.all_beyond_reference"));
+  v.runs[0].direction_difference_half_width_Nm = NAN;
+  q = method::selection::identify_quality_errors(v, nullptr);
+  EXPECT_TRUE(std::isnan(q.reference_rms_percent));
+  EXPECT_TRUE(q.evidence.empty());
+}
+
 TEST(QualityErrors, DirectionDifferenceRanksTheCandidatesAsTheTruthDoes) {
   joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
   const calibration::Calibration with_truth = identify::identify(d);

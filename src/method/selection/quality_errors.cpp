@@ -29,6 +29,7 @@ Statement no_reference(const viscous::ViscousCurvesResult& curves, std::size_t w
 
 Statement evidence_of(const QualityErrorsResult& q) {
   if (q.reference == CurveReference::analytic) return {"quality_errors.reference_exact"};
+  if (std::isnan(q.reference_rms_percent)) return {};
   std::vector<Statement> within;
   for (const QualityError& e : q.errors) {
     if (e.rms_percent > q.reference_rms_percent) continue;
@@ -40,6 +41,22 @@ Statement evidence_of(const QualityErrorsResult& q) {
   }
   return {"quality_errors.some_within_reference",
           {{"reference_percent", q.reference_rms_percent}, {"estimators", within}}};
+}
+
+/// Over the runs whose reference has an interval: a speed that was driven once in each direction
+/// may have none.
+template <class Usable>
+double reference_rms_percent(const std::vector<viscous::ConstantSpeedRun>& runs,
+                             const std::vector<double>& half_width_Nm, Usable usable) {
+  double squares = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double percent = 100 * half_width_Nm[i] / runs[i].torque_Nm;
+    if (!usable(i) || !std::isfinite(percent)) continue;
+    squares += percent * percent;
+    ++known;
+  }
+  return known > 0 ? std::sqrt(squares / static_cast<double>(known)) : std::nan("");
 }
 
 }  // namespace
@@ -98,13 +115,8 @@ QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& 
   std::size_t used = 0;
   for (std::size_t i = 0; i < curves.runs.size(); ++i) used += usable(i) ? 1 : 0;
   out.runs_left_out = curves.runs.size() - used;
-  double reference_squares = 0;
-  for (std::size_t i = 0; i < curves.runs.size(); ++i) {
-    if (!usable(i)) continue;
-    const double percent = 100 * out.reference_half_width_Nm[i] / curves.runs[i].torque_Nm;
-    reference_squares += percent * percent / static_cast<double>(used);
-  }
-  out.reference_rms_percent = std::sqrt(reference_squares);
+  out.reference_rms_percent =
+      reference_rms_percent(curves.runs, out.reference_half_width_Nm, usable);
   for (const viscous::ViscousCurve& curve : curves.curves) {
     QualityError error{curve.estimator, {}, 0.0};
     double squares = 0;

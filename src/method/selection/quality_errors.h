@@ -43,7 +43,8 @@ struct QualityErrorsResult {
   std::vector<QualityError> errors;             ///< Per curve, in that order.
   std::vector<double> reference_half_width_Nm;  ///< Per run, 95 %; 0 where it is known exactly.
   /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
-  /// torque: an rms error below it is no evidence against a mass.
+  /// torque: an rms error below it is no evidence against a mass. Of the runs where it is known;
+  /// NaN where it is of none.
   double reference_rms_percent{};
   Statement evidence;           ///< What the reference can show; empty without errors.
   std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
