@@ -172,12 +172,26 @@ const isAnyInSight = (plot, xs, ys) => {
   }
   return false;
 };
+// The same in the plot's own scale: while the view is only shifted, it is not scaled anew.
+const scaledPathOf = (plot, xs, ys, width, height) => {
+  plot.scaledPaths ??= new Map();
+  const path = pathOf(plot, xs, ys);
+  const known = plot.scaledPaths.get(path);
+  const isSame = (one, other) => Math.abs(one - other) <= 1e-9 * Math.abs(other);
+  if (known && isSame(known.width, width) && isSame(known.height, height)) return known.scaled;
+  const scaled = new Path2D();
+  scaled.addPath(path, new DOMMatrix([width, 0, 0, height, 0, 0]));
+  plot.scaledPaths.set(path, { width, height, scaled });
+  return scaled;
+};
 const traceWhole = (plot, pen, xs, ys) => {
   const [[x0, x1], [y0, y1]] = [ranges[plot.x].full, ranges[plot.y].full];
-  const moved = new Path2D();
-  moved.addPath(pathOf(plot, xs, ys), new DOMMatrix([plot.px(x1) - plot.px(x0), 0, 0, plot.py(y1) - plot.py(y0),
-                                                     plot.px(x0), plot.py(y0)]));
-  pen.stroke(moved);
+  const [left, top] = [plot.px(x0), plot.py(y0)];
+  const scaled = scaledPathOf(plot, xs, ys, plot.px(x1) - left, plot.py(y1) - top);
+  pen.save();
+  pen.translate(left, top);
+  pen.stroke(scaled);
+  pen.restore();
 };
 // Closer, the browser's numbers would be too coarse.
 const closest = 0.01;
