@@ -314,7 +314,7 @@ test("a pointer move with ten loops overlaid costs less script than half a milli
     const seconds = async () => (await session.send("Performance.getMetrics")).metrics
       .find(({ name }) => name === "ScriptDuration").value;
     const moves = 15;
-    const cost = async (kind) => {
+    const cost = async (isMove) => {
       const before = await seconds();
       await page.evaluate(async ([x0, y0, w, h, last, isMove]) => {
         const view = document.querySelector('[data-plot="T-q"] .view');
@@ -337,12 +337,12 @@ test("a pointer move with ten loops overlaid costs less script than half a milli
         }
         if (isMove) send("pointerup", last);
         delete view.dataset.sum;
-      }, [left, top, width, height, moves, kind === "move"]);
+      }, [left, top, width, height, moves, isMove]);
       return 1000 * (await seconds() - before) / moves;
     };
     // The least of some rounds: in the others the machine's other work was in the way.
     const rounds = [];
-    for (let round = 0; round < 6; ++round) rounds.push([await cost("move"), await cost("sines")]);
+    for (let round = 0; round < 6; ++round) rounds.push([await cost(true), await cost(false)]);
     const [move, sines] = [0, 1].map((k) => Math.min(...rounds.map((round) => round[k])));
     console.log(`# a pointer move with ten loops of ${(await dataOf(page)).loops[0].t.length} samples takes ` +
       `${move.toFixed(2)} ms of script, half a million sines ${sines.toFixed(2)} ms`);

@@ -150,8 +150,7 @@ class Contest {
 
   /// Deflection in sliding, by LuGre.
   [[nodiscard]] double level_rad() const {
-    return std::exp(lugre_.shared(LuGreShared::log_static) -
-                    lugre_.shared(LuGreShared::log_stiffness));
+    return LuGreShared::largest_deflection_rad(lugre_.shared);
   }
   static double rms(const Eigen::VectorXd& residuals) {
     return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));

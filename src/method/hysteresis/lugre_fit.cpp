@@ -195,8 +195,7 @@ double systematic_of_all(const LuGreFit& fit) {
 /// (eq. (4)); beyond it the arm is taken to start from rest.
 LuGreLocal told_from_the_start(const LuGreLoopModel& model, const LuGreShared::Vector& shared,
                                LuGreLocal local) {
-  const double largest_rad =
-      std::exp(shared(LuGreShared::log_static) - shared(LuGreShared::log_stiffness));
+  const double largest_rad = LuGreShared::largest_deflection_rad(shared);
   if (model.rows_left_out() > 0 && std::abs(local.start_rad) > largest_rad) local.start_rad = 0;
   return local;
 }

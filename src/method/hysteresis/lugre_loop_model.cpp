@@ -54,11 +54,14 @@ struct PlainDeflection {
 
 template <class Deflection>
 Deflection deflection_of(const Shared::Vector& p) {
-  return {std::exp(p(Shared::log_static) - p(Shared::log_stiffness)),
-          std::exp(p(Shared::log_share)), p(Shared::fall)};
+  return {Shared::largest_deflection_rad(p), std::exp(p(Shared::log_share)), p(Shared::fall)};
 }
 
 }  // namespace
+
+double LuGreShared::largest_deflection_rad(const Vector& shared) {
+  return std::exp(shared(log_static) - shared(log_stiffness));
+}
 
 /// Samples that are compared as one row: of the recording from `first` to before `end`.
 struct LuGreLoopModel::Together {

@@ -30,6 +30,9 @@ struct LuGreShared {
   enum Index { log_stiffness, log_static, log_share, fall, damping, viscous, inertia };
   static constexpr int count = 7;
   using Vector = Eigen::Matrix<double, count, 1>;
+  /// T_s/sigma0, the deflection in sliding at the lowest speeds: the largest that a bristle holds
+  /// (eq. (4)) [rad].
+  [[nodiscard]] static double largest_deflection_rad(const Vector& shared);
 };
 
 /// Those of one recording.
