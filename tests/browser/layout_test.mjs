@@ -159,22 +159,29 @@ test("without JavaScript there is no viewer, and every figure is there", async (
   });
 });
 
-test("dragging keeps pace: every plot is drawn within a frame", () =>
+// A ratio, as for a pointer's moves: two million sines take about as long as a frame of a screen with 45 a second.
+test("a step with the keys draws every plot in less time than two million sines take", () =>
   withReport("noisy.html", {}, async (page) => {
     await focusPlot(page, "T-q");
-    const longest = await page.evaluate(async () => {
+    const [drawn, sines] = await page.evaluate(async () => {
       const view = document.querySelector('[data-plot="T-q"] .view');
-      const times = [];
+      const frames = [];
       for (let k = 0; k < 30; ++k) {
         view.dispatchEvent(new KeyboardEvent("keydown", { key: k % 2 ? "ArrowLeft" : "ArrowRight" }));
         // The viewer's own frame comes first; what this one sees is the time that it took.
         await new Promise((done) => requestAnimationFrame((begin) => {
-          times.push(performance.now() - begin);
+          const between = performance.now();
+          let sum = 0;
+          for (let i = 0; i < 2e6; ++i) sum += Math.sin(i + k);
+          view.dataset.sum = sum;
+          frames.push([between - begin, performance.now() - between]);
           done();
         }));
       }
-      return times.sort((a, b) => a - b)[15];
+      delete view.dataset.sum;
+      // The least: in the others the machine's other work was in the way.
+      return [0, 1].map((k) => Math.min(...frames.map((frame) => frame[k])));
     });
-    console.log(`# a frame with all plots redrawn takes ${longest.toFixed(1)} ms (median)`);
-    assert.ok(longest < 50, longest);  // 16.7 ms on a free machine; tests share theirs
+    console.log(`# a frame with all plots redrawn takes ${drawn.toFixed(1)} ms, two million sines ${sines.toFixed(1)} ms`);
+    assert.ok(drawn > 0.05 && drawn < sines, `${drawn} ms against ${sines} ms`);
   }));
