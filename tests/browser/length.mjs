@@ -3,8 +3,7 @@
 //   run.sh PACKAGES DIRECTORY length.mjs NAME.html...
 import { execFileSync } from "node:child_process";
 import { statSync, rmSync } from "node:fs";
-import { setTimeout as rest } from "node:timers/promises";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { fileURLToPath } from "node:url";
 import { open, reportPath } from "./open_report.mjs";
 
 /// What stands in sight while nothing is unfolded. Labels of plots count as the viewer's.
@@ -28,16 +27,18 @@ export async function sheetsOf(page, name) {
   return sheets;
 }
 
-/// Median first paint [ms] of five loads, each in a new page of a browser at rest: what starts and ends beside a
-/// load takes the processor from it, and reads as a slow page.
-async function firstPaintOf(context, name) {
+/// Median first paint [ms] of five loads of an open page's report, each in a new page of a browser at rest: what
+/// starts and ends beside a load takes the processor from it, and reads as a slow page.
+async function firstPaintOf(opened) {
+  const restMs = 1500;
   const times = [];
   for (let k = 0; k < 5; ++k) {
-    const page = await context.newPage();
-    await rest(1500);
-    await page.goto(pathToFileURL(reportPath(name)).href);
-    await rest(1500);
-    times.push(await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? NaN));
+    const page = await opened.context().newPage();
+    await page.waitForTimeout(restMs);
+    await page.goto(opened.url());
+    await page.waitForTimeout(restMs);
+    // Not painted yet: later than any.
+    times.push(await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Infinity));
     await page.close();
   }
   return times.sort((a, b) => a - b)[2];
@@ -47,9 +48,9 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   console.log("| page | words in sight | tables | figures | screens (1400 x 900) | printed pages | kB | first paint [ms] |");
   console.log("|---|---|---|---|---|---|---|---|");
   for (const name of process.argv.slice(2)) {
-    const { page, context, close } = await open(name, { width: 1400, height: 900 });
+    const { page, close } = await open(name, { width: 1400, height: 900 });
     const seen = await inSight(page);
-    const paint = await firstPaintOf(context, name);
+    const paint = await firstPaintOf(page);
     const sheets = await sheetsOf(page, name);
     const size = Math.round(statSync(reportPath(name)).size / 1000);
     console.log(`| ${name} | ${seen.words} | ${seen.tables} | ${seen.figures} | ${(seen.height / 900).toFixed(1)} | ${sheets} | ${size} | ${paint.toFixed(0)} |`);
