@@ -57,6 +57,7 @@ Json drive(const joint::Manifest& m) {
           {"effort_kind", joint::to_string(d.kind())},
           {"effort_side", joint::to_string(d.side())},
           {"effort_confirmed", m.effort_is_confirmed},
+          {"gravity_removed", m.gravity_is_removed},
           {"torque_constant_Nm_A", number(d.torque_constant_Nm_A())},
           {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
 }
@@ -128,6 +129,7 @@ Json conversions(const std::vector<joint::InputFile>& inputs) {
     list.push_back({{"signal", joint::to_string(c.signal)},
                     {"column", c.column},
                     {"unit", c.unit},
+                    {"unit_confirmed", !c.is_proposed},
                     {"steps", std::move(steps)},
                     {"factor", number(c.factor())},
                     {"si_unit", c.si_unit},

@@ -257,7 +257,8 @@ Json known_loads(const std::vector<joint::KnownLoad>& loads) {
 Json known_gravity(const std::optional<joint::StatedGravity>& g) {
   if (!g) return nullptr;
   return {{"amplitude_joint_Nm", number(g->amplitude_Nm())},
-          {"q_peak_rad", number(g->q_peak_rad())}};
+          {"q_peak_rad", number(g->q_peak_rad())},
+          {"percent", number(g->percent())}};
 }
 
 }  // namespace tribolog::calibration

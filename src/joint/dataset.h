@@ -123,6 +123,9 @@ struct Manifest {
   /// false: kind and side of the effort were proposed from the log's columns (`tribolog init`), and
   /// nobody confirmed them.
   bool effort_is_confirmed{true};
+  /// The effort is what is left of the torque after the controller has taken gravity off: gravity
+  /// is not looked for in it (known_gravity is 0).
+  bool gravity_is_removed{};
   std::string payload;  ///< Words.
   std::optional<double> payload_kg;
   std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint's axis.

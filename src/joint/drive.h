@@ -86,6 +86,7 @@ struct ColumnConversion {
   std::vector<ConversionStep> steps;
   std::string si_unit;       ///< "rad", "N·m"
   std::optional<Side> side;  ///< To which the signal is referred; absent where it has none.
+  bool is_proposed{};        ///< The unit was proposed by a program, and nobody confirmed it.
 
   /// From the number in the log to the signal.
   [[nodiscard]] double factor() const { return factor_of(steps); }

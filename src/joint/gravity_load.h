@@ -66,16 +66,20 @@ struct KnownLoad {
 class StatedGravity {
  public:
   /// @param amplitude_Nm >= 0, joint side; 0: the joint has none. @param q_peak_rad joint angle at
-  /// which it is largest.
+  /// which it is largest. @param percent of the amplitude, half width at 95 %: cables and covers
+  /// are in no design.
   /// @throw Refusal stating the value and the rule.
-  StatedGravity(double amplitude_Nm, double q_peak_rad);
+  StatedGravity(double amplitude_Nm, double q_peak_rad, double percent = usual_percent);
+  static constexpr double usual_percent = 10;
 
   [[nodiscard]] double amplitude_Nm() const { return amplitude_Nm_; }
   [[nodiscard]] double q_peak_rad() const { return q_peak_rad_; }
+  [[nodiscard]] double percent() const { return percent_; }
 
  private:
   double amplitude_Nm_;
   double q_peak_rad_;
+  double percent_;
 };
 
 }  // namespace tribolog::joint

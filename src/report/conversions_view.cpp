@@ -137,7 +137,9 @@ Table conversions_table(const calibration::Calibration& c) {
       {tr("Logs"), "", false}};
   for (const joint::SharedConversion& shared : joint::shared_conversions(c.inputs)) {
     const joint::ColumnConversion& one = shared.conversion;
-    table.rows.push_back({{signal_in_words(one.signal), named(one.column), one.unit,
+    const std::string unit =
+        one.is_proposed ? tr("{unit}: proposed, not confirmed", {{"unit", one.unit}}) : one.unit;
+    table.rows.push_back({{signal_in_words(one.signal), named(one.column), unit,
                            steps_in_words(one), wording::as_stated(one.factor()),
                            one.side ? at_the_side(one.si_unit, *one.side) : one.si_unit,
                            shared.is_of_all ? tr("all") : logs_in_words(shared.files)},

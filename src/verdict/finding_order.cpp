@@ -76,7 +76,7 @@ bool follows_from(const Statement& finding, const Statement& cause,
     return lag_bends_loops(c);
   }
   return says(finding, {"check.oscillation_at_peak"}) &&
-         (cause.is("cause.other_joint") || cause.is("cause.no_gravity"));
+         says(cause, {"cause.other_joint", "cause.no_gravity", "cause.no_gravity_or_removed"});
 }
 
 /// How many of the numbers that decide rest their doubt on a finding: it is the first reason, or

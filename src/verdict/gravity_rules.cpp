@@ -37,15 +37,17 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
   const double friction = largest_friction_Nm(c);
   constexpr double no_gravity_at_all = 1e6;
   if (has_stated_no_gravity(c)) {
-    return Measured{no_gravity_at_all, has_points_alone(c) ? Code{"cause.gravity_taken_off"}
-                                                           : Code{"cause.no_gravity_stated"}};
+    return Measured{no_gravity_at_all, why_no_gravity(c)};
   }
   // A sweep that shows no gravity has to be sure that there is none.
   const double gravity = c.rough.found ? c.rough.gravity_Nm.value : c.rough.gravity_Nm.high;
   if (!(friction > 0) || c.rough.samples_used == 0 || !(gravity > 0)) return std::nullopt;
   const double percent = std::min(no_gravity_at_all, 100 * friction / std::max(gravity, 1e-300));
+  // Controllers take it off a torque at the joint.
+  const bool may_be_removed = c.manifest.drive.kind() == joint::EffortKind::joint_torque;
   return Measured{percent,
-                  {"cause.no_gravity", {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
+                  {may_be_removed ? Code{"cause.no_gravity_or_removed"} : Code{"cause.no_gravity"},
+                   {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
 }
 
 /// Torque that varies with the joint's angle as no weight's does.
@@ -600,6 +602,12 @@ Statement offset_found(const Calibration& c, double offset_Nm, double half_width
 
 bool has_stated_no_gravity(const Calibration& c) {
   return c.manifest.known_gravity && c.manifest.known_gravity->amplitude_Nm() == 0;
+}
+
+Statement why_no_gravity(const Calibration& c) {
+  if (has_points_alone(c)) return {"cause.gravity_taken_off"};
+  return c.manifest.gravity_is_removed ? Statement{"cause.gravity_removed"}
+                                       : Statement{"cause.no_gravity_stated"};
 }
 
 bool has_points_alone(const Calibration& c) {

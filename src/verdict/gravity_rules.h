@@ -19,6 +19,9 @@ Statement offset_found(const calibration::Calibration& calibration, double offse
 /// Whether the manifest states that there is no gravity torque.
 bool has_stated_no_gravity(const calibration::Calibration& calibration);
 
+/// Of a joint whose manifest states none: why.
+Statement why_no_gravity(const calibration::Calibration& calibration);
+
 /// Whether there are friction points but no recordings.
 bool has_points_alone(const calibration::Calibration& calibration);
 

@@ -98,6 +98,7 @@ namespace {
 /// them.
 struct Sources {
   bool effort_is_target{};       ///< Of a controller: its gravity, too, is the controller's own.
+  bool has_no_gravity{};         ///< Stated: no torque depends on the angle then.
   bool friction_from_runs{};     ///< Runs at constant speed, not the sweep.
   bool mass_from_sweep{};        ///< The recommended mass is the sweep's.
   bool break_away_from_ramps{};  ///< Not from the oscillation.
@@ -120,6 +121,9 @@ std::vector<Consequence> consequences(const Sources& sources) {
   std::vector<Consequence> all{
       // What is not confirmed may be wrong by a factor, which leaves the angle.
       {CheckName::effort_provenance, sources.effort_is_target ? everything : torque, doubtful},
+      {CheckName::angle_provenance,
+       sources.has_no_gravity ? slopes + per_speed + stiffness : everything, doubtful},
+      {CheckName::speed_provenance, slopes + per_speed, doubtful},
       {CheckName::effort_column, everything, doubtful},
       {CheckName::static_torque, torque, doubtful},
       {CheckName::joint_moves, everything, doubtful},
@@ -225,7 +229,7 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   const bool loops_show_level =
       c.lugre && c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
   const Sources sources{
-      c.manifest.drive.kind() == joint::EffortKind::target_torque,
+      c.manifest.drive.kind() == joint::EffortKind::target_torque, has_stated_no_gravity(c),
       !c.viscous.runs.empty() && !c.viscous.from_sweep, c.selection.recommended == Estimator::sweep,
       c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
   apply_data_checks(c.data_checks, sources, all);
@@ -356,8 +360,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
       q.decides = false;
       if (!has_stated_no_gravity(c)) continue;
       q.estimate.reset();
-      q.reasons = {Statement(has_points_alone(c) ? Code{"cause.gravity_taken_off"}
-                                                 : Code{"cause.no_gravity_stated"})};
+      q.reasons = {why_no_gravity(c)};
       q.experiment = {};
     }
   }

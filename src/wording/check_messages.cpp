@@ -8,6 +8,8 @@ const Messages& check_messages() {
   static const Messages all{
       // The checks, in the order of the report.
       {"check.effort_provenance", text("Provenance of the effort")},
+      {"check.angle_provenance", text("Provenance of the angle's unit")},
+      {"check.speed_provenance", text("Provenance of the units of time and speed")},
       {"check.effort_column", text("Effort column as its logger defines it")},
       {"check.link_side_torque", text("Gear friction in a joint-side torque")},
       {"check.joint_moves", text("The joint moves")},
@@ -147,6 +149,25 @@ const Messages& check_messages() {
       {"effort.confirm",
        text("look up what the driver writes, then state effort.kind and effort.side and delete "
             "'confirmed = false'")},
+
+      // Where the units come from.
+      {"unit.stated", text("as the manifest states")},
+      {"unit.proposed",
+       text("'{unit}' of column '{column}' is proposed, not confirmed: the log states no unit")},
+      {"unit.proved_by_gravity",
+       text("'{unit}' of column '{column}' is proposed; the torque follows the cosine of the angle "
+            "in it over a whole turn")},
+      {"unit.angle_wrong",
+       text("in another unit each number per angle, and with it gravity, is wrong by a factor")},
+      {"unit.speed_wrong",
+       text("in another unit each number per speed is wrong by the factor between them, the "
+            "inertia by its square")},
+      {"unit.state_angle",
+       text("look up what the logger writes, and state it: --angle-unit UNIT, or in the manifest "
+            "without 'confirmed = false'")},
+      {"unit.state_speed",
+       text("look up what the logger writes, and state it: --time-unit UNIT (of friction points "
+            "--speed-unit), or in the manifest without 'confirmed = false'")},
 
       // The effort against what its logger writes.
       {"effort_column.as_stated", text("the column's name agrees with what the manifest states")},
@@ -340,10 +361,14 @@ const Messages& check_messages() {
        text("the motor's torque stated as the joint's (one over the gear ratio)")},
       {"cause.torque_taken_for_current",
        text("a torque in N·m taken for a current (the torque constant)")},
-      {"cause.amplitude_taken_for_effective",
+      {"cause.amplitude_for_effective",
        text("amplitude and RMS value of the current mixed up (√2)")},
-      {"cause.effective_taken_for_amplitude",
-       text("amplitude and RMS value of the current mixed up (1/√2)")},
+      {"cause.dq_convention",
+       text("torque constants of two conventions of the dq currents mixed up (3/2)")},
+      {"cause.line_for_phase", text("line and phase values of the motor mixed up (√3)")},
+      {"cause.two_phases_for_one",
+       text("the torque constant of two phases in series taken for that of one, or a constant "
+            "applied twice (2)")},
 
       // Noise of the logged speed.
       {"speed_noise.scatters",
@@ -558,7 +583,8 @@ const Messages& check_messages() {
       {"static_torque.peak_taken_for_trough",
        text("the gravity peak is mistaken for the trough, half a turn away")},
       {"static_torque.torques_wrong",
-       text("if what is stated is right, every torque and mass is wrong by the same factor")},
+       text("if what is stated is right, every torque and mass is wrong by the same factor; if it "
+            "is known less well, state its half width: percent under [known_gravity]")},
       {"static_torque.angle_counts_otherwise",
        text("one of the two angles has another zero or sign")},
       {"static_torque.hold_known_mass",

@@ -179,6 +179,15 @@ const Messages& verdict_messages() {
        text("the gravity torque of {gravity_Nm:.2g} N·m is too small beside friction of "
             "{friction_Nm:.2g} N·m to be told from friction that changes with the angle: angle "
             "and mass cannot be known from this joint; friction can")},
+      {"cause.no_gravity_or_removed",
+       text("the gravity torque of {gravity_Nm:.2g} N·m is too small beside friction of "
+            "{friction_Nm:.2g} N·m to be told from friction that changes with the angle: angle "
+            "and mass cannot be known from this joint; friction can. Where the joint carries a "
+            "load, the controller may have taken gravity off the effort, as UR's newer drivers do "
+            "(gravity_removed = true under [effort])")},
+      {"cause.gravity_removed",
+       text("gravity is not in the effort: the controller has taken it off, as the manifest "
+            "states; friction alone is asked for")},
       {"cause.no_gravity_stated",
        text("the manifest states that this joint has no gravity: friction alone is asked for")},
       {"cause.gravity_taken_off",

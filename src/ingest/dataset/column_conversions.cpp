@@ -74,7 +74,8 @@ joint::ColumnConversion conversion_of(const LoggedColumn& column, const joint::D
                                       double effort_sign) {
   const manifest::ColumnEntry& entry = *column.entry;
   joint::ColumnConversion conversion{
-      column.signal, entry.name, entry.unit, {}, si_unit_of(column.signal), std::nullopt};
+      column.signal, entry.name,       entry.unit, {}, si_unit_of(column.signal),
+      std::nullopt,  entry.is_proposed};
   if (entry.si_factor != 1) conversion.steps.push_back({Reason::unit, entry.si_factor});
   switch (column.signal) {
     case joint::LoggedSignal::angle:

@@ -19,13 +19,16 @@ constexpr std::string_view ampere_or_newton_metre =
     "drivers write amperes or newton metres under the same name: look which";
 
 constexpr std::array ur_rtde = {
-    KnownColumn{"timestamp", time, "s"},
-    KnownColumn{"actual_q_{}", angle, "rad"},
+    KnownColumn{"timestamp", time, "s"}, KnownColumn{"actual_q_{}", angle, "rad"},
     KnownColumn{"actual_qd_{}", angular_speed, "rad/s"},
+    // The longer name first: the shorter pattern would take its end for a joint.
+    KnownColumn{"actual_current_as_torque_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint,
+                "a current times the controller's own constant, with gravity taken off by the "
+                "controller",
+                false, true},
     KnownColumn{"actual_current_{}", current, "A", false, joint::EffortKind::motor_current,
                 joint::Side::motor, needs_constant},
-    KnownColumn{"actual_current_as_torque_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
-                joint::Side::joint, "a current times the controller's own constant"},
     KnownColumn{"actual_moment_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
                 joint::Side::joint},
     KnownColumn{"target_q_{}", angle, "rad", true},

@@ -33,19 +33,6 @@ constexpr std::array words = {QuantityWord{"time", log::Quantity::time},
                               QuantityWord{"temp", log::Quantity::temperature},
                               QuantityWord{"temperature", log::Quantity::temperature}};
 
-/// How units are written at the end of a name: "q_deg", "dq_rad_s", "t_ms".
-struct Ending {
-  std::string_view ending;
-  std::string_view unit;
-};
-constexpr std::array endings = {
-    Ending{"rad_s", "rad/s"}, Ending{"deg_s", "deg/s"}, Ending{"rpm", "rpm"},
-    Ending{"rad", "rad"},     Ending{"mrad", "mrad"},   Ending{"deg", "deg"},
-    Ending{"Nm", "Nm"},       Ending{"mNm", "mNm"},     Ending{"mA", "mA"},
-    Ending{"A", "A"},         Ending{"ns", "ns"},       Ending{"us", "us"},
-    Ending{"ms", "ms"},       Ending{"s", "s"},         Ending{"degC", "degC"},
-    Ending{"C", "degC"}};
-
 std::string_view si_unit(log::Quantity quantity) {
   switch (quantity) {
     case log::Quantity::time:
@@ -69,28 +56,42 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Of a time alone: "q_min" is the smallest angle.
-constexpr std::array endings_of_time = {Ending{"min", "min"}, Ending{"100ns", "100 ns"}};
+/// A unit at the end of a name, and how many letters of the name it takes with its sign.
+struct UnitAtEnd {
+  std::string unit;  ///< "rad/s"
+  std::size_t letters{};
+};
 
-/// The unit at a name's end, which is taken off: of these the first that the quantity has.
-template <class Endings>
-std::optional<std::string_view> take_one_of(const Endings& units, log::Quantity quantity,
-                                            std::string& name) {
-  for (const Ending& e : units) {
-    const std::size_t length = e.ending.size() + 1;
-    if (name.size() <= length || !name.ends_with(e.ending)) continue;
-    if (name[name.size() - length] != '_' || !log::find_si_factor(quantity, e.unit)) continue;
-    name.resize(name.size() - length);
-    return e.unit;
+/// Behind the last '_': "deg" of "q_deg"; or the last two, "rad/s" of "dq_rad_s".
+/// @param is_unit of what stands there.
+template <class IsUnit>
+std::optional<UnitAtEnd> unit_behind_name(std::string_view name, const IsUnit& is_unit) {
+  const std::size_t last = name.rfind('_');
+  if (last == std::string_view::npos || last == 0) return std::nullopt;
+  const std::size_t before = name.rfind('_', last - 1);
+  if (before != std::string_view::npos && before > 0) {
+    const std::string of_two = std::string(name.substr(before + 1, last - before - 1)) + "/" +
+                               std::string(name.substr(last + 1));
+    if (is_unit(of_two)) return UnitAtEnd{of_two, name.size() - before};
   }
-  return std::nullopt;
+  const std::string of_one(name.substr(last + 1));
+  if (!is_unit(of_one)) return std::nullopt;
+  return UnitAtEnd{of_one == "C" ? "degC" : of_one, name.size() - last};
 }
 
+/// Letters that are units by themselves, and as usual as that at a name's end.
+bool is_unit_letter(std::string_view text) { return text == "s" || text == "A" || text == "C"; }
+
 /// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
-std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
-  const auto unit = take_one_of(endings, quantity, name);
-  return unit || quantity != log::Quantity::time ? unit
-                                                 : take_one_of(endings_of_time, quantity, name);
+std::optional<std::string> take_unit(std::string& name, log::Quantity quantity) {
+  const auto unit = unit_behind_name(name, [&](const std::string& text) {
+    const bool may_be =
+        text.size() > 1 ? text.front() > '9' || text == "100ns" : is_unit_letter(text);
+    return may_be && log::find_si_factor(quantity, text);
+  });
+  if (!unit) return std::nullopt;
+  name.resize(name.size() - unit->letters);
+  return unit->unit;
 }
 
 bool is_number(std::string_view text) {
@@ -127,16 +128,17 @@ std::string end_of_path(const std::string& name) {
   return before == std::string::npos ? name : name.substr(before + 1);
 }
 
-/// "_rad" at the end of "q_motor_rad", of whatever quantity; empty: none.
-std::string_view unit_at_end(std::string& name) {
-  for (const Ending& e : endings) {
-    const std::size_t length = e.ending.size() + 1;
-    if (name.size() <= length || !name.ends_with(e.ending)) continue;
-    if (name[name.size() - length] != '_') continue;
-    name.resize(name.size() - length);
-    return e.unit;
-  }
-  return "";
+/// "_rad" at the end of "q_motor_rad", of whatever quantity; empty: none. "q_min" is the smallest
+/// angle.
+std::string unit_at_end(std::string& name) {
+  const auto unit = unit_behind_name(name, [](const std::string& text) {
+    const bool may_be = text.size() > 1 ? text.front() > '9' && text != "min" && text != "tr"
+                                        : is_unit_letter(text);
+    return may_be && log::is_known_unit(text);
+  });
+  if (!unit) return "";
+  name.resize(name.size() - unit->letters);
+  return unit->unit;
 }
 
 ColumnMeaning meaning_of(const KnownColumn& known, std::string joint) {
@@ -147,7 +149,8 @@ ColumnMeaning meaning_of(const KnownColumn& known, std::string joint) {
   meaning.unit_is_stated = !known.unit.empty();
   meaning.is_target = known.is_target;
   const bool may_be_current = known.quantity == log::Quantity::torque && !known.kind;
-  meaning.effort = {known.kind, known.side, std::string(known.remark), may_be_current};
+  meaning.effort = {known.kind, known.side, std::string(known.remark), may_be_current,
+                    known.is_without_gravity};
   return meaning;
 }
 
@@ -175,14 +178,14 @@ std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
     ColumnMeaning meaning;
     meaning.quantity = w.quantity;
     meaning.joint = *joint;
-    meaning.unit = ending.value_or(si_unit(w.quantity));
+    meaning.unit = ending.value_or(std::string(si_unit(w.quantity)));
     meaning.unit_is_stated = ending.has_value();
     if (log::find_si_factor(w.quantity, header.unit) || !log::is_known_unit(header.unit))
       return meaning;
   }
   std::string name = end_of_path(name_of(header));
   const bool has_unit = log::is_known_unit(header.unit);
-  const std::string unit(has_unit ? std::string_view(header.unit) : unit_at_end(name));
+  const std::string unit = has_unit ? header.unit : unit_at_end(name);
   auto meaning = meaning_by_words(name, unit);
   if (meaning && unit.empty()) meaning->unit = si_unit(meaning->quantity);
   return meaning;

@@ -27,6 +27,7 @@ struct EffortMeaning {
   std::string remark;  ///< What the user has to know; empty if nothing.
   /// Loggers write a current under this name too: the unit is the one that it has as a torque.
   bool may_be_current{};
+  bool is_without_gravity{};  ///< The controller has taken gravity off.
 };
 
 /// One column's meaning.
@@ -75,7 +76,8 @@ struct KnownColumn {
   std::optional<joint::EffortKind> kind{};
   std::optional<joint::Side> side{};
   std::string_view remark{};
-  bool is_behind_gear{};  ///< Of a sensor that most of the gear's friction does not pass.
+  bool is_behind_gear{};      ///< Of a sensor that most of the gear's friction does not pass.
+  bool is_without_gravity{};  ///< The controller has taken gravity off.
 };
 
 struct KnownLogger {

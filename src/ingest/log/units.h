@@ -20,8 +20,9 @@ std::string quantity_word(Quantity quantity);
 
 /// Factor from the unit to s, rad, rad/s, N·m, A or °C; nothing for a unit that is not one of this
 /// quantity. A multiple of one is a unit too: "0.018 deg" for a count of 20,000 to the turn,
-/// "0.0013 Nm" for a per mille of the rated torque. Case counts ("mNm" is not "MNm"); "N·m", "N*m",
-/// "N m" and "Nm" are the same.
+/// "0.0013 Nm" for a per mille of the rated torque, which is also "‰ of 1.3 Nm". Ordinary spellings
+/// are known: "msec", "Degrees", "rev/min", "N.m". Case counts in a prefix alone ("mNm" is not
+/// "MNm"); "N·m", "N*m", "N-m", "N m" and "Nm" are the same.
 std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);
 
 /// As above. @throw InputError at `where`, listing the known units and naming the closest.

@@ -140,6 +140,10 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
     entry.si_factor *= sign;
   }
   if (quantity == log::Quantity::time) entry.any_rate = table->flag_or("any_rate", false);
+  const bool may_be_proposed = quantity == log::Quantity::time ||
+                               quantity == log::Quantity::angle ||
+                               quantity == log::Quantity::angular_speed;
+  if (may_be_proposed) entry.is_proposed = !table->flag_or("confirmed", true);
   if (has_side && table->has("side")) {
     entry.side =
         table->choice("side", {"motor", "joint"}) == 0 ? joint::Side::motor : joint::Side::joint;

@@ -311,8 +311,9 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   if (result.manifest.drive.kind() != joint::EffortKind::none)
     result.effort_sign = read_sign(effort);
   result.manifest.effort_is_confirmed = effort.flag_or("confirmed", true);
-  const bool has_no_gravity = joint.has("gravity");
-  if (has_no_gravity) static_cast<void>(joint.choice("gravity", {"none"}));
+  result.manifest.gravity_is_removed = effort.flag_or("gravity_removed", false);
+  const bool has_no_gravity = joint.has("gravity") || result.manifest.gravity_is_removed;
+  if (joint.has("gravity")) static_cast<void>(joint.choice("gravity", {"none"}));
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);
@@ -320,7 +321,10 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   add_others(std::move(others_of_robot), result.manifest.other_joints);
   if (has_no_gravity) {
     if (result.manifest.known_gravity) {
-      joint.refuse("gravity", {"contradicts [known_gravity]", "none", "", "state one of the two"});
+      const InputError::Problem problem{"contradicts [known_gravity]", "", "",
+                                        "state one of the two"};
+      if (joint.has("gravity")) joint.refuse("gravity", problem);
+      effort.refuse("gravity_removed", problem);
     }
     result.manifest.known_gravity = joint::StatedGravity(0, 0);
   }

@@ -13,12 +13,14 @@
 //                 motion alone is checked)
 //                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
 //                 confirmed = false (optional; kind and side are a proposal)
+//                 gravity_removed = true (optional; the controller has taken gravity off)
 //                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
 //   [payload]     mass_kg, distance_m (from the axis of the joint), note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
-//   [known_gravity] amplitude_Nm (joint side), q_peak_deg (optional; of the joint, as from its
-//                 design: a candidate beside those identified)
+//   [known_gravity] amplitude_Nm (joint side), q_peak_deg, percent = 10 (half width at 95 %)
+//                 (optional; of the joint, as from its design: a candidate beside those identified;
+//                 where it contradicts what is found, the torque's scale is in doubt)
 //   [[known_load]] amplitude_Nm (joint side), angles (columns of the log); phase_deg = 0,
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
@@ -32,6 +34,7 @@
 //                 rows = {name, value} (optional): of a log in which each row is one joint's those
 //                 in which the column has the value
 //                 angle and speed: side = "joint" (default) | "motor"
+//                 time, angle, speed: confirmed = false (optional; the unit is a proposal)
 //                 time: any_rate = true where under 5 or over 100000 samples a second are right;
 //                 time = {rate_Hz}: the log has no clock, its rows come at this rate
 //                 the others: file (relative to the manifest) where the column stands in another

@@ -149,9 +149,17 @@ std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top) {
                         : table->number("q_peak_deg", Sign::any,
                                         "the joint angle at which gravity torque is largest");
   const double q_peak_rad = q_peak_deg * joint::rad_per_degree;
+  const double percent =
+      table->number_or("percent", joint::StatedGravity::usual_percent, Sign::not_negative);
+  constexpr double most_percent = 50;  // beyond it nothing is known
+  if (percent > most_percent) {
+    table->refuse("percent", {"is more than half of the number", fmt::format("{}", percent),
+                              fmt::format("from 0 to {}", most_percent),
+                              "the half width of the interval that holds it in 95 of 100 cases"});
+  }
   table->refuse_unknown_keys();
   return guarded(*table, "amplitude_Nm",
-                 [&] { return joint::StatedGravity(amplitude_Nm, q_peak_rad); });
+                 [&] { return joint::StatedGravity(amplitude_Nm, q_peak_rad, percent); });
 }
 
 std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest) {

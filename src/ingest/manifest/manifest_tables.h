@@ -56,6 +56,7 @@ struct ColumnEntry {
   /// Of the time: the log has no clock, its rows come at this rate.
   std::optional<double> rate_Hz{};
   std::optional<ClockPart> plus{};  ///< Of the time: is added to it.
+  bool is_proposed{};               ///< `confirmed = false`: the unit is proposed, not stated.
 };
 
 struct ColumnEntries {

@@ -154,12 +154,23 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
 
 namespace {
 
+constexpr std::array torque_words = {"torque", "torques", "tau",        "moment", "trq",
+                                     "jts",    "couple",  "drehmoment", "mt"};
 constexpr std::array voltage_words = {"v", "volt", "volts", "voltage", "pwm", "duty"};
 
 bool says_motor(const std::string& name) {
   const std::vector<std::string> words = ingest::layout::words_of_name(name);
   return std::find(words.begin(), words.end(), "motor") != words.end() ||
          std::find(words.begin(), words.end(), "drive") != words.end();
+}
+
+/// "tau", "joint_torque": whatever else is stated, it is no current by its name. An "effort" may
+/// be.
+bool is_called_torque(const ColumnSurvey& column) {
+  const std::vector<std::string> words = ingest::layout::words_of_name(column.name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::find(torque_words.begin(), torque_words.end(), word) != torque_words.end();
+  });
 }
 
 /// What the effort is: as the user states, else as a known logger writes it, else by its name; an
@@ -182,7 +193,9 @@ joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
   if (is_target) return joint::EffortKind::target_torque;
   if (is_current) return joint::EffortKind::motor_current;
   if (meaning.effort.kind) return *meaning.effort.kind;
-  if (options.torque_constant_Nm_A && !says_torque) return joint::EffortKind::motor_current;
+  if (options.torque_constant_Nm_A && !says_torque && !is_called_torque(column)) {
+    return joint::EffortKind::motor_current;
+  }
   return says_motor(column.name) ? joint::EffortKind::motor_torque
                                  : joint::EffortKind::joint_torque;
 }
@@ -325,8 +338,11 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
         "There is no measured effort: friction found in a set point is the controller's own.");
   }
   if (options.torque_constant_Nm_A && !is_current) {
-    proposal.remarks.push_back(fmt::format("The torque constant of {} N·m/A is not needed for it.",
-                                           *options.torque_constant_Nm_A));
+    proposal.remarks.push_back(
+        fmt::format("It is called a torque: the torque constant of {} N·m/A is not used. "
+                    "--effort-kind motor_current states that it is a current.",
+                    *options.torque_constant_Nm_A));
+    proposal.not_understood.push_back(proposal.remarks.back());
   }
   if (is_taken_as_current && !options.effort_kind) {
     proposal.remarks.emplace_back(
@@ -338,6 +354,9 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
         "side joint)?");
   }
   proposal.lines.push_back(fmt::format("kind = \"{}\"", joint::to_string(proposal.kind)));
+  if (meaning.effort.is_without_gravity && !is_current) {
+    proposal.lines.emplace_back("gravity_removed = true  # by the controller");
+  }
   proposal.lines.push_back(fmt::format(
       "side = \"{}\"{}", side == joint::Side::motor ? "motor" : "joint",
       is_current && !options.effort_side ? "  # on which the torque constant below acts" : ""));

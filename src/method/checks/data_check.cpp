@@ -23,6 +23,8 @@ std::string to_string(CheckState state) {
 std::string to_string(CheckName name) {
   /// In the order of the enumeration.
   constexpr std::array keys{"effort_provenance",
+                            "angle_provenance",
+                            "speed_provenance",
                             "effort_column",
                             "link_side_torque",
                             "joint_moves",

@@ -20,6 +20,8 @@ std::string to_string(CheckState state);
 /// In the order of the report.
 enum class CheckName {
   effort_provenance,
+  angle_provenance,
+  speed_provenance,
   effort_column,
   link_side_torque,
   joint_moves,

@@ -6,7 +6,8 @@ namespace tribolog::method::checks {
 
 DataChecksResult check_recordings(const joint::Dataset& dataset) {
   constexpr DataCheck (*in_order[])(const CheckedDataset&) = {
-      check_effort_provenance,   check_effort_column,
+      check_effort_provenance,   check_angle_provenance,
+      check_speed_provenance,    check_effort_column,
       check_link_side_torque,    check_joint_moves,
       check_angle_unit,          check_motor_speed,
       check_angle_jumps,         check_clock_jitter,

@@ -37,13 +37,9 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
   return check;
 }
 
-namespace {
-
-/// Does the sweep's torque follow the cosine of the angle as read? In a wrong unit it does not:
-/// over what is taken for many turns the torque bends once. Least squares of a level for each
-/// direction and one wave per turn; the wave has to explain the residual of the levels.
-bool torque_follows_the_cosine(const CheckedDataset& data) {
-  constexpr double least_range_rad = 90 * std::numbers::pi / 180;
+// Least squares of a level for each direction and one wave per turn; the wave has to explain the
+// residual of the levels.
+bool torque_follows_the_cosine(const CheckedDataset& data, double least_range_rad) {
   constexpr double least_share = 0.95;
   constexpr std::size_t most_rows = 2000;
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -74,6 +70,22 @@ bool torque_follows_the_cosine(const CheckedDataset& data) {
   return left_by(normal, right) <= (1 - least_share) * by_levels;
 }
 
+namespace {
+
+/// Whether the log states a unit of the angle that is not the radian: then degrees are not taken
+/// for radians, and a joint that is logged from 0 to 360 degrees may pass 360.
+bool has_stated_other_unit(const CheckedDataset& data) {
+  bool any = false;
+  for (const joint::InputFile& input : *data.inputs) {
+    for (const joint::ColumnConversion& c : input.conversions) {
+      if (c.signal != joint::LoggedSignal::angle) continue;
+      if (c.unit == "rad" || c.is_proposed) return false;
+      any = true;
+    }
+  }
+  return any;
+}
+
 }  // namespace
 
 DataCheck check_angle_unit(const CheckedDataset& data) {
@@ -88,9 +100,11 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   check.measure = {"measure.largest_angle"};
   check.unit = "rad";
   check.at_most = largest_likely_rad;
+  const bool of_range = has_stated_other_unit(data);
   double largest = 0;
   for (const CheckedRecording& r : data.recordings) {
-    const double reach = std::max(std::abs(r.lowest_rad), std::abs(r.highest_rad));
+    const double reach =
+        of_range ? r.range_rad() : std::max(std::abs(r.lowest_rad), std::abs(r.highest_rad));
     if (reach < largest || r.recording->size() < 2) continue;
     largest = reach;
     check.recording = r.recording->name;
@@ -99,7 +113,8 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   if (largest <= largest_likely_rad) {
     return passed_by_all(check, {"angle_unit.of_a_joint"});
   }
-  if (torque_follows_the_cosine(data)) {
+  constexpr double quarter_turn_rad = std::numbers::pi / 2;
+  if (torque_follows_the_cosine(data, quarter_turn_rad)) {
     return passed_by_all(check, {"angle_unit.torque_follows"});
   }
   check.state = CheckState::fails;

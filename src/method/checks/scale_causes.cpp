@@ -18,6 +18,7 @@ namespace {
 constexpr double least_tolerance = 0.01;   // relative
 constexpr double dead = 1e-3;              // of the true speed
 constexpr double torque_tolerance = 0.12;  // of a weight by design
+constexpr double as_near = 0.04;           // of two causes: as likely as the nearest
 constexpr double standard_gravity = 9.80665;
 
 struct Cause {
@@ -65,17 +66,26 @@ std::vector<Cause> usual_torque_causes(const joint::Drive& drive) {
   }
   if (const auto constant = drive.torque_constant_Nm_A()) {
     causes.push_back({*constant, "cause.torque_taken_for_current"});
-    causes.push_back({std::numbers::sqrt2, "cause.amplitude_taken_for_effective"});
-    causes.push_back({1 / std::numbers::sqrt2, "cause.effective_taken_for_amplitude"});
+  }
+  // Conventions of a torque constant, which a torque that a drive computes has as well.
+  for (const Cause& of_constant :
+       {Cause{std::numbers::sqrt2, "cause.amplitude_for_effective"},
+        Cause{1.5, "cause.dq_convention"}, Cause{std::numbers::sqrt3, "cause.line_for_phase"},
+        Cause{2, "cause.two_phases_for_one"}}) {
+    causes.push_back(of_constant);
+    causes.push_back({1 / of_constant.factor, of_constant.code});
   }
   return causes;
 }
 
-/// Empty where none fits.
+/// The nearest, and those that are as near. Empty where none fits.
 Statement fitting_causes(const std::vector<Cause>& causes, double size, double tolerance) {
+  const auto distance = [&](const Cause& cause) { return std::abs(size / cause.factor - 1); };
+  double nearest = tolerance;
+  for (const Cause& cause : causes) nearest = std::min(nearest, distance(cause));
   std::vector<Statement> fitting;
   for (const Cause& cause : causes) {
-    if (std::abs(size / cause.factor - 1) > tolerance) continue;
+    if (distance(cause) > std::min(tolerance, nearest + as_near)) continue;
     fitting.emplace_back(cause.code);
   }
   if (fitting.empty()) return {};
@@ -117,14 +127,15 @@ Statement likely_cause_of_torque_scale(double factor, double half_width,
 namespace {
 
 // Tolerance of gravity by design: cables, covers and a mass that is known to a few per cent.
-constexpr double least = 0.8;
-constexpr double most = 1 / least;
+constexpr double least_of_payload = 0.8;
 // No design value is wrong by that much.
 constexpr double certainly_less = 0.5;
 constexpr double certainly_more = 1 / certainly_less;
 constexpr double noticeable_turn_deg = 20;
 
-void judge(DataCheck& check, double factor, double half_width, const joint::Drive& drive) {
+/// @param is_certain beyond its limits the factor leaves no doubt that what is stated is not found.
+void judge(DataCheck& check, double factor, double half_width, bool is_certain,
+           const joint::Drive& drive) {
   const double low = std::abs(factor) - half_width;
   const double high = std::abs(factor) + half_width;
   const bool too_small = high < present(check.at_least);
@@ -135,7 +146,7 @@ void judge(DataCheck& check, double factor, double half_width, const joint::Driv
     return;
   }
   const bool certain =
-      is_reversed || high < certainly_less || (check.at_most && low > certainly_more);
+      is_certain || is_reversed || high < certainly_less || (check.at_most && low > certainly_more);
   check.state = certain ? CheckState::fails : CheckState::warns;
   check.found.add(likely_cause_of_torque_scale(factor, half_width, drive));
   check.consequence = is_reversed && !too_small && !too_large
@@ -160,15 +171,15 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
   const double found_Nm = n * found->amplitude_Nm.value;
   check.recording = "all";
   check.unit = pure_number;
-  check.at_least = least;
   if (!m.known_gravity) {
     const double payload_Nm = *m.payload_kg * m.gravity_m_s2 * *m.payload_distance_m;
     const double half_width = n * found->amplitude_Nm.half_width() / payload_Nm;
     check.measure = {"measure.found_of_payload"};
+    check.at_least = least_of_payload;
     check.measured = found_Nm / payload_Nm;
     check.found = {"static_torque.found_by_payload",
                    {{"found_Nm", found_Nm}, {"payload_Nm", payload_Nm}}};
-    judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, m.drive);
+    judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, false, m.drive);
     return check;
   }
   const double stated_Nm = m.known_gravity->amplitude_Nm();
@@ -176,7 +187,8 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
       std::remainder(found->q_peak_rad - m.known_gravity->q_peak_rad(), 2 * std::numbers::pi);
   const double half_width = n * found->amplitude_Nm.half_width() / stated_Nm;
   check.measure = {"measure.found_of_stated"};
-  check.at_most = most;
+  check.at_least = 1 - m.known_gravity->percent() / 100;
+  check.at_most = 1 + m.known_gravity->percent() / 100;
   const double sign = std::cos(turn) < 0 ? -1.0 : 1.0;
   check.measured = sign * found_Nm / stated_Nm;
   check.found = {"static_torque.found_and_stated",
@@ -184,7 +196,7 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
                   {"found_deg", found->q_peak_rad * joint::degrees_per_rad},
                   {"stated_Nm", stated_Nm},
                   {"stated_deg", m.known_gravity->q_peak_rad() * joint::degrees_per_rad}}};
-  judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, m.drive);
+  judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, true, m.drive);
   const double off_deg = std::abs(std::remainder(turn, std::numbers::pi)) * joint::degrees_per_rad;
   if (off_deg > noticeable_turn_deg) {
     if (check.state == CheckState::passed) check.state = CheckState::warns;
