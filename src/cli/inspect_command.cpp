@@ -250,6 +250,18 @@ const std::map<std::string, joint::EffortKind> kinds{
 const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
                                                {"joint", joint::Side::joint}};
 
+void add_unit(CLI::App& command, const std::string& option, std::optional<std::string>& unit,
+              std::initializer_list<ingest::log::Quantity> quantities, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          option,
+          [&unit, option, of = std::vector(quantities)](const std::string& text) {
+            unit = inspect::survey::parse_unit(option, text, of);
+          },
+          help)
+      ->type_name("UNIT");
+}
+
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format, or folders of them")->required();
   command.add_option("--joint", logs.known.joint,
@@ -286,17 +298,24 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
           },
           "which column is which: time, angle, speed, effort or temperature (may be given again)")
       ->type_name("KEY=NAME");
-  command.add_option("--angle-unit", logs.known.columns.angle_unit, "unit of the angles: rad, deg")
-      ->check(CLI::IsMember({"rad", "deg"}))
-      ->type_name("UNIT");
+  using ingest::log::Quantity;
+  inspect::survey::StatedColumns& columns = logs.known.columns;
+  add_unit(command, "--time-unit", columns.time_unit, {Quantity::time},
+           "unit of the clock: s, ms, us, ns, or a multiple such as '0.5 ms'");
+  add_unit(command, "--angle-unit", columns.angle_unit, {Quantity::angle},
+           "unit of the angles: rad, deg, turn, or a multiple such as '0.088 deg'");
+  add_unit(command, "--speed-unit", columns.speed_unit, {Quantity::angular_speed},
+           "unit of the speeds: rad/s, deg/s, rpm, turn/s, or a multiple");
+  add_unit(
+      command, "--effort-unit", columns.effort_unit, {Quantity::torque, Quantity::current},
+      "unit of the torque or current: Nm, A, a multiple such as '0.0013 Nm', or '% of 1.3 Nm'");
   command
       .add_option_function<std::string>(
-          "--effort-unit",
-          [&logs](const std::string& text) {
-            logs.known.columns.effort_unit = inspect::survey::parse_effort_unit(text);
-          },
-          "unit of the torque or current: Nm, A, or a multiple such as '0.0013 Nm'")
-      ->type_name("UNIT");
+          "--angle-side",
+          [&columns](const std::string& word) { columns.angle_side = sides.at(word); },
+          "side of the gear whose angle is logged: motor, joint")
+      ->check(CLI::IsMember(sides))
+      ->type_name("SIDE");
   command
       .add_option("--rate", logs.known.columns.rate_Hz,
                   "the logs have no clock: their rows come at this rate, in Hz")

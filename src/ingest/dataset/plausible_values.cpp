@@ -16,11 +16,8 @@ namespace {
 
 constexpr double likely_largest_angle_rad = 7.0;  // a little more than a turn
 constexpr double likely_largest_torque_Nm = 1e5;  // the largest robots hold 1 t at 3 m: 3e4 N·m
-// Controllers log 10 Hz to 8 kHz; half of the slowest leaves room for dropouts.
-constexpr double slowest_possible_Hz = 5.0;
 constexpr double slowest_likely_Hz = 10.0;
 constexpr double fastest_likely_Hz = 1e4;
-constexpr double fastest_possible_Hz = 1e5;
 // Ten samples on each reversal of an oscillation of 0.3 Hz, the slowest that is usual.
 constexpr double slowest_for_loops_Hz = 30.0;
 
@@ -60,7 +57,7 @@ std::string likelier_units(const manifest::ColumnEntry& time, double rate_Hz) {
       {table.file, 0, 0},
       {fmt::format("column {}: {:.3g} samples per second, read in {}",
                    in_quotes(table.columns.front().header.full), rate_Hz, printable(time.unit)),
-       "", fmt::format("{} to {}", slowest_possible_Hz, fastest_possible_Hz),
+       "", fmt::format("{} to {}", slowest_rate_Hz, fastest_rate_Hz),
        fmt::format("{}{}if this is right, state any_rate = true beside the unit",
                    is_iso ? "" : "another unit of time? ",
                    likelier.empty() ? "" : likelier + "; ")});
@@ -71,7 +68,7 @@ void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& tabl
   const manifest::ColumnEntry& time = present(entry.columns.time);
   if (time.any_rate) return;
   const double rate_Hz = median_rate_Hz(r.t_s);
-  if (!(rate_Hz >= slowest_possible_Hz && rate_Hz <= fastest_possible_Hz)) {
+  if (!(rate_Hz >= slowest_rate_Hz && rate_Hz <= fastest_rate_Hz)) {
     refuse_rate(time, table, rate_Hz);
   }
   const bool has_loops = r.role == joint::Role::oscillation || r.role == joint::Role::break_away;

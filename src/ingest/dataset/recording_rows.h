@@ -73,6 +73,11 @@ RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable
 
 // Numbers that no joint of a robot gives, whatever was measured: a damaged row, another unit.
 
+/// Rates between which a recording is read unless the manifest states any_rate: controllers log
+/// 10 Hz to 8 kHz; half of the slowest leaves room for dropouts.
+inline constexpr double slowest_rate_Hz = 5.0;
+inline constexpr double fastest_rate_Hz = 1e5;
+
 /// Of a column's values, in SI and on the side on which they were logged; infinite for the time.
 double largest_possible(log::Quantity quantity);
 /// The same in the column's own unit.

@@ -142,9 +142,34 @@ constexpr std::array joint_states = {
     KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt, std::nullopt,
                 ampere_or_newton_metre}};
 
-constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"},
-                                KnownColumn{"{}.pos", angle, "deg"},
-                                KnownColumn{"{}.vel", angular_speed, "deg/s"},
+/// Of a unit that the logger's versions and settings change.
+constexpr KnownColumn usual(std::string_view pattern, log::Quantity quantity, std::string_view unit,
+                            std::optional<joint::Side> side = {}) {
+  return {pattern, quantity, unit, false, std::nullopt, side, "", false, false, true};
+}
+
+// Its position is in turns of the encoder, in older firmware in counts.
+constexpr std::array odrive = {
+    KnownColumn{"time", time, ""},
+    KnownColumn{"timestamp", time, ""},
+    KnownColumn{"t", time, ""},
+    usual("pos_estimate", angle, "turn", joint::Side::motor),
+    usual("{}.pos_estimate", angle, "turn", joint::Side::motor),
+    usual("{}.encoder.pos_estimate", angle, "turn", joint::Side::motor),
+    usual("vel_estimate", angular_speed, "turn/s", joint::Side::motor),
+    usual("{}.vel_estimate", angular_speed, "turn/s", joint::Side::motor),
+    usual("{}.encoder.vel_estimate", angular_speed, "turn/s", joint::Side::motor),
+    KnownColumn{"iq_measured", current, "A", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"{}.iq_measured", current, "A", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"torque_estimate", torque, "Nm", false, joint::EffortKind::motor_torque,
+                joint::Side::motor, "a current times the controller's own constant"}};
+
+constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"}, usual("{}.pos", angle, "deg"),
+                                usual("{}.vel", angular_speed, "deg/s"),
+                                KnownColumn{"{}.torque", torque, "Nm", false, std::nullopt,
+                                            std::nullopt, ampere_or_newton_metre},
                                 KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
                                             std::nullopt, ampere_or_newton_metre}};
 
@@ -170,6 +195,8 @@ constexpr std::array loggers = {
     KnownLogger{"figaroh", "- {}_joint_velocity", figaroh},
     KnownLogger{"figaroh", "- {}_joint_effort", figaroh},
     KnownLogger{"joint states", "{}.position", joint_states},
+    KnownLogger{"ODrive", "pos_estimate", odrive},
+    KnownLogger{"ODrive", "{}.pos_estimate", odrive},
     KnownLogger{"LeRobot", "{}.pos", lerobot}};
 
 // KUKA's KRC: system variables, and the names of its trace, which states units in brackets; FANUC's

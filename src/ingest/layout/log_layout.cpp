@@ -146,7 +146,9 @@ ColumnMeaning meaning_of(const KnownColumn& known, std::string joint) {
   meaning.quantity = known.quantity;
   meaning.joint = std::move(joint);
   meaning.unit = known.unit.empty() ? si_unit(known.quantity) : known.unit;
-  meaning.unit_is_stated = !known.unit.empty();
+  meaning.unit_is_stated = !known.unit.empty() && !known.is_usual;
+  meaning.unit_is_usual = known.is_usual;
+  meaning.is_at_motor = known.side == joint::Side::motor;
   meaning.is_target = known.is_target;
   const bool may_be_current = known.quantity == log::Quantity::torque && !known.kind;
   meaning.effort = {known.kind, known.side, std::string(known.remark), may_be_current,

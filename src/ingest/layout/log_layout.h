@@ -37,8 +37,12 @@ struct ColumnMeaning {
   std::string joint;      ///< "0", "elbow"; empty: the name tells none.
   std::string unit;       ///< Of the header, or else of the logger, or else the SI one.
   bool unit_is_stated{};  ///< By the header or by the logger.
+  bool unit_is_usual{};   ///< Not stated: the one that the logger writes mostly.
   /// A set point or a model's value: no measurement.
   bool is_target{};
+  /// The user states the column, and nothing tells of which joint it is: of any.
+  bool is_of_any_joint{};
+  bool is_at_motor{};    ///< As the logger has it.
   EffortMeaning effort;  ///< Of a torque or a current.
 };
 
@@ -78,6 +82,7 @@ struct KnownColumn {
   std::string_view remark{};
   bool is_behind_gear{};      ///< Of a sensor that most of the gear's friction does not pass.
   bool is_without_gravity{};  ///< The controller has taken gravity off.
+  bool is_usual{};            ///< The unit: the logger writes others too.
 };
 
 struct KnownLogger {

@@ -6,6 +6,7 @@
 
 #include "base/requirements.h"
 #include "ingest/dataset/companion_columns.h"
+#include "ingest/dataset/recording_rows.h"
 #include "ingest/log/units.h"
 #include "inspect/survey/log_survey.h"
 
@@ -14,17 +15,21 @@ namespace {
 
 constexpr double gap_intervals = 5;
 // Robots are logged between these rates; the first unit that gives one of them is taken.
-constexpr double slowest_Hz = 2;
+constexpr double slowest_Hz = 5;
 constexpr double fastest_Hz = 20'000;
 constexpr std::array units = {"s", "ms", "us", "ns"};
+constexpr std::array rare_units = {"min", "h", "day"};  // of spreadsheets
 
 std::string unit_by_magnitude(double interval) {
-  for (const char* unit : units) {
+  const auto is_likely = [&](const char* unit) {
     const double seconds =
         interval * present(ingest::log::find_si_factor(ingest::log::Quantity::time, unit));
-    if (seconds > 0 && 1 / seconds >= slowest_Hz && 1 / seconds <= fastest_Hz) return unit;
-  }
-  return "s";
+    return seconds > 0 && 1 / seconds >= slowest_Hz && 1 / seconds <= fastest_Hz;
+  };
+  const auto usual = std::find_if(units.begin(), units.end(), is_likely);
+  if (usual != units.end()) return *usual;
+  const auto rare = std::find_if(rare_units.begin(), rare_units.end(), is_likely);
+  return rare != rare_units.end() ? *rare : "s";
 }
 
 /// Of a reading that counts from 1970, from 1601 as Windows does or from the year 1 as .NET does:
@@ -50,6 +55,11 @@ std::optional<std::string> unit_by_origin(double origin) {
 
 }  // namespace
 
+bool ClockSurvey::has_odd_rate() const {
+  return rate_Hz() > 0 && (rate_Hz() < ingest::dataset::slowest_rate_Hz ||
+                           rate_Hz() > ingest::dataset::fastest_rate_Hz);
+}
+
 ClockSurvey survey_clock(const ingest::log::LogColumn& column,
                          const ingest::layout::ColumnMeaning& meaning) {
   ClockSurvey clock;
@@ -69,6 +79,8 @@ ClockSurvey survey_clock(const ingest::log::LogColumn& column,
                : meaning.unit_is_stated ? meaning.unit
                : by_origin              ? *by_origin
                                         : unit_by_magnitude(interval);
+  clock.is_proven = !clock.unit_is_stated && by_origin;
+  if (clock.is_proven) clock.unit_by = "its readings are dates of these decades";
   if (!is_text)
     clock.seconds_per_unit =
         present(ingest::log::find_si_factor(ingest::log::Quantity::time, clock.unit));

@@ -19,7 +19,6 @@
 #include "ingest/text/csv_reader.h"
 #include "inspect/survey/column_guess.h"
 #include "inspect/survey/survey_parts.h"
-#include "joint/degrees.h"
 #include "joint/wrapped_angle.h"
 #include "method/motion/encoder_resolution.h"
 
@@ -91,16 +90,6 @@ ingest::text::TextLogRules with_decimal_mark(const std::string& path, ingest::lo
   return rules;
 }
 
-std::optional<std::size_t> first_of(const TableSurvey& table, ingest::log::Quantity quantity,
-                                    const std::string& joint, bool is_target) {
-  for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    const auto& meaning = table.columns[k].meaning;
-    if (!meaning || meaning->quantity != quantity || meaning->is_target != is_target) continue;
-    if (meaning->joint == joint) return k;
-  }
-  return std::nullopt;
-}
-
 /// The first measured one at the joint, or else at the motor: that needs a gear ratio to be one of
 /// the joint.
 std::optional<std::size_t> angle_of(const TableSurvey& table, const std::string& joint) {
@@ -112,14 +101,18 @@ std::optional<std::size_t> angle_of(const TableSurvey& table, const std::string&
     const bool is_there = !std::isnan(table.columns[k].lowest);
     if (meaning->joint == joint && !table.columns[k].is_at_motor && is_there) return k;
   }
-  return first_of(table, ingest::log::Quantity::angle, joint, false);
+  return first_column(table, ingest::log::Quantity::angle, joint, false);
 }
 
 /// The joint's own; or one that names no joint, if there is but one joint.
 std::optional<std::size_t> of_joint(const TableSurvey& table, ingest::log::Quantity quantity,
                                     const std::string& joint, bool is_only) {
-  const auto own = first_of(table, quantity, joint, false);
-  return own || !is_only ? own : first_of(table, quantity, "", false);
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    if (meaning && meaning->is_of_any_joint && meaning->quantity == quantity) return k;
+  }
+  const auto own = first_column(table, quantity, joint, false);
+  return own || !is_only ? own : first_column(table, quantity, "", false);
 }
 
 /// From an angle as it is logged to the joint's, in rad.
@@ -233,7 +226,7 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
     joint.temperature = of_joint(table, ingest::log::Quantity::temperature, name, is_only);
     for (const ingest::log::Quantity quantity :
          {ingest::log::Quantity::torque, ingest::log::Quantity::current}) {
-      const auto target = first_of(table, quantity, name, true);
+      const auto target = first_column(table, quantity, name, true);
       if (target) joint.targets.push_back(*target);
     }
     if (joint.effort && std::isnan(table.columns[*joint.effort].lowest)) joint.effort.reset();
@@ -246,100 +239,6 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
       joint.segments = cut_by_phases(trace, phases);
     }
     table.joints.push_back(std::move(joint));
-  }
-}
-
-/// Whether an angle wraps round as radians do: by their turn, or by the field of +-12.5 rad that
-/// many drives' messages have.
-bool wraps_in_radians(const ingest::log::LogTable& data, const TableSurvey& table, std::size_t k) {
-  constexpr double turn = 2 * std::numbers::pi;
-  constexpr double field = 25;
-  if (!table.time) return false;
-  const auto wraps = joint::find_wraps(data.columns[*table.time].values, data.columns[k].values,
-                                       {turn, turn * joint::degrees_per_rad});
-  return wraps && (wraps->period == turn || wraps->period == field);
-}
-
-/// Which units make speeds of the angle's slopes.
-struct UnitsBySlope {
-  const char* angle;
-  const char* speed;
-  const char* reason;  ///< Of both.
-};
-
-/// By how many times the speed is the slope of the angle.
-std::optional<UnitsBySlope> units_by_slope(double ratio) {
-  constexpr double tolerance = 0.05;
-  const auto is = [&](double expected) { return std::abs(ratio / expected - 1) < tolerance; };
-  if (is(1 / joint::degrees_per_rad)) {
-    return UnitsBySlope{"deg", "rad/s", "the speed is the angle's slope over 57.3"};
-  }
-  if (is(joint::degrees_per_rad)) {
-    return UnitsBySlope{"rad", "deg/s", "the speed is 57.3 times the angle's slope"};
-  }
-  return std::nullopt;
-}
-
-/// Whether an angle's step is a turn over a number of counts that encoders have: a power of two, or
-/// a few thousands.
-bool divides_a_turn(double step, double turn) {
-  constexpr double precise = 1e-3;  // logs print few decimals
-  constexpr double fewest = 400;
-  if (!(step > 0) || turn / step < fewest) return false;
-  const double counts = turn / step;
-  const auto is = [&](double encoder) { return std::abs(counts / encoder - 1) < precise; };
-  if (is(std::exp2(std::round(std::log2(counts))))) return true;
-  const double decade = std::pow(10, std::floor(std::log10(counts)));
-  constexpr std::array usual{1.0, 2.0, 4.0, 5.0, 8.0, 10.0};
-  return std::any_of(usual.begin(), usual.end(), [&](double times) { return is(times * decade); });
-}
-
-/// Angles and speeds without a stated unit: by what makes a speed of the angle's slope, else as
-/// degrees where radians make no sense.
-void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) {
-  for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    auto& meaning = table.columns[k].meaning;
-    if (!meaning || meaning->quantity != ingest::log::Quantity::angle || meaning->is_target) {
-      continue;
-    }
-    const auto speed = first_of(table, ingest::log::Quantity::angular_speed, meaning->joint, false);
-    ingest::layout::ColumnMeaning* of_speed =
-        speed ? &present(table.columns[*speed].meaning) : nullptr;
-    const bool speed_is_open = of_speed != nullptr && !of_speed->unit_is_stated;
-    if (of_speed != nullptr && table.clock) {
-      std::vector<double> t_s = data.columns[*table.time].values;
-      for (double& t : t_s) t *= table.clock->seconds_per_unit;
-      const auto ratio = speed_by_slope(t_s, data.columns[k].values, data.columns[*speed].values);
-      const auto units = ratio ? units_by_slope(*ratio) : std::nullopt;
-      const bool fits = units && (!meaning->unit_is_stated || meaning->unit == units->angle) &&
-                        (speed_is_open || of_speed->unit == units->speed);
-      if (fits) {
-        for (const auto& [column, unit] :
-             {std::pair{k, units->angle}, std::pair{*speed, units->speed}}) {
-          ingest::layout::ColumnMeaning& of = present(table.columns[column].meaning);
-          if (of.unit_is_stated) continue;
-          of.unit = unit;
-          table.columns[column].unit_by = units->reason;
-        }
-        continue;
-      }
-    }
-    if (meaning->unit_is_stated) {
-      if (speed_is_open) of_speed->unit = meaning->unit + "/s";
-      continue;
-    }
-    const double gear_ratio = table.columns[k].gear_ratio;
-    if (!looks_like_degrees(data.columns[k].values, gear_ratio) ||
-        wraps_in_radians(data, table, k)) {
-      continue;
-    }
-    if (divides_a_turn(table.columns[k].step, 2 * std::numbers::pi)) {
-      table.columns[k].unit_by = "its steps are those of an encoder's turn of 2π";
-      continue;
-    }
-    meaning->unit = "deg";
-    table.columns[k].unit_by = "no joint turns by so many radians";
-    if (speed_is_open) of_speed->unit = "deg/s";
   }
 }
 
@@ -425,9 +324,16 @@ void look_at_sides(const StatedColumns& stated, TableSurvey& table) {
     const bool turns =
         column.meaning && (column.meaning->quantity == ingest::log::Quantity::angle ||
                            column.meaning->quantity == ingest::log::Quantity::angular_speed);
-    column.is_at_motor = turns && (says(column.name, "motor") || says(column.name, "rotor"));
-    if (!column.is_at_motor) continue;
-    column.gear_ratio = stated.gear_ratio_for(column.meaning->joint).value_or(1);
+    if (!turns) continue;
+    column.side_is_stated =
+        stated.angle_side.has_value() || says(column.name, "joint") || says(column.name, "link");
+    column.is_at_motor = stated.angle_side
+                             ? *stated.angle_side == joint::Side::motor
+                             : says(column.name, "motor") || says(column.name, "rotor") ||
+                                   column.meaning->is_at_motor;
+    const double gear_ratio = stated.gear_ratio_for(column.meaning->joint).value_or(1);
+    column.has_gear = gear_ratio != 1;
+    if (column.is_at_motor) column.gear_ratio = gear_ratio;
   }
 }
 
@@ -452,6 +358,9 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     table.columns.push_back(survey_column(column, data.header));
   for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
     table.columns[meaning.column].meaning = meaning;
+    if (meaning.unit_is_usual) {
+      table.columns[meaning.column].unit_by = "usual of " + layout.logger + ", not certain";
+    }
   }
   if (data.columns.size() <= most_columns_by_numbers) {
     GuessedLayout guessed = guess_by_numbers(data, layout);
@@ -464,7 +373,7 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   }
   look_at_sides(stated, table);
   find_clock({path, format, rules, stated}, data, table);
-  look_at_angle_units(data, table);
+  find_units(data, table);
   add_joints(data, table);
   return table;
 }

@@ -42,6 +42,8 @@ struct ClockSurvey {
   bool is_counter{};
   double seconds_per_count{};  ///< Of a counter.
   bool unit_is_stated{};  ///< By the header or the logger; else told by the magnitude of its steps.
+  bool is_proven{};       ///< Not stated, but the log's other numbers leave no other unit.
+  std::string unit_by{};  ///< What an unstated unit was told by; empty: its steps.
   double seconds_per_unit{1};
   double origin{};  ///< In the clock's unit, taken off; 0 unless it counts from 1970.
   double first_s{};
@@ -55,6 +57,12 @@ struct ClockSurvey {
   std::size_t missing{};       ///< Rows without a time.
 
   [[nodiscard]] double rate_Hz() const { return interval_s > 0 ? 1 / interval_s : 0; }
+  /// Whether a manifest may state it.
+  [[nodiscard]] bool is_certain() const { return unit_is_stated || is_proven; }
+  /// Whether a manifest has to state that the rate is meant.
+  [[nodiscard]] bool has_odd_rate() const;
+  /// @param seconds that one of the unit has.
+  void change_unit(const std::string& to, double seconds);
 };
 
 /// @param column the log's clock. @param meaning its unit, where it is stated.
@@ -70,14 +78,23 @@ struct ColumnSurvey {
   std::optional<ingest::layout::ColumnMeaning> meaning;
   std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
   std::string unit_by;     ///< What an unstated unit was told by; empty: nothing.
+  bool unit_is_proven{};   ///< Not stated, but the log's other numbers leave no other.
   std::size_t gaps{};      ///< Rows without a number.
   double lowest{};         ///< NaN where all rows are gaps.
   double highest{};
   double step{};                     ///< In which its numbers come; 0: none was found.
   std::size_t distinct{};            ///< Different numbers, counted up to 1000.
   std::vector<std::string> words{};  ///< What it says, where it holds no numbers.
-  bool is_at_motor{};    ///< An angle or a speed whose name says that it is the motor's,
-  double gear_ratio{1};  ///< which is this many times the joint's, as far as it is known.
+  bool is_at_motor{};     ///< An angle or a speed whose name says that it is the motor's,
+  double gear_ratio{1};   ///< which is this many times the joint's, as far as it is known.
+  bool has_gear{};        ///< A gear ratio other than 1 is stated.
+  bool side_is_stated{};  ///< By the user.
+  /// So wide beside a gear that it may be the motor's, though neither name nor user says so.
+  bool side_is_open{};
+  /// Whether a manifest may state unit and side.
+  [[nodiscard]] bool is_certain() const {
+    return meaning && (meaning->unit_is_stated || unit_is_proven) && !side_is_open;
+  }
   [[nodiscard]] bool has_rivals() const { return key != name; }
   [[nodiscard]] bool is_constant() const { return distinct == 1; }
 };

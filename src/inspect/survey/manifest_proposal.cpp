@@ -245,6 +245,7 @@ class ManifestText {
         fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.key),
                     ingest::manifest::toml_text(has_other_unit ? effort_.unit : meaning.unit));
     if (column.is_at_motor) entry += ", side = \"motor\"";
+    if (is_only_proposed(key, column)) entry += ", confirmed = false";
     entry += " }";
     if (!with_comments) return entry;
     std::string note;
@@ -253,11 +254,23 @@ class ManifestText {
       note += std::string(note.empty() ? "" : "; ") + "one of several columns called " +
               in_quotes(column.name);
     }
+    if (column.side_is_open) {
+      note += std::string(note.empty() ? "" : "; ") +
+              "of the joint or of the motor? --angle-side states it";
+    }
     if (!meaning.unit_is_stated && !has_other_unit) {
-      note += std::string(note.empty() ? "" : "; ") + "unit guessed, the log states none" +
-              (column.unit_by.empty() ? "" : ": " + column.unit_by);
+      note +=
+          std::string(note.empty() ? "" : "; ") +
+          (column.unit_is_proven ? "the log states no unit" : "unit guessed, the log states none") +
+          (column.unit_by.empty() ? "" : ": " + column.unit_by);
     }
     return entry + comment(note);
+  }
+
+  /// An angle's unit or side that nothing proves. The speed's is not asked for: no number rests on
+  /// it.
+  [[nodiscard]] static bool is_only_proposed(const std::string& key, const ColumnSurvey& column) {
+    return key == "angle" && !column.is_certain();
   }
 
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
@@ -279,6 +292,8 @@ class ManifestText {
       entry += fmt::format(", plus = {{ name = {}, unit = {} }}", name_in_log(of, clock.plus->key),
                            ingest::manifest::toml_text(clock.plus->unit));
     }
+    if (!clock.is_counter && !clock.is_certain()) entry += ", confirmed = false";
+    if (clock.has_odd_rate()) entry += ", any_rate = true";
     entry += " }";
     if (!with_comments) return entry;
     if (clock.is_counter) {
@@ -286,8 +301,10 @@ class ManifestText {
              comment(fmt::format("counts the samples, of which {} come in a second", *rate_Hz));
     }
     if (clock.unit_is_stated) return entry;
+    if (clock.is_proven) return entry + comment("the log states no unit: " + clock.unit_by);
     return entry +
-           comment(fmt::format("unit guessed: it makes {:.4g} samples a second", clock.rate_Hz()));
+           comment(fmt::format("unit guessed: {}it makes {:.4g} samples a second",
+                               clock.unit_by.empty() ? "" : clock.unit_by + "; ", clock.rate_Hz()));
   }
 
   /// So many seconds as one count of the column that counts the samples.

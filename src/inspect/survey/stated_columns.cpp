@@ -103,39 +103,63 @@ std::pair<std::string, std::string> parse_stated_column(const std::string& text)
   return {word, text.substr(sign + 1)};
 }
 
-std::string parse_effort_unit(const std::string& text) {
-  if (ingest::log::find_si_factor(Quantity::torque, text) ||
-      ingest::log::find_si_factor(Quantity::current, text)) {
-    return text;
+std::string parse_unit(const std::string& option, const std::string& text,
+                       const std::vector<Quantity>& quantities) {
+  std::string known;
+  for (const Quantity quantity : quantities) {
+    if (ingest::log::find_si_factor(quantity, text)) return text;
+    known += ingest::log::known_units(quantity) + ", ";
   }
-  throw UsageError("--effort-unit '" + printable(text) + "': one of " +
-                   ingest::log::known_units(Quantity::torque) + ", " +
-                   ingest::log::known_units(Quantity::current) + ", or a multiple such as '" +
-                   std::string(ingest::log::example_of_multiple(Quantity::torque)) + "'");
+  throw UsageError(option + " '" + printable(text) + "': one of " + known +
+                   "or a multiple such as '" +
+                   std::string(ingest::log::example_of_multiple(quantities.front())) + "'");
 }
 
 namespace {
 
-/// Also of efforts that were not known for their unit alone.
-void put_effort_unit(const std::string& unit, ingest::layout::LogLayout& layout) {
+/// Of all columns of a quantity that are measured, also of those that were not known for their unit
+/// alone.
+template <class IsOne>
+void put_unit(const std::string& unit, const IsOne& is_one, ingest::layout::LogLayout& layout) {
   for (const ingest::layout::ForeignUnit& foreign : layout.foreign) {
-    if (!is_effort(foreign.quantity)) continue;
+    if (!is_one(foreign.quantity)) continue;
     ColumnMeaning meaning;
     meaning.column = foreign.column;
     meaning.quantity = foreign.quantity;
     meaning.joint = foreign.joint;
     layout.columns.push_back(std::move(meaning));
   }
-  std::erase_if(layout.foreign, [](const ingest::layout::ForeignUnit& foreign) {
-    return is_effort(foreign.quantity);
+  std::erase_if(layout.foreign, [&](const ingest::layout::ForeignUnit& foreign) {
+    return is_one(foreign.quantity);
   });
+  for (ColumnMeaning& meaning : layout.columns) {
+    if (!is_one(meaning.quantity) || (is_effort(meaning.quantity) && meaning.is_target)) continue;
+    meaning.unit = unit;
+    meaning.unit_is_stated = true;
+  }
+}
+
+void put_effort_unit(const std::string& unit, ingest::layout::LogLayout& layout) {
+  put_unit(unit, is_effort, layout);
   const bool is_current = ingest::log::find_si_factor(Quantity::current, unit).has_value();
   for (ColumnMeaning& meaning : layout.columns) {
     if (!is_effort(meaning.quantity) || meaning.is_target) continue;
     meaning.quantity = is_current ? Quantity::current : Quantity::torque;
-    meaning.unit = unit;
-    meaning.unit_is_stated = true;
   }
+}
+
+/// The only joint whose name is a number in the column's name: "2" of "A2".
+std::optional<std::string> joint_by_number(const std::string& name,
+                                           const ingest::layout::LogLayout& layout) {
+  std::optional<std::string> found;
+  const std::vector<std::string> words = ingest::layout::words_of_name(name);
+  for (const ColumnMeaning& meaning : layout.columns) {
+    const bool is_its = std::find(words.begin(), words.end(), meaning.joint) != words.end();
+    if (!is_its || found == meaning.joint) continue;
+    if (found) return std::nullopt;
+    found = meaning.joint;
+  }
+  return found;
 }
 
 }  // namespace
@@ -153,6 +177,9 @@ std::vector<std::string> put_stated(const StatedColumns& stated,
       continue;
     }
     meanings.push_back(meaning_of(*column, key_of(word), header[*column], layout));
+    if (meanings.back().joint.empty()) {
+      meanings.back().joint = joint_by_number(header[*column].name, layout).value_or("");
+    }
     if (meanings.back().quantity == Quantity::angle) joint = meanings.back().joint;
   }
   // Of the only joint, whatever else its name holds.
@@ -160,6 +187,7 @@ std::vector<std::string> put_stated(const StatedColumns& stated,
   if (!joint && joints.size() == 1) joint = joints.front();
   for (ColumnMeaning& meaning : meanings) {
     if (joint && meaning.quantity != Quantity::time) meaning.joint = *joint;
+    meaning.is_of_any_joint = meaning.joint.empty() && joints.size() > 1;
     put(std::move(meaning), layout);
   }
   if (stated.rate_Hz) {  // the clock is made, as the last column
@@ -173,12 +201,12 @@ std::vector<std::string> put_stated(const StatedColumns& stated,
     layout.columns.push_back(std::move(clock));
   }
   if (stated.effort_unit) put_effort_unit(*stated.effort_unit, layout);
-  if (!stated.angle_unit) return missing;
-  for (ColumnMeaning& meaning : layout.columns) {
-    if (meaning.quantity != Quantity::angle) continue;
-    meaning.unit = *stated.angle_unit;
-    meaning.unit_is_stated = true;
-  }
+  const auto put_unit_of = [&](const std::optional<std::string>& unit, Quantity quantity) {
+    if (unit) put_unit(*unit, [&](Quantity one) { return one == quantity; }, layout);
+  };
+  if (!stated.rate_Hz) put_unit_of(stated.time_unit, Quantity::time);
+  put_unit_of(stated.angle_unit, Quantity::angle);
+  put_unit_of(stated.speed_unit, Quantity::angular_speed);
   return missing;
 }
 

@@ -16,8 +16,11 @@ struct StatedColumns {
   /// "time", "angle", "speed", "effort" or "temperature", and the column's name: with or without
   /// its unit, or "#3" for the third one. With an angle the log's other angles do not count.
   std::vector<std::pair<std::string, std::string>> names;
-  std::optional<std::string> angle_unit;   ///< Of all angles: "rad", "deg".
+  std::optional<std::string> time_unit;    ///< Of the clock: "ms", "0.5 ms".
+  std::optional<std::string> angle_unit;   ///< Of all angles: "rad", "deg", "0.088 deg".
+  std::optional<std::string> speed_unit;   ///< Of all speeds: "rpm".
   std::optional<std::string> effort_unit;  ///< Of all efforts: "Nm", "0.0013 Nm", "mA".
+  std::optional<joint::Side> angle_side;   ///< Of all angles and speeds.
   std::optional<double> rate_Hz;     ///< The logs have no clock: their rows come at this rate.
   std::optional<double> gear_ratio;  ///< Of all joints: of angles on the motor's side.
   std::map<std::string, double> gear_ratio_of;  ///< Of single joints, instead.
@@ -28,8 +31,10 @@ struct StatedColumns {
   }
 };
 
-/// @return the unit. @throw UsageError: it is none of a torque or a current.
-std::string parse_effort_unit(const std::string& text);
+/// @param option "--effort-unit", for messages. @param quantities that it may be of.
+/// @return the unit. @throw UsageError: it is none of these.
+std::string parse_unit(const std::string& option, const std::string& text,
+                       const std::vector<ingest::log::Quantity>& quantities);
 
 /// Splits "angle=q_3". @throw UsageError for another key, or no name.
 std::pair<std::string, std::string> parse_stated_column(const std::string& text);

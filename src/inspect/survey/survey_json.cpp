@@ -32,6 +32,7 @@ ordered_json json_of(const ColumnSurvey& c) {
                      {"joint", m.joint},
                      {"unit", m.unit},
                      {"unit_is_stated", m.unit_is_stated},
+                     {"unit_is_proven", c.unit_is_proven},
                      {"is_target", m.is_target}};
   if (!m.effort.remark.empty()) json["meaning"]["remark"] = m.effort.remark;
   if (!c.guessed_by.empty()) json["meaning"]["guessed_by"] = c.guessed_by;
@@ -45,6 +46,7 @@ ordered_json json_of(const ClockSurvey& c) {
   return {{"column", c.column},
           {"unit", c.unit},
           {"unit_is_stated", c.unit_is_stated},
+          {"unit_is_proven", c.is_proven},
           {"counts_from_1970", c.origin != 0},
           {"first_s", c.first_s},
           {"last_s", c.last_s},

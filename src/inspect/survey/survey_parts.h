@@ -28,6 +28,15 @@ ColumnSurvey survey_column(const ingest::log::LogColumn& column,
 /// from 1970 on.
 void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& table);
 
+/// The first column of a quantity and a joint.
+std::optional<std::size_t> first_column(const TableSurvey& table, ingest::log::Quantity quantity,
+                                        const std::string& joint, bool is_target);
+
+/// Units of angles, of speeds and of the clock that are not stated. What makes a speed of the
+/// angle's slope proves them where one of the three is stated, or where their ratio is that of two
+/// usual units; else they are guessed: degrees where radians make no sense.
+void find_units(const ingest::log::LogTable& data, TableSurvey& table);
+
 /// One joint's rows of a log in which each row is one joint's.
 struct RowsOfJoint {
   ingest::log::LogTable table;  ///< Without the column that tells them.

@@ -69,7 +69,7 @@ std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remark
     const ingest::layout::ColumnMeaning& m = *c.meaning;
     cells.push_back((m.is_target ? "target " : "") + ingest::log::quantity_word(m.quantity));
     cells.push_back(printable(m.joint, longest_name));
-    cells.push_back(printable(m.unit) + (m.unit_is_stated ? "" : "?"));
+    cells.push_back(printable(m.unit) + (m.unit_is_stated || c.unit_is_proven ? "" : "?"));
     if (!c.guessed_by.empty()) notes.push_back("guessed: " + c.guessed_by);
     if (!m.effort.remark.empty()) notes.push_back(remarks.mark_of(m.effort.remark));
   } else {
@@ -132,7 +132,10 @@ std::string clock_words(const ClockSurvey& c) {
   std::string words = fmt::format("{} in {}", in_quotes(c.column), printable(c.unit));
   if (c.plus) words += fmt::format(" plus {} in {}", in_quotes(c.plus->column), c.plus->unit);
   if (c.is_counter) words = in_quotes(c.column) + ", which counts the samples";
-  if (!c.unit_is_stated) words += " (guessed by its steps; the log states no unit)";
+  if (!c.unit_is_stated) {
+    words += c.is_proven ? " (the log states no unit: " + c.unit_by + ")"
+                         : " (guessed by its steps; the log states no unit)";
+  }
   if (!(c.interval_s > 0)) return words + ": it never rises, so it is no clock";
   words += fmt::format(": {:.4g} Hz for {:.5g} s", c.rate_Hz(), c.last_s - c.first_s);
   if (c.jitter_percent >= noticeable_jitter_percent) {
