@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
@@ -66,6 +68,29 @@ class RareMotion {
   double rare_{};
 };
 
+/// From the 5th to the 95th percentile.
+double usual_range(std::vector<double> y) {
+  const auto at = [&](double share) {
+    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(y.size() - 1));
+    std::nth_element(y.begin(), y.begin() + k, y.end());
+    return y[static_cast<std::size_t>(k)];
+  };
+  const double high = at(0.95);
+  return high - at(0.05);
+}
+
+/// Samples that no motion makes, wherever they are: as of bytes that were read wrongly.
+std::vector<std::size_t> impossible_samples(const std::vector<double>& y, double range) {
+  constexpr double beyond = 4;  // times the recording's usual range
+  std::vector<std::size_t> found;
+  if (y.size() < 2 * beside + 1 || !(range > 0)) return found;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const std::size_t about = std::clamp(i, beside, y.size() - 1 - beside);
+    if (std::abs(y[i] - median_about(y, about, beside)) > beyond * range) found.push_back(i);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
@@ -74,16 +99,17 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   constexpr double most_share = 0.1;     // more of them are no outliers
   constexpr std::size_t fewest_samples = 50;
   const std::vector<double>& y = recording.torque_Nm;
-  if (y.size() < fewest_samples || y.size() != recording.size()) return {};
-  const double noise = statistics::white_sd_beside_jumps(statistics::third_differences(y));
-  std::vector<double> sorted = y;
-  const auto at = [&](double share) {
-    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
-    return sorted[static_cast<std::size_t>(k)];
+  if (y.empty() || y.size() != recording.size()) return {};
+  const double range = usual_range(y);
+  std::vector<std::size_t> out = impossible_samples(y, range);
+  const auto are_few = [&] {
+    return static_cast<double>(out.size()) <= most_share * static_cast<double>(y.size());
   };
-  const double range = at(0.95) - at(0.05);
-  std::vector<std::size_t> out;
+  if (!are_few()) return {};
+  if (y.size() < fewest_samples) return out;
+  const std::vector<std::size_t> impossible = out;
+  const double noise = statistics::white_sd_beside_jumps(statistics::third_differences(y));
+  out.clear();
   const double least = std::max(far_off * noise, least_share * range);
   // Four of six neighbours lie beyond the median: of any three one does.
   const auto may_be_one = [&](std::size_t i) {
@@ -97,7 +123,7 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
     if (!(off > least)) continue;
     if (off > far_off * deviation_about(y, i, median_about(y, i, beside_scale))) out.push_back(i);
   }
-  if (out.empty()) return out;
+  if (out.empty()) return impossible;
   const RareMotion motion(recording.q_rad);
   std::erase_if(out, [&](std::size_t i) { return motion.at(i); });
   // A torque in coarse steps flickers between two of them.
@@ -108,8 +134,11 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
       return std::abs(y[i] - median_about(y, i, beside)) < flicker * step;
     });
   }
-  if (static_cast<double>(out.size()) > most_share * static_cast<double>(y.size())) return {};
-  return out;
+  std::vector<std::size_t> all;
+  std::set_union(out.begin(), out.end(), impossible.begin(), impossible.end(),
+                 std::back_inserter(all));
+  out = std::move(all);
+  return are_few() ? out : impossible;
 }
 
 TorqueOutliers replace_torque_outliers(std::vector<joint::Recording>& recordings) {
@@ -127,10 +156,13 @@ TorqueOutliers replace_torque_outliers(std::vector<joint::Recording>& recordings
     for (std::size_t k = 0; k < outliers.size();) {
       std::size_t last = k;
       while (last + 1 < outliers.size() && outliers[last + 1] == outliers[last] + 1) ++last;
-      const std::size_t before = outliers[k] - 1;
-      const std::size_t behind = outliers[last] + 1;
-      for (std::size_t i = before + 1; i < behind; ++i) {
-        const double share = (r.t_s[i] - r.t_s[before]) / (r.t_s[behind] - r.t_s[before]);
+      // At the recording's end only one neighbour is there.
+      const std::size_t behind =
+          outliers[last] + 1 < r.size() ? outliers[last] + 1 : outliers[k] - 1;
+      const std::size_t before = outliers[k] > 0 ? outliers[k] - 1 : behind;
+      for (std::size_t i = outliers[k]; i <= outliers[last]; ++i) {
+        const double share =
+            before == behind ? 0 : (r.t_s[i] - r.t_s[before]) / (r.t_s[behind] - r.t_s[before]);
         const double line = std::lerp(r.torque_Nm[before], r.torque_Nm[behind], share);
         found.largest_Nm = std::max(found.largest_Nm, std::abs(r.torque_Nm[i] - line));
         r.torque_Nm[i] = line;
