@@ -114,6 +114,13 @@ const Messages& reading_messages() {
       {"reading.past_midnight",
        by_count("midnights", "its clock shows the time of day and passes midnight {midnights} time",
                 "its clock shows the time of day and passes midnight {midnights} times")},
+      {"reading.clock_set_back",
+       text(
+           "the clock was set back while it was logged ({times} times); it goes on from the "
+           "row before by the usual step")},
+      {"reading.held_rows",
+       text("{percent:.0f} % of the rows repeat the row before: the robot sends a sample every "
+            "{rows} rows, and each is used once")},
       {"reading.time_runs_back",
        by_count("rows", "time runs backwards in {rows} row (first in line {line}); sorted by time",
                 "time runs backwards in {rows} rows (first in line {line}); sorted by time")},
@@ -153,6 +160,7 @@ const Messages& reading_messages() {
       {"skipped.gap", text("gap (nan) in column {column}")},
       {"skipped.impossible", text("a number that no joint has in column {column}")},
       {"skipped.repeated_stamp", text("repeated time stamp")},
+      {"skipped.held", text("repeats the row before: logged faster than sampled")},
       {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},
       {"skipped.other_joint", text("another joint's row, as stated")},

@@ -15,19 +15,9 @@
 #include "base/error.h"
 #include "base/requirements.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/log/row_clock.h"
 
 namespace tribolog::ingest::dataset {
-
-double median_clock_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  }
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 namespace {
 
@@ -90,7 +80,7 @@ void refuse_other_number_of_rows(const manifest::RecordingEntry& entry, const lo
 void refuse_other_times(const manifest::RecordingEntry& entry, const log::LogColumn& own,
                         const log::LogTable& table) {
   const log::LogColumn& other = table.columns.back();
-  const double allowed = largest_time_difference * median_clock_step(own.values);
+  const double allowed = largest_time_difference * log::median_clock_step(own.values);
   const double later = other.origin - own.origin;
   const manifest::ColumnEntry& time = present(entry.columns.time);
   const bool is_number = log::unit_of_time(time.reading).empty();

@@ -8,10 +8,6 @@
 
 namespace tribolog::ingest::dataset {
 
-/// Median of the rising steps, in the unit of the times; 0 where none rises. Gaps (NaN) and steps
-/// back or of no length say nothing.
-double median_clock_step(const std::vector<double>& times);
-
 // Columns that stand in a file beside the recording's: some loggers write the angles into one file
 // and the torques into another. The rows of such files are those of the recording's, one by one.
 

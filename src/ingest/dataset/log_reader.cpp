@@ -263,9 +263,13 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
     log::add_to_clock(part, time.plus->si_factor / time.si_factor, table.columns.front());
   } else if (time.reading == log::ColumnReading::time_of_day) {
     const std::size_t midnights = log::go_on_past_midnight(table.columns.front());
-    if (midnights == 0) return;
-    RecordingNotes(entry.file, notes).add({"reading.past_midnight", {{"midnights", midnights}}});
+    if (midnights > 0) {
+      RecordingNotes(entry.file, notes).add({"reading.past_midnight", {{"midnights", midnights}}});
+    }
   }
+  const std::size_t back = log::go_on_past_set_back(table.columns.front());
+  if (back > 0)
+    RecordingNotes(entry.file, notes).add({"reading.clock_set_back", {{"times", back}}});
 }
 
 /// Leaves the rows of the joint that is stated, and counts the others.
@@ -301,8 +305,11 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
     kept.log.reset();
     ReadLog log = read_log(entry, path, columns, others, rules_, notes);
     if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
-    complete_clock(entry, log.table, notes);
-    if (rate_Hz) make_clock(present(entry.columns.time), path, log.table);
+    if (rate_Hz) {
+      make_clock(present(entry.columns.time), path, log.table);
+    } else {
+      complete_clock(entry, log.table, notes);
+    }
     kept.log = std::make_shared<const ReadLog>(std::move(log));
     kept.columns = std::move(columns);
     kept.rate_Hz = rate_Hz;

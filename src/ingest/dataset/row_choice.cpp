@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "base/requirements.h"
+#include "ingest/dataset/held_rows.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/log/row_clock.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::dataset {
@@ -18,7 +22,8 @@ constexpr Code not_usable{"skipped.not_usable"};
 constexpr Code other_joint{"skipped.other_joint"};
 constexpr Code unclear{"skipped.unclear_joint_state"};
 constexpr std::size_t fewest_rows = 20;
-constexpr double largest_step_back_s = 1.0;    ///< Beyond: two logs, not a clock being set.
+/// Beyond: two logs, unless the rows fit in between each other.
+constexpr double largest_step_back_s = 1.0;
 constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
 
 class RowChooser {
@@ -39,6 +44,7 @@ class RowChooser {
     drop_outside_and_gaps();
     if (steps_back_ > 0) put_in_order();
     drop_repeated_stamps();
+    drop_held_rows();
     if (rows_.size() < fewest_rows) refuse_too_few();
     return {std::move(rows_), std::move(skipped_)};
   }
@@ -57,7 +63,7 @@ class RowChooser {
     for (std::size_t row = 0; row < table_.rows; ++row) {
       const double t = time_s(row);
       if (std::isnan(t)) continue;
-      if (latest - t > largest_step_back_s) {
+      if (latest - t > largest_step_back_s && !fit_between_each_other()) {
         throw InputError({table_.file, table_.line_of(row), 0},
                          {fmt::format("time runs back by {:.6g} s", latest - t), "", "",
                           "two logs concatenated? split the file, or correct the unit of time"});
@@ -65,6 +71,43 @@ class RowChooser {
       if (t < latest && steps_back_++ == 0) first_back_line_ = table_.line_of(row);
       latest = std::max(latest, t);
     }
+  }
+
+  /// Whether the rows of several writers make an even clock when they are sorted.
+  [[nodiscard]] bool fit_between_each_other() {
+    constexpr double least_step = 0.5;  // of the median
+    constexpr double most_short = 0.02;
+    if (fits_) return *fits_;
+    std::vector<double> times;
+    for (std::size_t row = 0; row < table_.rows; ++row) {
+      if (!std::isnan(time_s(row))) times.push_back(time_s(row));
+    }
+    std::sort(times.begin(), times.end());
+    const double usual = log::median_clock_step(times);
+    std::size_t shorter = 0;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (times[i] - times[i - 1] < least_step * usual) ++shorter;
+    }
+    fits_ = static_cast<double>(shorter) <= most_short * static_cast<double>(times.size());
+    return *fits_;
+  }
+
+  void drop_held_rows() {
+    std::vector<const std::vector<double>*> signals;
+    const std::vector<LoggedColumn> columns = logged_columns(entry_.columns);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const bool changes = columns[k].signal == joint::LoggedSignal::angle ||
+                           columns[k].signal == joint::LoggedSignal::effort ||
+                           columns[k].signal == joint::LoggedSignal::speed;
+      if (changes) signals.push_back(&table_.columns[k].values);
+    }
+    const auto held = find_held_rows(rows_, signals);
+    if (!held) return;
+    const double share =
+        static_cast<double>(rows_.size() - held->kept.size()) / static_cast<double>(rows_.size());
+    notes_.add({"reading.held_rows", {{"percent", 100 * share}, {"rows", held->rows_per_sample}}});
+    skip(Code{"skipped.held"}, rows_.size() - held->kept.size());
+    rows_ = held->kept;
   }
 
   void drop_outside_and_gaps() {
@@ -137,6 +180,7 @@ class RowChooser {
   RecordingNotes& notes_;
   double to_seconds_;
   std::size_t steps_back_{0};
+  std::optional<bool> fits_;
   long first_back_line_{0};
   std::vector<std::size_t> rows_;
   std::vector<joint::SkippedRows> skipped_;

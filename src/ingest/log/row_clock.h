@@ -28,4 +28,14 @@ void add_to_clock(const LogColumn& part, double factor, LogColumn& clock);
 /// @return how often it is midnight.
 std::size_t go_on_past_midnight(LogColumn& times_of_day);
 
+/// Median of the rising steps, in the unit of the times; 0 where none rises. Gaps (NaN) and steps
+/// back or of no length say nothing.
+double median_clock_step(const std::vector<double>& times);
+
+/// A clock that was set back while it was logged, as by a time server, goes on from the row before,
+/// by the median step. Nothing happens where rows of several writers alternate, or the clock begins
+/// anew as that of another log.
+/// @return how often it was set back.
+std::size_t go_on_past_set_back(LogColumn& clock);
+
 }  // namespace tribolog::ingest::log

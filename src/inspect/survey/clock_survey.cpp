@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/requirements.h"
-#include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "inspect/survey/log_survey.h"
 
@@ -71,7 +71,7 @@ ClockSurvey survey_clock(const ingest::log::LogColumn& column,
     if (std::isfinite(value)) values.push_back(value);
   }
   clock.missing = column.values.size() - values.size();
-  const double interval = ingest::dataset::median_clock_step(values);
+  const double interval = ingest::log::median_clock_step(values);
   const bool is_text = !text_unit.empty();
   const auto by_origin = unit_by_origin(column.origin);
   clock.unit_is_stated = is_text || meaning.unit_is_stated;

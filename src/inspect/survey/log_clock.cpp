@@ -109,6 +109,8 @@ void survey_own_clock(const HowRead& how, ingest::log::LogTable& data, TableSurv
   } else if (column.reading == ColumnReading::number && !how.stated.rate_Hz) {
     read_clock_again(how.path, how.rules, *table.time, of_time.key, data);
   }
+  const std::size_t back = ingest::log::go_on_past_set_back(column);
+  if (back > 0) data.notes.push_back({"reading.clock_set_back", {{"times", back}}});
   ingest::layout::ColumnMeaning& meaning = present(of_time.meaning);
   table.clock = survey_clock(column, meaning);
   table.clock->column = of_time.name;
@@ -140,7 +142,7 @@ std::optional<Counter> lossy_counter_in(const ingest::log::LogTable& data,
       return std::find(counters.begin(), counters.end(), word) != counters.end();
     });
     const std::vector<double>& values = data.columns[k].values;
-    const double step = ingest::dataset::median_clock_step(values);
+    const double step = ingest::log::median_clock_step(values);
     if (!is_named || table.columns[k].gaps > 0 || !(step >= 1)) continue;
     std::size_t steady = 0;
     bool rises = true;

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/requirements.h"
+#include "ingest/dataset/held_rows.h"
 #include "ingest/dataset/log_reader.h"
 #include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
@@ -136,6 +137,9 @@ motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [&](std::size_t a, std::size_t b) { return t[a] < t[b]; });
+  std::vector<const std::vector<double>*> signals{&q};
+  if (effort) signals.push_back(effort);
+  if (auto held = ingest::dataset::find_held_rows(rows, signals)) rows = std::move(held->kept);
   const double angle_factor = joint_angle_factor(table.columns[joint.angle]);
   motion::AngleTrace trace;
   for (const std::size_t i : rows) {
