@@ -247,14 +247,24 @@ RecordedFriction friction_of(const ReadJson& top) {
   const std::vector<double> low = numbers_of(member(band, "low_Nm"));
   const std::vector<double> high = numbers_of(member(band, "high_Nm"));
   const bool has_band = low.size() == friction.size() && high.size() == friction.size();
+  std::vector<int> place(friction.size(), -1);  // of each run among those that are read
   for (std::size_t k = 0; k < friction.size(); ++k) {
     const double speed = number_or_nan(member(runs[k], "speed_rad_s"));
     if (!std::isfinite(speed) || !std::isfinite(friction[k])) continue;
+    place[k] = static_cast<int>(made.speed_rad_s.size());
+    const ReadJson& partner = member(runs[k], "partner");
+    made.partner.push_back(partner.is_number_integer() ? partner.get<int>() : -1);
+    made.direction_difference_Nm.push_back(
+        number_or_nan(member(runs[k], "direction_difference_Nm")));
     made.speed_rad_s.push_back(speed);
     made.friction_Nm.push_back(friction[k]);
     made.half_width_Nm.push_back(number_or_nan(member(runs[k], "torque_half_width_Nm")));
     made.half_band_Nm.push_back(has_band ? std::max(high[k] - friction[k], friction[k] - low[k])
                                          : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (int& partner : made.partner) {
+    const bool is_one = partner >= 0 && static_cast<std::size_t>(partner) < place.size();
+    partner = is_one ? place[static_cast<std::size_t>(partner)] : -1;
   }
   return made;
 }

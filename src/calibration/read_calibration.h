@@ -25,6 +25,11 @@ struct RecordedFriction {
   /// Of the friction, 95 %, with the error of the gravity that was subtracted, which all points
   /// have in common; NaN: no resamples are recorded.
   std::vector<double> half_band_Nm{};
+  /// Index among these of the run of the other direction at the same speed; -1: none.
+  std::vector<int> partner{};
+  /// Half the difference between both directions over the angles that they share, as the figure of
+  /// the curve has it, of the speed's sign; NaN: not known.
+  std::vector<double> direction_difference_Nm{};
 };
 
 /// One oscillation's steady loop.

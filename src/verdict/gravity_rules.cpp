@@ -379,19 +379,36 @@ std::optional<Measured> other_joint_on_friction(const Calibration& c) {
   return found;
 }
 
-/// How far another joint moved, by the logs, where no description tells what that does.
-std::optional<Measured> others_move(const Calibration& c) {
+/// Null where no other joint's angle is logged.
+const joint::OtherJoint* farthest_of_others(const Calibration& c) {
   const joint::OtherJoint* farthest = nullptr;
   for (const joint::OtherJoint& other : c.manifest.other_joints) {
     if (other.samples == 0) continue;
     if (farthest == nullptr || other.travel_rad() > farthest->travel_rad()) farthest = &other;
   }
+  return farthest;
+}
+
+/// How far another joint moved, by the logs, where no description tells what that does.
+std::optional<Measured> others_move(const Calibration& c) {
+  const joint::OtherJoint* const farthest = farthest_of_others(c);
   if (farthest == nullptr) return std::nullopt;
   if (c.manifest.arm_gravity) return Measured{0, {}};
   const double travel_deg = joint::degrees_per_rad * farthest->travel_rad();
   return Measured{
       travel_deg,
       {"cause.others_move", {{"joint", in_quotes(farthest->name)}, {"travel_deg", travel_deg}}}};
+}
+
+/// How far another joint moved whose effect on gravity a description takes off: its inertia acts
+/// all the same.
+std::optional<Measured> others_move_beside_description(const Calibration& c) {
+  const joint::OtherJoint* const farthest = farthest_of_others(c);
+  if (farthest == nullptr || !c.manifest.arm_gravity) return std::nullopt;
+  const double travel_deg = joint::degrees_per_rad * farthest->travel_rad();
+  return Measured{
+      travel_deg,
+      {"cause.others_inertia", {{"joint", in_quotes(farthest->name)}, {"travel_deg", travel_deg}}}};
 }
 
 /// What the others' motion changed of gravity and was taken off, in percent of gravity.
@@ -475,6 +492,13 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
        "record.others_at_rest_or_described",
        others_move},
+      {"others_inertia",
+       "deg",
+       1,
+       Verdict::doubtful,
+       {Quantity::inertia},
+       "record.other_joints_at_rest",
+       others_move_beside_description},
       {"others_taken_off", "%", 0.01, told, of_gravity, "record.other_joints_at_rest",
        others_taken_off},
       // Hoses and what a description leaves out are less; another zero, another sign or a payload

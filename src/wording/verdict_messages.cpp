@@ -74,6 +74,7 @@ const Messages& verdict_messages() {
       {"rule.gravity_in_time_on_friction",
        text("Torque that changes with time, relative to friction")},
       {"rule.others_move", text("Motion of another joint, without a description of the arm")},
+      {"rule.others_inertia", text("Motion of another joint, of which gravity alone is taken off")},
       {"rule.others_taken_off",
        text("Gravity of the other joints' motion, taken off, relative to the gravity torque")},
       {"rule.description_differs", text("Gravity by the description against the recordings'")},
@@ -90,6 +91,9 @@ const Messages& verdict_messages() {
       {"cause.others_move",
        text("joint {joint} moves by {travel_deg:.3g}° in these recordings: what that does to this "
             "joint's gravity cannot be told apart from its own without a description of the arm")},
+      {"cause.others_inertia", text("joint {joint} moves by {travel_deg:.3g}° in these recordings: "
+                                    "the description takes off "
+                                    "what that does to gravity, not what its inertia does")},
       {"cause.others_taken_off",
        text("the other joints' motion changes gravity by up to {largest_Nm:.3g} N·m at the joint; "
             "it is taken off by the masses of {file}, which are taken to be right within "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,8 +14,8 @@
 namespace tribolog::exports::results {
 namespace {
 
-/// Runs of the two directions at one commanded speed differ by less.
-constexpr double same_speed_share = 0.01;
+/// Runs at one commanded speed differ by less, as where the method pairs the directions.
+constexpr double same_speed_share = 0.03;
 
 struct MergedSpeed {
   double speed_sum{};
@@ -23,14 +24,47 @@ struct MergedSpeed {
   [[nodiscard]] double speed() const { return speed_sum / runs; }
 };
 
-/// Friction against absolute speed, sorted.
-std::vector<FrictionRow> measured_points(const calibration::RecordedFriction& runs) {
+/// Of a run and its partner of the other direction: over the angles that both share, where they do.
+FrictionRow of_both_directions(const calibration::RecordedFriction& runs, std::size_t k) {
+  const auto other = static_cast<std::size_t>(runs.partner[k]);
+  const double speed = (std::abs(runs.speed_rad_s[k]) + std::abs(runs.speed_rad_s[other])) / 2;
+  const auto along = [&](std::size_t run) {
+    return runs.speed_rad_s[run] < 0 ? -runs.friction_Nm[run] : runs.friction_Nm[run];
+  };
+  const double sign = runs.speed_rad_s[k] < 0 ? -1 : 1;
+  const double difference = sign * runs.direction_difference_Nm[k];
+  return {speed, std::isfinite(difference) ? difference : (along(k) + along(other)) / 2};
+}
+
+/// What both directions have in common at the paired speed that is nearest: an offset of the
+/// torque.
+double offset_near(const calibration::RecordedFriction& runs, double speed_rad_s) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double offset_Nm = 0;
+  for (std::size_t k = 0; k < runs.speed_rad_s.size(); ++k) {
+    const double apart = std::abs(std::log(std::abs(runs.speed_rad_s[k]) / speed_rad_s));
+    if (runs.partner[k] < 0 || !(apart < nearest)) continue;
+    nearest = apart;
+    offset_Nm =
+        (runs.friction_Nm[k] + runs.friction_Nm[static_cast<std::size_t>(runs.partner[k])]) / 2;
+  }
+  return offset_Nm;
+}
+
+/// Friction against absolute speed, sorted. Of a speed that was recorded in one direction alone the
+/// offset is taken off that the others show; where none was recorded in both, it is in there.
+std::vector<FrictionRow> measured_points(const calibration::RecordedFriction& runs,
+                                         bool& has_pairs) {
   std::vector<FrictionRow> points;
+  has_pairs = std::any_of(runs.partner.begin(), runs.partner.end(), [](int k) { return k >= 0; });
   if (runs.from_sweep) return points;
   for (std::size_t k = 0; k < runs.speed_rad_s.size(); ++k) {
     const double sign = runs.speed_rad_s[k] < 0 ? -1 : 1;
-    if (runs.speed_rad_s[k] == 0) continue;
-    points.push_back({sign * runs.speed_rad_s[k], sign * runs.friction_Nm[k]});
+    const double speed = sign * runs.speed_rad_s[k];
+    if (speed == 0) continue;
+    points.push_back(runs.partner[k] >= 0 ? of_both_directions(runs, k)
+                                          : FrictionRow{speed, sign * (runs.friction_Nm[k] -
+                                                                       offset_near(runs, speed))});
   }
   std::sort(points.begin(), points.end(), [](const FrictionRow& a, const FrictionRow& b) {
     return a.speed_rad_s < b.speed_rad_s;
@@ -71,15 +105,19 @@ FrictionTable straight_line(const ArchivedJoint& joint,
 
 FrictionTable friction_table(const ArchivedJoint& joint) {
   const calibration::RecordedCurves curves = calibration::read_curves(joint.calibration);
-  const std::vector<FrictionRow> rows = merged(measured_points(curves.friction));
+  bool has_pairs = false;
+  const std::vector<FrictionRow> rows = merged(measured_points(curves.friction, has_pairs));
   FrictionTable table;
   if (rows.empty()) {
     table = straight_line(joint, curves.fastest_rad_s);
   } else {
     table.source = fmt::format(
-        "runs at {} constant speeds, mean of the directions where both were recorded; at rest the "
-        "torque of the slowest, {:.6g} rad/s at the motor",
-        rows.size(), rows.front().speed_rad_s);
+        "runs at {} constant speeds, {}; at rest the torque of the slowest, {:.6g} rad/s at the "
+        "motor",
+        rows.size(),
+        has_pairs ? "half the difference between the directions"
+                  : "in one direction alone: an offset of the torque is in it",
+        rows.front().speed_rad_s);
     table.rows = rows;
     table.rows.insert(table.rows.begin(), {0, rows.front().friction_Nm});
   }

@@ -148,7 +148,23 @@ std::vector<std::string> ArmInMotion::columns() const {
   return names;
 }
 
+void ArmInMotion::add_found(const ReadLog& log) {
+  if (arm_) return;  // its joints are looked for by their names
+  for (const joint::OtherJoint& found : log.found_others) {
+    const auto is_known = [&](const Other& other) {
+      return other.joint.name == found.name || other.joint.angle == found.angle;
+    };
+    if (std::any_of(others_.begin(), others_.end(), is_known)) continue;
+    Other& other = others_.emplace_back();
+    other.joint = found;
+    other.is_looked_for = true;
+    other.angles_rad.resize(recordings_);
+  }
+}
+
 void ArmInMotion::keep(const ReadLog& log, const std::vector<std::size_t>& rows) {
+  add_found(log);
+  ++recordings_;
   for (Other& other : others_) {
     std::vector<double>& angles_rad = other.angles_rad.emplace_back();
     const log::LogColumn* column = column_of(log, other.joint.angle);

@@ -59,6 +59,8 @@ class ArmInMotion {
     /// Of each recording, one for each sample [rad]; empty: not logged.
     std::vector<std::vector<double>> angles_rad{};
   };
+  /// Those that the log's own names tell, where no description names the joints.
+  void add_found(const ReadLog& log);
   [[nodiscard]] std::size_t first_with_angles(const joint::Dataset& dataset) const;
   [[nodiscard]] std::vector<double> held(const joint::Dataset& dataset) const;
   void count_motions(joint::Dataset& dataset) const;
@@ -69,6 +71,7 @@ class ArmInMotion {
   std::optional<robot::WeightedArm> arm_;
   std::size_t tested_{};  ///< In the arm.
   bool is_by_order_{};
+  std::size_t recordings_{};  ///< Kept so far.
 };
 
 }  // namespace tribolog::ingest::dataset

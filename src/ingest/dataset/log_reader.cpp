@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
+#include "ingest/layout/log_layout.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"
@@ -192,6 +194,74 @@ void set_others_apart(const std::vector<log::WantedColumn>& columns,
   }
 }
 
+/// Angles of other joints than the entry's, by the names of a log's columns.
+std::vector<joint::OtherJoint> other_joints_in(const std::vector<log::ColumnHeader>& header,
+                                               const manifest::RecordingEntry& entry) {
+  std::vector<joint::OtherJoint> others;
+  if (!entry.columns.angle || entry.columns.rows) return others;
+  const manifest::ColumnEntry& own = *entry.columns.angle;
+  const layout::LogLayout layout = layout::guess_layout(header);
+  const auto is_own = [&](const layout::ColumnMeaning& meaning) {
+    const log::ColumnHeader& of = header[meaning.column];
+    return of.full == own.name || of.name == own.name || own.name.ends_with("/" + of.full);
+  };
+  const auto tested = std::find_if(layout.columns.begin(), layout.columns.end(), is_own);
+  if (tested == layout.columns.end()) return others;
+  for (const layout::ColumnMeaning& meaning : layout.columns) {
+    const bool is_one = meaning.quantity == log::Quantity::angle && !meaning.is_target &&
+                        meaning.joint != tested->joint && !meaning.joint.empty();
+    const auto is_same = [&](const joint::OtherJoint& one) { return one.name == meaning.joint; };
+    if (!is_one || std::any_of(others.begin(), others.end(), is_same)) continue;
+    joint::OtherJoint& other = others.emplace_back();
+    other.name = meaning.joint;
+    other.angle = header[meaning.column].full;
+    other.radian_per_unit = std::abs(own.si_factor);  // as the tested joint's
+    other.stated_at = entry.file;
+  }
+  return others;
+}
+
+std::vector<log::ColumnHeader> headers_of(const log::LogTable& table) {
+  std::vector<log::ColumnHeader> headers;
+  for (const log::LogColumn& column : table.columns) headers.push_back(column.header);
+  return headers;
+}
+
+/// The names of a text log's columns, by its first rows; none where these do not tell.
+std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
+                                               const text::TextLogRules& rules) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 16;
+  std::string start = start_of_log(path, most_bytes);
+  start.resize(start.rfind('\n') + 1);  // whole rows; none: no such log
+  try {
+    return headers_of(text::read_csv(start, path, {}, rules));
+  } catch (const InputError&) {
+    return {};  // told of the whole log, where the columns that are stated are read
+  }
+}
+
+/// Of the table that has the recording's columns.
+std::vector<log::ColumnHeader> headers_of_tables(const std::vector<log::LogTable>& tables,
+                                                 const std::vector<log::WantedColumn>& columns) {
+  const auto table = std::find_if(tables.begin(), tables.end(), [&](const log::LogTable& one) {
+    return missing_in(one, columns).empty();
+  });
+  return table == tables.end() ? std::vector<log::ColumnHeader>() : headers_of(*table);
+}
+
+/// Adds the angles of other joints to the columns that are read, each once.
+void want_others(const std::vector<log::ColumnHeader>& header,
+                 const manifest::RecordingEntry& entry, std::vector<log::WantedColumn>& columns,
+                 std::vector<std::string>& others, ReadLog& read) {
+  for (joint::OtherJoint& other : other_joints_in(header, entry)) {
+    const auto is_wanted = [&](const log::WantedColumn& one) { return one.name == other.angle; };
+    if (std::any_of(columns.begin(), columns.end(), is_wanted)) continue;
+    columns.push_back({other.angle, "", log::ColumnReading::number, true});
+    others.push_back(other.angle);
+    read.found_others.push_back(std::move(other));
+  }
+}
+
 /// For the fingerprint: other readers open the file themselves.
 void read_to_the_end(ByteSource& bytes) {
   constexpr std::size_t at_a_time = std::size_t{1} << 20;
@@ -201,18 +271,20 @@ void read_to_the_end(ByteSource& bytes) {
 }
 
 ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
-                 const std::vector<log::WantedColumn>& columns,
-                 const std::vector<std::string>& others, const text::TextLogRules& rules,
-                 std::vector<Statement>& notes) {
+                 std::vector<log::WantedColumn> columns, std::vector<std::string> others,
+                 const text::TextLogRules& rules, std::vector<Statement>& notes) {
   InputFileSource log(path);
   FingerprintedSource bytes(log);
   const log::LogFormat format = format_of_log(path);
   ReadLog read;
   if (format != log::LogFormat::text) {
-    read.table = take_columns(read_tables(path, format), columns);
+    std::vector<log::LogTable> tables = read_tables(path, format);
+    want_others(headers_of_tables(tables, columns), entry, columns, others, read);
+    read.table = take_columns(std::move(tables), columns);
   } else if (auto tables = read_long_text(path, columns, rules)) {
     read.table = take_columns(std::move(*tables), columns);
   } else {
+    want_others(headers_of_text(path, rules), entry, columns, others, read);
     read.table = text::read_csv(bytes, path, columns, rules);
   }
   set_others_apart(columns, others, read);
@@ -272,11 +344,47 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
     RecordingNotes(entry.file, notes).add({"reading.clock_set_back", {{"times", back}}});
 }
 
+/// Of a log in which each row is one joint's: the angles of the others at the rows of this one,
+/// each as it was told last.
+void find_others_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& told_by,
+                         ReadLog& log) {
+  if (!entry.columns.angle) return;
+  const manifest::ColumnEntry& own = *entry.columns.angle;
+  const auto angle = std::find_if(
+      log.table.columns.begin(), log.table.columns.end(),
+      [&](const log::LogColumn& column) { return is_named(column, log.table, own.name); });
+  constexpr std::size_t most_joints = 64;
+  if (angle == log.table.columns.end() || told_by.words.size() > most_joints) return;
+  std::vector<std::vector<double>> angles(told_by.words.size());
+  std::vector<double> last(told_by.words.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < log.table.rows; ++row) {
+    if (std::isnan(told_by.values[row])) continue;
+    const auto word = static_cast<std::size_t>(told_by.values[row]);
+    last[word] = angle->values[row];
+    if (told_by.words[word] != entry.columns.rows->value) continue;
+    for (std::size_t k = 0; k < angles.size(); ++k) angles[k].push_back(last[k]);
+  }
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    if (told_by.words[k] == entry.columns.rows->value) continue;
+    joint::OtherJoint& other = log.found_others.emplace_back();
+    other.name = other.angle = told_by.words[k];
+    other.radian_per_unit = std::abs(own.si_factor);
+    other.stated_at = entry.file;
+    log::LogColumn column;
+    column.header.full = column.header.name = other.angle;
+    column.values = std::move(angles[k]);
+    log.others.emplace(other.angle, std::move(column));
+  }
+}
+
 /// Leaves the rows of the joint that is stated, and counts the others.
 /// @param table the column that tells them is its last one, and is taken away.
-void keep_rows(const manifest::RowsEntry& wanted, log::LogTable& table) {
+void keep_rows(const manifest::RecordingEntry& entry, ReadLog& log) {
+  const manifest::RowsEntry& wanted = *entry.columns.rows;
+  log::LogTable& table = log.table;
   const log::LogColumn told_by = std::move(table.columns.back());
   table.columns.pop_back();
+  find_others_in_rows(entry, told_by, log);
   const auto word = std::find(told_by.words.begin(), told_by.words.end(), wanted.value);
   if (word == told_by.words.end()) {
     throw InputError(wanted.where, {"no row of the log is of it", in_quotes(wanted.value),
@@ -304,7 +412,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
     ReadLog log = read_log(entry, path, columns, others, rules_, notes);
-    if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
+    if (entry.columns.rows) keep_rows(entry, log);
     if (rate_Hz) {
       make_clock(present(entry.columns.time), path, log.table);
     } else {

@@ -45,6 +45,8 @@ struct ReadLog {
   /// Angles of the robot's other joints, as far as the log has them, by the names that were wanted.
   /// Not among the table's columns: a gap in one leaves no row out.
   std::map<std::string, log::LogColumn> others{};
+  /// Those of the robot's other joints that the log's own names tell, their columns among `others`.
+  std::vector<joint::OtherJoint> found_others{};
   joint::InputFile file;  ///< Name, size and fingerprint.
 };
 
