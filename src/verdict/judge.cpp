@@ -141,7 +141,8 @@ std::vector<Consequence> consequences(const Sources& sources) {
       {CheckName::run_common_angles, curve, doubtful},
       {CheckName::run_speeds, slopes, none},
       {CheckName::run_speeds, {Quantity::coulomb_torque}, doubtful},
-      {CheckName::stick_slip, curve, doubtful},
+      // A slip is an acceleration too, as fast as the drive's own control.
+      {CheckName::stick_slip, curve + Quantities{Quantity::inertia}, doubtful},
       {CheckName::torque_alive, torque, doubtful},
       {CheckName::torque_held, everything, doubtful},
       {CheckName::torque_noise, everything, none},
@@ -371,6 +372,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   }
   doubt_what_influences_hide(c, out.quantities);
   state_budgets(c, out.quantities);
+  doubt_wide_intervals(out.quantities);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);
   const auto is_known = [&](Quantity quantity) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;

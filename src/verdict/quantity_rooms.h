@@ -18,6 +18,10 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
 /// Coulomb torque, Stribeck velocity, viscous coefficient, viscous curve: what the runs show.
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c);
 
+/// By the whole expanded interval, once all that is stated is in it: an angle that is known to no
+/// more than 5° is doubtful, to no more than 30° none; any other number by 30 % of itself.
+void doubt_wide_intervals(std::vector<calibration::QuantityVerdict>& all);
+
 /// From the runs, or else from the sweep; motor side [N·m].
 std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c);
 

@@ -23,9 +23,20 @@ Statement why_no_angle(const calibration::Calibration& c) {
              : rough.reason;
 }
 
+constexpr double widest_usable_rad = 5 * joint::rad_per_degree;
+constexpr double widest_known_rad = 30 * joint::rad_per_degree;
+
+void lower_by_angle(double half_width_rad, calibration::QuantityVerdict& q) {
+  if (half_width_rad <= widest_usable_rad) return;
+  calibration::lower(
+      q,
+      half_width_rad <= widest_known_rad ? calibration::Verdict::doubtful
+                                         : calibration::Verdict::not_identifiable,
+      {"verdict.known_to_angle", {{"degrees", half_width_rad * joint::degrees_per_rad}}},
+      record_a_sweep);
+}
+
 calibration::QuantityVerdict angle(const calibration::Calibration& c) {
-  constexpr double widest_usable_rad = 5 * joint::rad_per_degree;
-  constexpr double widest_known_rad = 30 * joint::rad_per_degree;
   calibration::QuantityVerdict q;
   q.quantity = Quantity::cog_angle;
   q.unit = "rad";
@@ -34,15 +45,7 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
     return q;
   }
   q.estimate = c.q_peak_rad;
-  const double half_width = c.q_peak_rad->half_width();
-  if (half_width > widest_usable_rad) {
-    calibration::lower(
-        q,
-        half_width > widest_known_rad ? calibration::Verdict::not_identifiable
-                                      : calibration::Verdict::doubtful,
-        {"verdict.known_to_angle", {{"degrees", half_width * joint::degrees_per_rad}}},
-        record_a_sweep);
-  }
+  lower_by_angle(c.q_peak_rad->half_width(), q);
   const statistics::StageReport& source =
       c.q_peak_source == method::gravity::PeakSource::precise_sweep ? c.precise.stage
                                                                     : c.rough.stage;
@@ -64,6 +67,22 @@ bool runs_confirm_gravity(const calibration::Calibration& c) {
 }
 
 }  // namespace
+
+void doubt_wide_intervals(std::vector<calibration::QuantityVerdict>& all) {
+  for (calibration::QuantityVerdict& q : all) {
+    if (!q.estimate || !q.budget || q.verdict != calibration::Verdict::usable) continue;
+    const statistics::Estimate& whole = q.budget->expanded;
+    if (q.quantity == Quantity::cog_angle) {
+      lower_by_angle(whole.half_width(), q);
+      continue;
+    }
+    const calibration::QuantityVerdict by_width =
+        by_estimate(q.quantity, q.unit, whole, {}, q.experiment);
+    for (const Statement& reason : by_width.reasons) {
+      calibration::lower(q, by_width.verdict, reason, by_width.experiment);
+    }
+  }
+}
 
 std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Calibration& c) {
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
@@ -229,6 +248,20 @@ std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibratio
   return calibration::curve_headline(c).coulomb_Nm.estimate;
 }
 
+namespace {
+
+/// A law that the runs do not hold may have any parameter: a torque far beyond theirs is none.
+bool is_beyond_runs(const calibration::Calibration& c, double torque_Nm) {
+  constexpr double most_times = 10;
+  double largest = 0;
+  for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
+    largest = std::max(largest, std::abs(run.torque_Nm));
+  }
+  return largest > 0 && std::abs(torque_Nm) > most_times * largest;
+}
+
+}  // namespace
+
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
   const calibration::CurveHeadline headline = calibration::curve_headline(c);
   // A number is there, or why there is none; a number of which something is not sure is doubtful.
@@ -236,6 +269,11 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
                           const method::viscous::SlidingQuantity& found,
                           const Statement& experiment) {
     const Statement& none = found.why_not.empty() ? c.friction.stage.reason : found.why_not;
+    const bool is_beyond = quantity == Quantity::coulomb_torque && found.estimate &&
+                           is_beyond_runs(c, found.estimate->value);
+    if (is_beyond) {
+      return by_estimate(quantity, unit, std::nullopt, {"verdict.beyond_the_runs"}, experiment);
+    }
     calibration::QuantityVerdict q = by_estimate(quantity, unit, found.estimate, none, experiment);
     if (found.estimate && !found.why_not.empty()) {
       calibration::lower(q, calibration::Verdict::doubtful, found.why_not, experiment);

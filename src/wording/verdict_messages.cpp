@@ -479,6 +479,10 @@ const Messages& verdict_messages() {
        text("the data do not show it: its 95 % interval reaches below zero")},
       {"verdict.interval_reaches_zero",
        text("the data do not show it: its 95 % interval reaches zero")},
+      {"verdict.beyond_the_runs",
+       text(
+           "the runs do not hold the law: its Coulomb torque lies far beyond every torque that was "
+           "measured")},
       {"verdict.known_to_share", text("known only to ± {percent:.0f} %")},
       {"verdict.known_to_angle", text("known only to ± {degrees:.0f}°")},
       {"verdict.nothing_independent", text("nothing independent checks it: {why}")},
