@@ -339,6 +339,9 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
                   "line with the column names, if other lines precede it")
       ->check(number_between(1, 1e9));
   command.add_flag_callback(
+      "--skip-bad-rows", [&rules] { rules.skip_bad_rows = true; },
+      "leave out and count damaged rows of text logs, up to 1 % of all");
+  command.add_flag_callback(
       "--latin1", [&rules] { rules.encoding = ingest::text::TextEncoding::latin1; },
       "names in text logs are in Latin-1, not UTF-8");
 }

@@ -114,10 +114,13 @@ const Messages& reading_messages() {
       {"reading.past_midnight",
        by_count("midnights", "its clock shows the time of day and passes midnight {midnights} time",
                 "its clock shows the time of day and passes midnight {midnights} times")},
+      {"reading.lines_before_table",
+       text("lines in front of the table: {lines}, read for its columns' names alone")},
+      {"reading.remarks",
+       text("lines of words among the rows: {lines}, left out; the first is {first}")},
       {"reading.clock_set_back",
-       text(
-           "the clock was set back while it was logged ({times} times); it goes on from the "
-           "row before by the usual step")},
+       text("the clock was set back while it was logged ({times} times); it goes on from the "
+            "row before by the usual step")},
       {"reading.held_rows",
        text("{percent:.0f} % of the rows repeat the row before: the robot sends a sample every "
             "{rows} rows, and each is used once")},

@@ -113,7 +113,7 @@ TEST_F(CompanionColumns, GiveTheRecordingOfOneFile) {
   ASSERT_EQ(split.recordings.at(0).size(), static_cast<std::size_t>(rows - 10));
   expect_same(split.recordings[0], whole.recordings.at(0));
   EXPECT_EQ(wording::words(split.notes),
-            std::vector<std::string>{"columns of the logs that are not used: 'q2', "
+            std::vector<std::string>{"columns of the logs that are not used: "
                                      "'- torso_lift_joint_effort'"});
 }
 
@@ -262,9 +262,10 @@ TEST_F(CompanionColumns, AreNotMatchedWhereRowsWereSkipped) {
   write("tau.csv", csv);
   const std::string text = manifest("q.csv", ", file = \"tau.csv\"", ", file = \"temp.csv\"",
                                     "[log]\nskip_bad_rows = true\n");
-  EXPECT_EQ(refusal(text),
-            "tau.csv: the rows of several files are matched one by one, and rows are left out here "
-            "(skip_bad_rows), found 1, expected none; hint: mend them, or write nan");
+  EXPECT_EQ(
+      refusal(text),
+      "tau.csv: the rows of several files are matched one by one, and rows are left out here, "
+      "found 1, expected none; hint: mend them, or write nan");
 }
 
 TEST_F(CompanionColumns, AreRefusedAtTheirOwnPlace) {

@@ -1,6 +1,7 @@
 #include "ingest/log/units.h"
 
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,59 @@ TEST(Units, MayBeSpeltInSeveralWays) {
   for (const char* unit : {"us", "µs", "μs"}) {  // Latin u, micro sign, Greek mu
     EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::time, unit), 1e-6) << unit;
   }
+}
+
+TEST(Units, MayBeSpeltInEveryOrdinaryWay) {
+  using enum ingest::log::Quantity;
+  const struct {
+    ingest::log::Quantity quantity;
+    double factor;
+    std::vector<const char*> spellings;
+  } known[] = {
+      {time, 1, {"seconds", "second", "Sec", "SEC", "secs", "S"}},
+      {time, 1e-3, {"msec", "millisec", "Milliseconds", "millisecond", "ms"}},
+      {time, 1e-6, {"usec", "microseconds", "µsec"}},
+      {time, 60, {"min", "minutes"}},
+      {angle, 1, {"radian", "radians", "Rad", "RAD"}},
+      {angle, pi / 180, {"degree", "Degrees", "DEG", "deg", "°"}},
+      {angle, 2 * pi, {"turns", "rev", "revs", "Revolutions"}},
+      {angular_speed, 1, {"rad/sec", "radians/second", "rad per second", "rad s^-1", "rad.s-1"}},
+      {angular_speed, pi / 180, {"deg/sec", "dps", "degrees/s", "DEG/S", "°/s"}},
+      {angular_speed, 2 * pi / 60, {"RPM", "rev/min", "U/min", "tr/min", "1/min", "min^-1"}},
+      {angular_speed, 2 * pi, {"turns/s", "rps", "rev/sec"}},
+      {torque, 1, {"N.m", "N-m", "N_m", "NM", "newton meters"}},
+      {torque, 1e-3, {"mN.m", "mN-m", "N.mm", "millinewtonmeter"}},
+      {torque, 1e-2, {"Ncm", "N.cm", "N-cm"}},
+      {torque, 0.0980665, {"kgcm", "kgf.cm", "kg-cm"}},
+      {torque, 0.00706155, {"oz-in", "ozin"}},
+      {current, 1, {"Amps", "Ampere", "amperes", "Arms", "A_rms", "amp"}},
+      {current, 1e-3, {"mA", "milliamps", "mAmp"}},
+  };
+  for (const auto& one : known) {
+    for (const char* spelling : one.spellings) {
+      const auto factor = ingest::log::find_si_factor(one.quantity, spelling);
+      ASSERT_TRUE(factor.has_value()) << spelling;
+      EXPECT_NEAR(*factor / one.factor, 1, 1e-6) << spelling;
+    }
+  }
+}
+
+TEST(Units, AreNoOthersWherePrefixesDifferByCaseAlone) {
+  using enum ingest::log::Quantity;
+  EXPECT_FALSE(ingest::log::find_si_factor(time, "Ms"));
+  EXPECT_FALSE(ingest::log::find_si_factor(time, "MS"));
+  EXPECT_FALSE(ingest::log::find_si_factor(current, "MA"));
+  EXPECT_FALSE(ingest::log::find_si_factor(angle, "Mrad"));
+  EXPECT_FALSE(ingest::log::find_si_factor(torque, "MNm"));
+}
+
+TEST(Units, MayBeAShareOfARatedValue) {
+  using enum ingest::log::Quantity;
+  EXPECT_NEAR(*ingest::log::find_si_factor(torque, "‰ of 1.27 Nm"), 0.00127, 1e-12);
+  EXPECT_NEAR(*ingest::log::find_si_factor(current, "% of 8 A"), 0.08, 1e-12);
+  EXPECT_NEAR(*ingest::log::find_si_factor(torque, "per mille of 1.27 Nm"), 0.00127, 1e-12);
+  EXPECT_FALSE(ingest::log::find_si_factor(torque, "% of 8 A"));
+  EXPECT_FALSE(ingest::log::find_si_factor(torque, "% of % of 8 Nm"));
 }
 
 TEST(Units, MayBeAMultipleOfOne) {
@@ -66,8 +120,8 @@ TEST(Units, AreListedWhereOneIsNotKnown) {
         [&] { return ingest::log::si_factor(quantity, unit, {"m.toml", 5, 9}); });
   };
   EXPECT_EQ(
-      refusal(ingest::log::Quantity::angle, "degree"),
-      "m.toml:5:9: unknown unit of an angle, found 'degree', expected one of rad, mrad, deg, turn; "
+      refusal(ingest::log::Quantity::angle, "dge"),
+      "m.toml:5:9: unknown unit of an angle, found 'dge', expected one of rad, mrad, deg, turn; "
       "hint: did you mean 'deg'?");
   EXPECT_EQ(refusal(ingest::log::Quantity::torque, "lbf"),
             "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm; "

@@ -55,7 +55,7 @@ std::optional<log::WantedColumn> time_to_compare(const manifest::ColumnEntry& ti
 }
 
 void refuse_left_out_rows(const log::LogTable& table) {
-  const std::size_t left_out = table.bad_rows + table.unclear_rows;
+  const std::size_t left_out = table.bad_rows + table.unclear_rows + table.remark_rows;
   if (left_out == 0) return;
   throw InputError({table.file, 0, 0},
                    {std::string("the rows of several files are matched one by one, and rows are "

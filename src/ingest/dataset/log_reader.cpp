@@ -314,7 +314,7 @@ namespace {
 /// Puts the clock of a log that has none in front of its columns.
 /// @throw InputError where rows were left out: when the others were written is not known then.
 void make_clock(const manifest::ColumnEntry& time, const std::string& path, log::LogTable& table) {
-  const std::size_t lost = table.bad_rows + table.unclear_rows;
+  const std::size_t lost = table.bad_rows + table.unclear_rows + table.remark_rows;
   if (lost > 0) {
     throw InputError({path, 0, 0},
                      {fmt::format("{} rows cannot be used, in a log without a clock", lost), "",

@@ -61,6 +61,7 @@ struct LogTable {
   std::vector<LogColumn> columns;   ///< Those read.
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
+  std::size_t remark_rows{};        ///< Lines of words among them, which are no rows.
   std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
   /// Those left out of ros2 topic echo --csv: other joints', or nothing tells what their numbers
   /// are.

@@ -6,6 +6,7 @@
 
 #include "base/closest_match.h"
 #include "ingest/text/csv_lines.h"
+#include "ingest/text/csv_rows.h"
 #include "ingest/text/fields.h"
 
 namespace tribolog::ingest::text {
@@ -222,9 +223,14 @@ bool show_decimal_commas(RowCursor cursor, const std::string& file, const TextLo
   if (rules.header_line) cursor.go_to_line(*rules.header_line, file);
   const auto stated = rules.header_line ? std::nullopt : take_stated_delimiter(cursor);
   Delimiter delimiter{};
+  const auto preamble =
+      rules.header_line ? std::nullopt
+                        : find_preamble(cursor, file, rules.delimiter ? rules.delimiter : stated);
+  if (preamble) cursor.go_to_line(preamble->line, file);
   try {
     delimiter = rules.delimiter ? *rules.delimiter
                 : stated        ? *stated
+                : preamble      ? preamble->delimiter
                                 : sniff_delimiter(cursor, file, DecimalMark::comma);
   } catch (const InputError&) {
     return false;

@@ -344,6 +344,28 @@ std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
 
 }  // namespace
 
+namespace {
+
+void pass_preamble(const Preamble& preamble, RowCursor& cursor, CsvTable& table) {
+  table.notes.push_back({"reading.lines_before_table", {{"lines", preamble.line - 1}}});
+  cursor.go_to_line(preamble.line, table.file);
+}
+
+Header header_of(const Preamble& preamble, const TextLogRules& rules, const Location& line,
+                 CsvTable& table) {
+  Header header;
+  header.fields = preamble.names;
+  header.units = preamble.units;
+  if (rules.encoding == TextEncoding::latin1) {
+    for (Field& field : header.fields) field.text = utf8_of_latin1(field.text);
+  }
+  refuse_other_encodings(header.fields, line);
+  note_repeated_names(header.fields, table);
+  return header;
+}
+
+}  // namespace
+
 CsvTable read_csv(ByteSource& bytes, const std::string& file,
                   const std::vector<log::WantedColumn>& columns, const TextLogRules& rules) {
   TextWindow window(bytes, file);
@@ -359,8 +381,14 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
     }
   }
   const auto stated_by_log = rules.header_line ? std::nullopt : take_stated_delimiter(cursor);
+  std::optional<Preamble> preamble;
+  if (!rules.header_line) {
+    preamble = find_preamble(cursor, file, rules.delimiter ? rules.delimiter : stated_by_log);
+  }
+  if (preamble) pass_preamble(*preamble, cursor, table);
   table.delimiter = rules.delimiter ? *rules.delimiter
                     : stated_by_log ? *stated_by_log
+                    : preamble      ? preamble->delimiter
                                     : sniff_delimiter(cursor, file, rules.decimal_mark);
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
@@ -368,7 +396,9 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   if (rules.decimal_mark == DecimalMark::comma && !rules.delimiter && !stated_by_log) {
     refuse_commas_between_columns(first, table);
   }
-  const Header header = read_names(cursor, columns, rules, table);
+  const Header header = preamble && !preamble->names.empty()
+                            ? header_of(*preamble, rules, {file, first.line(), 0}, table)
+                            : read_names(cursor, columns, rules, table);
   const std::vector<log::WantedColumn> wanted =
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
   const RowLayout layout = lay_out(header, wanted, rules, cursor, {file, first.line(), 0}, table);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/closest_match.h"
 #include "base/requirements.h"
 #include "ingest/text/fields.h"
 #include "ingest/text/plain_rows.h"
@@ -115,6 +116,10 @@ class RowReader {
         count_bad_row(refusal);
         continue;
       }
+      if (std::exchange(is_remark_, false)) {
+        if (remarks_++ == 0) first_remark_ = std::string(trimmed(cursor_.row()));
+        continue;
+      }
       if (std::exchange(is_unclear_, false)) {
         if (table_.unclear_rows++ == 0) first_unclear_line_ = cursor_.line();
         continue;
@@ -129,6 +134,7 @@ class RowReader {
         read_stretch();
     }
     if (table_.bad_rows > 0) judge_bad_rows();
+    if (remarks_ > 0) note_remarks();
     if (table_.unclear_rows > 0) {
       table_.notes.push_back({"reading.unclear_joint_states",
                               {{"unclear", table_.unclear_rows},
@@ -191,6 +197,10 @@ class RowReader {
       fields.push_back({"", cursor_.row().size() + 1});
     }
     refuse_repeated_header();
+    if (is_remark(fields)) {
+      is_remark_ = true;
+      return true;
+    }
     const bool ends_with_delimiter = fields.back().text.empty() && !cursor_.row().ends_with('"') &&
                                      !layout_.header.back().text.empty();
     if (may_be_cut && (fields.size() < columns || ends_with_delimiter)) return false;
@@ -211,6 +221,35 @@ class RowReader {
       values_[slot] = number.value;
     }
     return true;
+  }
+
+  /// A line of words among rows of numbers, as a program says "EOF" or "homing done": fewer fields
+  /// than the header has, and none a number.
+  [[nodiscard]] bool is_remark(const std::vector<Field>& fields) const {
+    constexpr std::size_t most = 1000;
+    if (fields.size() >= layout_.slots.size() || remarks_ >= most || layout_.joint_states) {
+      return false;
+    }
+    return !looks_like_gap(fields) &&
+           std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
+             return read_number(field.text, layout_.mark).kind == FieldKind::text &&
+                    !has_digit(field.text);
+           });
+  }
+  static bool has_digit(const std::string& text) {
+    return text.find_first_of("0123456789") != std::string::npos;
+  }
+  static bool looks_like_gap(const std::vector<Field>& fields) {
+    return std::all_of(fields.begin(), fields.end(),
+                       [](const Field& field) { return field.text.empty(); });
+  }
+
+  void note_remarks() {
+    constexpr std::size_t longest = 60;
+    table_.remark_rows = remarks_;
+    table_.notes.push_back(
+        {"reading.remarks",
+         {{"lines", remarks_}, {"first", in_quotes(first_remark_.substr(0, longest))}}});
   }
 
   void keep() {
@@ -272,6 +311,9 @@ class RowReader {
   std::size_t patience_{1};
   bool has_trailing_delimiter_{false};
   bool is_unclear_{false};
+  bool is_remark_{false};
+  std::size_t remarks_{0};
+  std::string first_remark_;
   long first_unclear_line_{0};
   std::optional<InputError> first_bad_row_;
 };

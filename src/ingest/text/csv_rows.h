@@ -55,6 +55,21 @@ class EchoedJointStates {
   std::optional<std::size_t> unknown_numbers_;  ///< In a row, where their names are not known.
 };
 
+/// Lines of words in front of a table of numbers.
+struct Preamble {
+  long line{};  ///< On which the table's numbers begin.
+  Delimiter delimiter{Delimiter::comma};
+  std::vector<Field> names;        ///< Of its columns; empty: none were found.
+  std::vector<std::string> units;  ///< From a row below the names; empty: none.
+};
+
+/// What has to be passed to come to the table: its columns' names are those of the row of words
+/// right above it, or of TwinCAT's properties of channels, each a time and a value.
+/// @param start in front of the log. @param stated its delimiter.
+/// @return nothing where the first row names the columns, or no table of numbers was found.
+std::optional<Preamble> find_preamble(const RowCursor& start, const std::string& file,
+                                      const std::optional<Delimiter>& stated);
+
 /// "Nm" of "[Nm]" and "(Nm)".
 std::string_view without_brackets(std::string_view unit);
 

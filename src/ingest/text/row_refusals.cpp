@@ -15,7 +15,8 @@ namespace {
 /// Where rows before it could be used. Empty where they are skipped already.
 std::string way_out(const RefusedRow& row) {
   if (row.layout.skip_bad_rows || row.table.rows == 0) return "";
-  return "damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+  return "damaged rows? [log] skip_bad_rows = true (--skip-bad-rows) leaves them out, up to 1 % of "
+         "all";
 }
 
 std::string joined(const std::string& cause, const std::string& way) {

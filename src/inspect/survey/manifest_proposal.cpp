@@ -206,7 +206,9 @@ class ManifestText {
       return std::any_of(log.tables.begin(), log.tables.end(),
                          [](const TableSurvey& one) { return one.has_impossible_values; });
     });
-    if (is_damaged) {
+    if (rules.skip_bad_rows) {
+      lines += "skip_bad_rows = true\n";
+    } else if (is_damaged) {
       lines += "skip_bad_rows = true  # single numbers that no joint has; their rows are counted\n";
     }
     if (!lines.empty()) text_ += "\n[log]\n" + lines;

@@ -8,7 +8,7 @@ namespace tribolog::test {
 namespace {
 
 const std::string damaged =
-    "damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+    "damaged rows? [log] skip_bad_rows = true (--skip-bad-rows) leaves them out, up to 1 % of all";
 const std::string other_fields = "row has another number of fields than the header, found ";
 
 std::string with_log_table(const std::string& keys) {

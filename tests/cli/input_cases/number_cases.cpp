@@ -11,7 +11,8 @@ namespace tribolog::test {
 namespace {
 
 const std::string damaged_number =
-    "; hint: damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+    "; hint: damaged rows? [log] skip_bad_rows = true (--skip-bad-rows) leaves them out, up to 1 % "
+    "of all";
 
 std::string with_torque(const std::string& field) {
   return with_line_301("14.95,0.695000000," + field);

@@ -245,8 +245,8 @@ TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
             "current, expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated "
             "rightly?");
   EXPECT_EQ(
-      refusal(with("\"rad\"", "\"grad\"")),
-      "m.toml:12:29: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg, turn; "
+      refusal(with("\"rad\"", "\"gon\"")),
+      "m.toml:12:29: unknown unit of an angle, found 'gon', expected one of rad, mrad, deg, turn; "
       "hint: did you mean 'rad'?");
 }
 
@@ -279,7 +279,8 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
   EXPECT_EQ(refusal(with("[joint]", "serail = \"S\"\n[joint]")),
             "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
   EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
-            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', 'name', "
+            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', "
+            "'confirmed', 'name', "
             "'plus', "
             "'rate_Hz', 'unit'");
   EXPECT_EQ(

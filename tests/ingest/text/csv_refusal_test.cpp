@@ -19,7 +19,7 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 const std::string damaged =
-    "damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+    "damaged rows? [log] skip_bad_rows = true (--skip-bad-rows) leaves them out, up to 1 % of all";
 
 class RefusedLog : public testing::TestWithParam<Case> {};
 

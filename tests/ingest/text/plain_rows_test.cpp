@@ -159,10 +159,12 @@ TEST(PlainRows, AFaultFarBehindIsRefusedAtItsLine) {
     (void)ingest::text::read_csv(log.text, "f", {{"t"}, {"tau"}});
     FAIL() << "not refused";
   } catch (const InputError& refused) {
-    EXPECT_EQ(std::string(refused.what()),
-              fmt::format("f:{}:6: column 'tau', found 'fault', expected a number; hint: damaged "
-                          "rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all",
-                          log.lines.back() + 1));
+    EXPECT_EQ(
+        std::string(refused.what()),
+        fmt::format(
+            "f:{}:6: column 'tau', found 'fault', expected a number; hint: damaged "
+            "rows? [log] skip_bad_rows = true (--skip-bad-rows) leaves them out, up to 1 % of all",
+            log.lines.back() + 1));
   }
 }
 
