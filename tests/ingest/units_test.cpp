@@ -120,8 +120,8 @@ TEST(Units, AreListedWhereOneIsNotKnown) {
         [&] { return ingest::log::si_factor(quantity, unit, {"m.toml", 5, 9}); });
   };
   EXPECT_EQ(
-      refusal(ingest::log::Quantity::angle, "dge"),
-      "m.toml:5:9: unknown unit of an angle, found 'dge', expected one of rad, mrad, deg, turn; "
+      refusal(ingest::log::Quantity::angle, "dg"),
+      "m.toml:5:9: unknown unit of an angle, found 'dg', expected one of rad, mrad, deg, turn; "
       "hint: did you mean 'deg'?");
   EXPECT_EQ(refusal(ingest::log::Quantity::torque, "lbf"),
             "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm; "

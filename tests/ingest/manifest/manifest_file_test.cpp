@@ -247,7 +247,7 @@ TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
   EXPECT_EQ(
       refusal(with("\"rad\"", "\"gon\"")),
       "m.toml:12:29: unknown unit of an angle, found 'gon', expected one of rad, mrad, deg, turn; "
-      "hint: did you mean 'rad'?");
+      "hint: a multiple of one will do, such as \"0.018 deg\"");
 }
 
 TEST(Manifest, RefusesWhatIsMissing) {
