@@ -20,6 +20,10 @@ constexpr std::array signatures = {
     Signature{"\x93NUMPY"sv, LogFormat::npy},
     Signature{"MATLAB 5.0 MAT"sv, LogFormat::mat},
     Signature{"MATLAB 7.3 MAT"sv, LogFormat::mat},
+    Signature{"MDF     "sv, LogFormat::mdf},
+    Signature{"UnFinMF "sv, LogFormat::mdf},
+    Signature{"TDSm"sv, LogFormat::tdms},
+    Signature{"TDSh"sv, LogFormat::tdms},
 };
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -105,6 +109,10 @@ std::string to_string(LogFormat format) {
       return "MCAP";
     case LogFormat::sqlite_bag:
       return "rosbag2 (.db3)";
+    case LogFormat::mdf:
+      return "ASAM MDF (.mf4)";
+    case LogFormat::tdms:
+      return "TDMS";
   }
   return "";
 }
