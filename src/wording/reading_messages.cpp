@@ -98,8 +98,7 @@ const Messages& reading_messages() {
        text("truncated in {record} at byte {byte}: expected {expected} bytes, ended after {got}")},
       {"reading.not_finalized",
        text("the recording was not finalized: its records are read as far as the file reaches")},
-      {"reading.fewer_records",
-       text("{group} has {records} records; it states {stated:.0f}")},
+      {"reading.fewer_records", text("{group} states {stated:.0f} records; there are {records}")},
       {"reading.segment_not_closed",
        text("the segment at byte {byte} was not closed: it is read as far as the file reaches")},
       {"reading.not_closed", text("the recording was not closed: what is in {file} ({bytes} bytes) "

@@ -117,6 +117,11 @@ std::string to_string(LogFormat format) {
   return "";
 }
 
+bool is_zarr_metadata(std::string_view first_bytes) {
+  return first_bytes.starts_with('{') &&
+         first_bytes.find("\"zarr_format\"") != std::string_view::npos;
+}
+
 LogFormat detect_log_format(std::string_view first_bytes, const std::string& path) {
   for (const Signature& signature : signatures) {
     if (first_bytes.starts_with(signature.start)) return signature.format;
@@ -125,6 +130,7 @@ LogFormat detect_log_format(std::string_view first_bytes, const std::string& pat
   if (is_mat_5(first_bytes)) return LogFormat::mat;
   if (is_hdf5(first_bytes)) return LogFormat::hdf5;
   if (may_be_mat_4(first_bytes, path)) return LogFormat::mat;
+  if (is_zarr_metadata(first_bytes)) return LogFormat::text;  // refused there
   if (is_json(first_bytes, path)) return LogFormat::json;
   return LogFormat::text;
 }

@@ -243,7 +243,7 @@ TEST(MdfReader, RecordsThatAreStatedAndNotThereAreTold) {
   CgFields group = clock_and_byte();
   group.records = 5;
   file.data_group(file.group(group, 0), file.add("##DT", {}, clock_and_byte_rows()));
-  EXPECT_EQ(notes_of(read(file.bytes())), Names{"'run' has 3 records; it states 5"});
+  EXPECT_EQ(notes_of(read(file.bytes())), Names{"'run' states 5 records; there are 3"});
 }
 
 TEST(MdfReader, ChannelsThatCannotBeReadAreNamedWithTheirReason) {
