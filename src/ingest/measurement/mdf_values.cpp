@@ -12,8 +12,8 @@ namespace {
 
 using arrays::number_at;
 
-/// The bits of a field as an integer, of at most 9 bytes.
-std::uint64_t bits_at(const char* bytes, const MdfField& field) {
+/// The bits of a field of any width, in at most 9 bytes, one byte at a time.
+std::uint64_t gathered_bits(const char* bytes, const MdfField& field) {
   const std::size_t count = field.bytes();
   std::uint64_t low = 0;
   std::uint64_t high = 0;
@@ -27,6 +27,22 @@ std::uint64_t bits_at(const char* bytes, const MdfField& field) {
   if (high != 0 && field.bit > 0) bits |= high << (64U - field.bit);
   if (field.bits < 64) bits &= (std::uint64_t{1} << field.bits) - 1;
   return bits;
+}
+
+/// The bits of a field as an integer.
+std::uint64_t bits_at(const char* bytes, const MdfField& field) {
+  const std::string_view all(bytes, field.bytes());
+  // Most stand in whole numbers.
+  if (field.bits == 64 && field.bit == 0) {
+    return number_at<std::uint64_t>(all, 0, field.is_big_endian);
+  }
+  if (field.bits == 32 && field.bit == 0) {
+    return number_at<std::uint32_t>(all, 0, field.is_big_endian);
+  }
+  if (field.bits == 16 && field.bit == 0) {
+    return number_at<std::uint16_t>(all, 0, field.is_big_endian);
+  }
+  return gathered_bits(bytes, field);
 }
 
 std::int64_t with_sign(std::uint64_t bits, std::uint32_t width) {
