@@ -130,6 +130,7 @@ class DataBlocks {
 std::string transposed(const std::string& columns, std::size_t row_bytes) {
   const std::size_t rows = columns.size() / row_bytes;
   std::string bytes = columns;
+  if (rows == 0) return bytes;  // the row's length may be anything then
   for (std::size_t column = 0; column < row_bytes; ++column) {
     for (std::size_t row = 0; row < rows; ++row) {
       bytes[row * row_bytes + column] = columns[column * rows + row];

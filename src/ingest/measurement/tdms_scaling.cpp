@@ -1,6 +1,7 @@
 #include "ingest/measurement/tdms_scaling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ std::optional<TdmsScaling> read_scaling(const TdmsProperties& properties) {
   const double count = stated ? *stated : counted_scales(properties);
   if (count == 0) return std::nullopt;
   if (text_of(properties, "NI_Scaling_Status") == "scaled") return TdmsScaling{};
-  if (!(count > 0 && count <= most_scales)) {
+  if (!(count >= 1 && count <= most_scales && count == std::floor(count))) {
     throw UnreadChannel(fmt::format("it has {} scales", count));
   }
   TdmsScaling scaling;
@@ -78,7 +79,8 @@ std::optional<TdmsScaling> read_scaling(const TdmsProperties& properties) {
     const Scale scale(properties, static_cast<std::size_t>(place));
     scaling.push_back(coefficients_of(scale));
     const double input = scale.number_or(scale.type() + "_Input_Source", raw_data);
-    if (input != raw_data && !(input >= 0 && input < place)) {
+    const bool is_before = input >= 0 && input < place && input == std::floor(input);
+    if (input != raw_data && !is_before) {
       throw UnreadChannel("its scales take each other in no order");
     }
     place = input;

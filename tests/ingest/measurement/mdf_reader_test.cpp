@@ -334,6 +334,18 @@ TEST(MdfReader, ABlockThatStatesMoreThanDeflateCanGiveTakesNoMemory) {
             std::string::npos);
 }
 
+TEST(MdfReader, TransposedRowsMayBeLongerThanTheirBlock) {
+  // Deflate's stored form of the three bytes of one channel.
+  const std::string packed = "\x78\x01\x01\x03\x00\xfc\xff\x0a\x0b\x0c\x00\x43\x00\x22"s;
+  const std::string dz = "DT\1\0"s + little(std::uint32_t{0xffffffff}) + little(std::uint64_t{3}) +
+                         little(std::uint64_t{packed.size()}) + packed;
+  MdfBytes file;
+  const std::uint64_t group =
+      file.group({.records = 3, .data_bytes = 1, .channels = {{.name = "q"}}}, 0);
+  file.data_group(group, file.add("##DZ", {}, dz));
+  EXPECT_EQ(read(file.bytes()).at(0).columns.at(0).values, (Values{10, 11, 12}));
+}
+
 TEST(MdfReader, ChannelsThatShareTheirBitsAreLeftOutAtSomePoint) {
   MdfBytes file;
   CgFields group = clock_and_byte();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -177,6 +178,16 @@ TEST(TdmsReader, ScalesThatAreNotReadLeaveTheChannelOut) {
   EXPECT_EQ(notes_of(tables),
             (Names{"'g/tau' is not read: its scale is of type 'Thermocouple'",
                    "'g/half' is not read: its scale lacks 'NI_Scale[0]_Linear_Y_Intercept'"}));
+}
+
+TEST(TdmsReader, ScalesThatAreNoNumberOfScalesLeaveTheChannelOut) {
+  for (const double count : {0.5, -1.0, 17.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const std::string scaled =
+        tdms_object(tau, tdms_index(int8, 1), {{"NI_Number_Of_Scales", count}});
+    const auto tables =
+        read(tdms_segment(new_metadata, {tdms_object(q, tdms_index(int8, 1)), scaled}, "\1\2"));
+    EXPECT_EQ(tables.at(0).header, Names{"q"}) << count;
+  }
 }
 
 TEST(TdmsReader, NamesHoldQuotes) {
