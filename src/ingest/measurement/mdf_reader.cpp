@@ -170,7 +170,8 @@ void MdfReader::add_table(const MdfGroup& group, std::string_view records, const
     log_.leave_out(group.name + "/" + channel.name, channel.reason);
   }
   const std::size_t stride = group.record_bytes();
-  if (group.channels.empty() || stride == 0) return;
+  if (stride == 0 && !group.holds_texts) return log_.leave_out(group.name, "its records are empty");
+  if (group.channels.empty()) return;
   const std::uint64_t there = records.size() / stride;
   const std::uint64_t rows = is_finalized_ ? std::min(there, group.records) : there;
   log::LogTable table;

@@ -55,8 +55,10 @@ void make_names_differ(log::LogTable& table) {
 
 log::LogColumn column_of(const std::string& name, const std::string& unit,
                          std::vector<double> values) {
-  log::LogColumn column{text::read_header_field(name), std::move(values), 0};
-  if (!unit.empty() && column.header.unit.empty()) column.header.unit = unit;
+  // Beside a unit of its own "q[0]" is a name and nothing else.
+  log::LogColumn column{
+      unit.empty() ? text::read_header_field(name) : log::ColumnHeader{name, name, unit},
+      std::move(values), 0};
   for (double& value : column.values) {
     if (std::isfinite(value)) continue;
     value = std::numeric_limits<double>::quiet_NaN();

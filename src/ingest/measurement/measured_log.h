@@ -19,7 +19,7 @@ class UnreadChannel : public std::runtime_error {
 };
 
 /// A column of these values; what is not finite is a gap.
-/// @param name as the file has it: "torque [Nm]" has a unit.
+/// @param name as the file has it: "torque [Nm]" has a unit, where there is no other.
 /// @param unit where the file states one outside of the name; empty: it does not.
 log::LogColumn column_of(const std::string& name, const std::string& unit,
                          std::vector<double> values);

@@ -277,6 +277,13 @@ TEST(MdfReader, ChannelsOfOneNameAreToldApart) {
   EXPECT_EQ(notes_of(tables), Names{"column names that occur more than once: 'q'"});
 }
 
+TEST(MdfReader, AGroupWithEmptyRecordsIsNamed) {
+  MdfBytes file;
+  file.data_group(file.group({.name = "empty", .records = 1U << 31}, 0), 0);
+  file.data_group(file.group(clock_and_byte(), 0), file.add("##DT", {}, clock_and_byte_rows()));
+  EXPECT_EQ(notes_of(read(file.bytes())), Names{"'empty' is not read: its records are empty"});
+}
+
 TEST(MdfReader, OlderVersionsAreRefusedWithWhatToRun) {
   EXPECT_EQ(
       refusal_of(MdfBytes("MDF     ", "3.30    ").bytes()),

@@ -190,6 +190,22 @@ TEST(TdmsReader, ScalesThatAreNoNumberOfScalesLeaveTheChannelOut) {
   }
 }
 
+TEST(TdmsReader, UnitsStandInThePropertyOrInTheName) {
+  const auto with_unit = [](const std::string& path, const std::string& unit) {
+    return tdms_text(path) + tdms_index(int8, 1) + little(std::uint32_t{1}) +
+           tdms_text("unit_string") + little(std::uint32_t{text}) + tdms_text(unit);
+  };
+  const auto table = read(tdms_segment(new_metadata,
+                                       {with_unit("/'g'/'q[0]'", "deg"),
+                                        tdms_object("/'g'/'tau [Nm]'", tdms_index(int8, 1))},
+                                       "\1\2"))
+                         .at(0);
+  EXPECT_EQ(table.columns.at(0).header.name, "q[0]");
+  EXPECT_EQ(table.columns.at(0).header.unit, "deg");
+  EXPECT_EQ(table.columns.at(1).header.name, "tau");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+}
+
 TEST(TdmsReader, NamesHoldQuotes) {
   const auto tables = read(tdms_segment(new_metadata,
                                         {tdms_object("/'Tom''s rig'/'q''s'", tdms_index(int8, 1)),
