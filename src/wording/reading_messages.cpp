@@ -96,6 +96,11 @@ const Messages& reading_messages() {
        text("{bytes} bytes after the log's end at byte {end} are not read")},
       {"reading.truncated",
        text("truncated in {record} at byte {byte}: expected {expected} bytes, ended after {got}")},
+      {"reading.not_finalized",
+       text("the recording was not finalized: its records are read as far as the file reaches")},
+      {"reading.fewer_records", text("{group} states {stated:.0f} records; there are {records}")},
+      {"reading.segment_not_closed",
+       text("the segment at byte {byte} was not closed: it is read as far as the file reaches")},
       {"reading.not_closed", text("the recording was not closed: what is in {file} ({bytes} bytes) "
                                   "is not read; sqlite3 can merge it into the log")},
 

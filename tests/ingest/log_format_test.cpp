@@ -18,6 +18,14 @@ TEST(LogFormat, SignaturesCountMoreThanNames) {
             ingest::log::LogFormat::hdf5);
   EXPECT_EQ(ingest::log::detect_log_format("MATLAB 5.0 MAT-file, Platform"sv, "a.json"),
             ingest::log::LogFormat::mat);
+  EXPECT_EQ(ingest::log::detect_log_format("MDF     4.10    "sv, "a.dat"),
+            ingest::log::LogFormat::mdf);
+  EXPECT_EQ(ingest::log::detect_log_format("UnFinMF 4.11    "sv, "a.mf4"),
+            ingest::log::LogFormat::mdf);
+  EXPECT_EQ(ingest::log::detect_log_format("TDSm\x0e\0\0\0"sv, "a.csv"),
+            ingest::log::LogFormat::tdms);
+  EXPECT_EQ(ingest::log::detect_log_format("TDSh\x0e\0\0\0"sv, "a.tdms_index"),
+            ingest::log::LogFormat::tdms);
 }
 
 TEST(LogFormat, Matlab73IsNotTakenForPlainHdf5) {
@@ -64,6 +72,13 @@ TEST(LogFormat, JsonByItsFirstTwoCharacters) {
   EXPECT_EQ(ingest::log::detect_log_format("[s] time, q\n", "a.csv"), ingest::log::LogFormat::text);
   EXPECT_EQ(ingest::log::detect_log_format("not JSON", "a.json"), ingest::log::LogFormat::json)
       << "to say what is wrong";
+}
+
+TEST(LogFormat, MetadataOfZarrAreNoLog) {
+  EXPECT_EQ(ingest::log::detect_log_format("{\n  \"zarr_format\": 2\n}", ".zgroup"),
+            ingest::log::LogFormat::text);
+  EXPECT_TRUE(ingest::log::is_zarr_metadata("{\"attributes\": {}, \"zarr_format\": 3}"));
+  EXPECT_FALSE(ingest::log::is_zarr_metadata("{\"zarr\": 3}"));
 }
 
 TEST(LogFormat, TheRestIsText) {

@@ -46,4 +46,28 @@ void expect_changes_answered(const Read& read, const std::string& bytes, std::si
   }
 }
 
+/// `count` mutants with a third each of changed bits, cuts, and bytes that stand elsewhere in it.
+template <class Read>
+void expect_mutants_answered(const Read& read, const std::string& bytes, std::size_t count) {
+  std::mt19937 random(3);
+  const auto place = [&] { return random() % bytes.size(); };
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string mutant = bytes;
+    if (i % 3 == 0) {
+      for (std::size_t k = 0; k <= i % 4; ++k) {
+        char& byte = mutant[place()];
+        byte = static_cast<char>(byte ^ static_cast<char>(1U << (random() % 8)));
+      }
+    } else if (i % 3 == 1) {
+      mutant.resize(place());
+    } else {
+      const std::size_t from = place();
+      const std::size_t to = place();
+      const std::size_t taken = random() % 64;
+      mutant.replace(to, random() % 64, bytes.substr(from, taken));
+    }
+    expect_answer(read, mutant, "mutant " + std::to_string(i));
+  }
+}
+
 }  // namespace tribolog::test

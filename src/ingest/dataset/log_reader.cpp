@@ -20,6 +20,7 @@
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
+#include "ingest/measurement/measurement_readers.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -108,6 +109,10 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
       return arrays::read_npz(path);
     case log::LogFormat::json:
       return arrays::read_bam_json(path);
+    case log::LogFormat::mdf:
+      return measurement::read_mdf(path);
+    case log::LogFormat::tdms:
+      return measurement::read_tdms(path);
     case log::LogFormat::text:
       break;
   }

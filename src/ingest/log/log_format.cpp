@@ -20,6 +20,10 @@ constexpr std::array signatures = {
     Signature{"\x93NUMPY"sv, LogFormat::npy},
     Signature{"MATLAB 5.0 MAT"sv, LogFormat::mat},
     Signature{"MATLAB 7.3 MAT"sv, LogFormat::mat},
+    Signature{"MDF     "sv, LogFormat::mdf},
+    Signature{"UnFinMF "sv, LogFormat::mdf},
+    Signature{"TDSm"sv, LogFormat::tdms},
+    Signature{"TDSh"sv, LogFormat::tdms},
 };
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -105,8 +109,17 @@ std::string to_string(LogFormat format) {
       return "MCAP";
     case LogFormat::sqlite_bag:
       return "rosbag2 (.db3)";
+    case LogFormat::mdf:
+      return "ASAM MDF (.mf4)";
+    case LogFormat::tdms:
+      return "TDMS";
   }
   return "";
+}
+
+bool is_zarr_metadata(std::string_view first_bytes) {
+  return first_bytes.starts_with('{') &&
+         first_bytes.find("\"zarr_format\"") != std::string_view::npos;
 }
 
 LogFormat detect_log_format(std::string_view first_bytes, const std::string& path) {
@@ -117,6 +130,7 @@ LogFormat detect_log_format(std::string_view first_bytes, const std::string& pat
   if (is_mat_5(first_bytes)) return LogFormat::mat;
   if (is_hdf5(first_bytes)) return LogFormat::hdf5;
   if (may_be_mat_4(first_bytes, path)) return LogFormat::mat;
+  if (is_zarr_metadata(first_bytes)) return LogFormat::text;  // refused there
   if (is_json(first_bytes, path)) return LogFormat::json;
   return LogFormat::text;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "ingest/log/log_format.h"
 
 namespace tribolog::ingest::text {
 
@@ -117,6 +118,16 @@ constexpr std::string_view by_stream =
     "pyarrow; "
     "pyarrow.ipc.open_stream('LOG').read_pandas().to_csv('LOG.csv')\"";
 
+constexpr std::string_view by_ulog = "pip install pyulog; ulog2csv LOG";
+// No command of rerun's writes a table; its server gives one. The clock of the log comes first.
+constexpr std::string_view by_rerun =
+    "in a Python with rerun (pip install 'rerun-sdk[catalog]'): python3 -c \"import os; from "
+    "rerun.server import Server; s = Server(datasets={'log': [os.path.abspath('LOG')]}); d = "
+    "s.client().get_dataset('log'); n = sorted((i.name for i in d.schema().index_columns()), "
+    "key=lambda n: n.startswith('log_'))[0]; d.reader(index=n).to_pandas().map(lambda v: "
+    "v.total_seconds() if hasattr(v, 'total_seconds') else v[0] if hasattr(v, 'shape') and v.shape "
+    "else v).to_csv('LOG.csv', index=False)\"";
+
 struct BinaryFormat {
   std::string_view start;
   std::string_view name;
@@ -146,6 +157,10 @@ constexpr std::array formats = {
     BinaryFormat{"SQLite format 3"sv, "SQLite (also .db3 bags)"},
     BinaryFormat{"\x93NUMPY"sv, "NumPy"},
     BinaryFormat{"MATLAB 5.0 MAT"sv, "MATLAB"},
+    BinaryFormat{"ULog\x01\x12\x35"sv, "ULog (PX4)", by_ulog},
+    BinaryFormat{"RRF2"sv, "Rerun (.rrd)", by_rerun},
+    BinaryFormat{"RRF1"sv, "Rerun (.rrd)", by_rerun},
+    BinaryFormat{"RRF0"sv, "Rerun (.rrd)", by_rerun},
 };
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what,
@@ -175,6 +190,10 @@ std::string_view start_of_text(std::string_view bytes, const std::string& file) 
   for (const BinaryFormat& format : formats) {
     if (!bytes.starts_with(format.start)) continue;
     refuse(file, "is a binary file: " + std::string(format.name), std::string(format.hint));
+  }
+  if (log::is_zarr_metadata(bytes)) {
+    throw InputError({file, 0, 0},
+                     {"is a file of a Zarr store, not a log", "", "", std::string(log::by_zarr)});
   }
   if (is_utf16(bytes)) {
     refuse(file, "looks like UTF-16 (byte 0)", "convert it: iconv -f UTF-16 -t UTF-8");

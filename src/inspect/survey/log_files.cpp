@@ -7,6 +7,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
+#include "ingest/log/log_format.h"
 #include "inspect/survey/log_survey.h"
 
 namespace tribolog::inspect::survey {
@@ -16,9 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_metadata_bytes = 1 << 24;
 /// Of those that are not read the refusal says what to run.
-constexpr std::array known_endings{".arrow", ".bag",  ".csv",   ".dat",     ".db3", ".feather",
-                                   ".h5",    ".hdf5", ".json",  ".log",     ".mat", ".mcap",
-                                   ".npy",   ".npz",  ".jsonl", ".parquet", ".tsv", ".txt"};
+constexpr std::array known_endings{".arrow", ".bag",  ".csv",  ".dat", ".db3",   ".feather",
+                                   ".h5",    ".hdf5", ".json", ".log", ".mat",   ".mcap",
+                                   ".mdf",   ".mf4",  ".npy",  ".npz", ".jsonl", ".parquet",
+                                   ".rrd",   ".tdms", ".tsv",  ".txt", ".ulg"};
 
 /// What rosbag2's metadata.yaml lists under relative_file_paths, a line each: "    - bag_0.mcap".
 std::vector<std::string> listed_files(const fs::path& metadata) {
@@ -44,6 +46,16 @@ std::vector<std::string> listed_files(const fs::path& metadata) {
   return files;
 }
 
+/// A Zarr store is a folder of chunks, which its metadata alone make arrays of.
+void refuse_zarr(const fs::path& folder) {
+  std::error_code error;
+  for (const char* name : {".zgroup", ".zarray", "zarr.json"}) {
+    if (!fs::exists(folder / name, error)) continue;
+    throw InputError({folder.string(), 0, 0}, {"is a Zarr store, which is not read", "", "",
+                                               std::string(ingest::log::by_zarr)});
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> log_files_in(const std::string& path) {
@@ -51,6 +63,7 @@ std::vector<std::string> log_files_in(const std::string& path) {
   if (!fs::is_directory(path, error)) return {path};
   const fs::path folder(path);
   std::vector<std::string> files;
+  refuse_zarr(folder);
   const fs::path metadata = folder / "metadata.yaml";
   if (fs::exists(metadata, error)) {
     for (const std::string& name : listed_files(metadata))

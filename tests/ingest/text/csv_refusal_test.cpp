@@ -49,6 +49,23 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Mcap", "\x89MCAP0\r\n",
              "run.csv: is a binary file: MCAP, expected a text file of columns; hint: export or "
              "unpack it as CSV"},
+        Case{"ULog", "ULog\x01\x12\x35\x01\0\0"sv,
+             "run.csv: is a binary file: ULog (PX4), expected a text file of columns; hint: pip "
+             "install pyulog; ulog2csv LOG"},
+        Case{
+            "ZarrMetadata", "{\n  \"zarr_format\": 2\n}",
+            "run.csv: is a file of a Zarr store, not a log; hint: in a Python with zarr (pip "
+            "install zarr): python3 -c \"import numpy, zarr; numpy.savez('LOG.npz', **{n: a[:] for "
+            "n, a in zarr.open_group('LOG', mode='r').arrays()})\""},
+        Case{"Rerun", "RRF2\0\x29\0\0\1\2\0\0"sv,
+             "run.csv: is a binary file: Rerun (.rrd), expected a text file of columns; hint: in a "
+             "Python with rerun (pip install 'rerun-sdk[catalog]'): python3 -c \"import os; from "
+             "rerun.server import Server; s = Server(datasets={'log': [os.path.abspath('LOG')]}); "
+             "d = s.client().get_dataset('log'); n = sorted((i.name for i in "
+             "d.schema().index_columns()), key=lambda n: n.startswith('log_'))[0]; "
+             "d.reader(index=n).to_pandas().map(lambda v: v.total_seconds() if hasattr(v, "
+             "'total_seconds') else v[0] if hasattr(v, 'shape') and v.shape else "
+             "v).to_csv('LOG.csv', index=False)\""},
         Case{"NulByte", "t,tau\n0,1\n\0,2\n"sv,
              "run.csv: binary data at byte 10, expected a text file of columns"},
         Case{"Latin1", "t,tau,\xb5\n0,1,2\n",
