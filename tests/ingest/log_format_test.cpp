@@ -18,6 +18,10 @@ TEST(LogFormat, SignaturesCountMoreThanNames) {
             ingest::log::LogFormat::hdf5);
   EXPECT_EQ(ingest::log::detect_log_format("MATLAB 5.0 MAT-file, Platform"sv, "a.json"),
             ingest::log::LogFormat::mat);
+  EXPECT_EQ(ingest::log::detect_log_format("PAR1\x15\x04"sv, "a.csv"),
+            ingest::log::LogFormat::parquet);
+  EXPECT_EQ(ingest::log::detect_log_format("PARE\x15\x04"sv, "a.parquet"),
+            ingest::log::LogFormat::parquet);
 }
 
 TEST(LogFormat, Matlab73IsNotTakenForPlainHdf5) {

@@ -18,6 +18,7 @@
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
+#include "ingest/parquet/parquet_reader.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -106,6 +107,8 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
       return arrays::read_npz(path);
     case log::LogFormat::json:
       return arrays::read_bam_json(path);
+    case log::LogFormat::parquet:
+      return parquet::read_parquet(path);
     case log::LogFormat::text:
       break;
   }
@@ -232,6 +235,7 @@ KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path
     : directory_(std::move(directory)), rules_(manifest.text_logs) {
   for (const manifest::RecordingEntry& entry : manifest.recordings) {
     ++still_named_[entry.file];
+    if (entry.columns.rows) rows_of_[entry.file].insert(entry.columns.rows->value);
     for (const manifest::RecordingEntry& companion : companions_of(entry))
       ++still_named_[companion.file];
   }
@@ -268,20 +272,31 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
   }
 }
 
-/// Leaves the rows of the joint that is stated, and counts the others.
-/// @param table the column that tells them is its last one, and is taken away.
-void keep_rows(const manifest::RowsEntry& wanted, log::LogTable& table) {
-  const log::LogColumn told_by = std::move(table.columns.back());
-  table.columns.pop_back();
+/// The rows of the joint, or of the recording, that is stated; the others are counted.
+/// @param whole the column that tells them is its last one, and is left out.
+ReadLog rows_of(const manifest::RowsEntry& wanted, const ReadLog& whole) {
+  const log::LogColumn& told_by = whole.table.columns.back();
   const auto word = std::find(told_by.words.begin(), told_by.words.end(), wanted.value);
   if (word == told_by.words.end()) {
     throw InputError(wanted.where, {"no row of the log is of it", in_quotes(wanted.value),
                                     "one of " + list_of_names(told_by.words), ""});
   }
-  log::keep_rows_of(told_by, static_cast<std::size_t>(word - told_by.words.begin()), table);
+  const auto place = static_cast<std::size_t>(word - told_by.words.begin());
+  const std::vector<std::size_t> rows = log::rows_that_say(told_by, place);
+  ReadLog part{log::with_rows(whole.table, rows), {}, whole.file};
+  part.table.columns.pop_back();
+  for (const auto& [name, column] : whole.others) {
+    part.others.emplace(name, log::with_rows(column, rows));
+  }
+  return part;
 }
 
 }  // namespace
+
+bool KeptLogs::holds_several(const std::string& file) const {
+  const auto rows = rows_of_.find(file);
+  return rows != rows_of_.end() && rows->second.size() > 1;
+}
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
@@ -297,10 +312,18 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   const std::optional<double> rate_Hz =
       entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
   const std::string rows = entry.columns.rows ? entry.columns.rows->value : "";
-  if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
+  const bool is_new = !kept.log || kept.columns != columns;
+  if (is_new || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
-    ReadLog log = read_log(entry, path, columns, others, rules_, notes);
-    if (entry.columns.rows) keep_rows(*entry.columns.rows, log.table);
+    if (is_new || !kept.whole) {
+      kept.whole.reset();
+      kept.whole = std::make_unique<ReadLog>(read_log(entry, path, columns, others, rules_, notes));
+    }
+    ReadLog log = entry.columns.rows ? rows_of(*entry.columns.rows, *kept.whole)
+                                     : std::move(*std::exchange(kept.whole, nullptr));
+    if (holds_several(entry.file)) {
+      log.table.rows_of_others += std::exchange(log.table.other_rows, 0);
+    }
     complete_clock(entry, log.table, notes);
     if (rate_Hz) make_clock(present(entry.columns.time), path, log.table);
     kept.log = std::make_shared<const ReadLog>(std::move(log));

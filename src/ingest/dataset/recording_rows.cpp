@@ -213,8 +213,8 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
   joint::Recording r;
   r.name = entry.file;
   r.role = entry.role;
-  r.rows_read =
-      table.rows + table.cut_rows + table.bad_rows + table.unclear_rows + table.other_rows;
+  r.rows_read = table.rows + table.cut_rows + table.bad_rows + table.unclear_rows +
+                table.other_rows + table.rows_of_others;
   r.skipped = choice.skipped;
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -20,6 +20,8 @@ constexpr std::array signatures = {
     Signature{"\x93NUMPY"sv, LogFormat::npy},
     Signature{"MATLAB 5.0 MAT"sv, LogFormat::mat},
     Signature{"MATLAB 7.3 MAT"sv, LogFormat::mat},
+    Signature{"PAR1"sv, LogFormat::parquet},
+    Signature{"PARE"sv, LogFormat::parquet},
 };
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -105,6 +107,8 @@ std::string to_string(LogFormat format) {
       return "MCAP";
     case LogFormat::sqlite_bag:
       return "rosbag2 (.db3)";
+    case LogFormat::parquet:
+      return "Parquet";
   }
   return "";
 }
