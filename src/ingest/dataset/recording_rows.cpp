@@ -135,9 +135,7 @@ std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& en
   for (const std::string& name : others) {
     const auto is_same = [&](const log::WantedColumn& column) { return column.name == name; };
     const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), is_same);
-    if (!is_wanted && !entry.columns.rows) {
-      wanted.push_back({name, "", log::ColumnReading::number, true});
-    }
+    if (!is_wanted) wanted.push_back({name, "", log::ColumnReading::number, true});
   }
   const auto& time = entry.columns.time;
   if (time && time->plus) wanted.push_back({time->plus->name, "", time->plus->reading});

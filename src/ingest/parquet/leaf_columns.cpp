@@ -1,5 +1,7 @@
 #include "ingest/parquet/leaf_columns.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "ingest/parquet/compact_protocol.h"

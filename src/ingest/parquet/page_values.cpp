@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 #include "ingest/parquet/compact_protocol.h"
 #include "ingest/parquet/level_runs.h"
