@@ -163,7 +163,7 @@ void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& c
   }
   if (!proposal.roles.without_role.empty()) {
     console.say(
-        fmt::format("{} log(s) contain nothing usable", proposal.roles.without_role.size()));
+        fmt::format("{} recording(s) contain nothing usable", proposal.roles.without_role.size()));
   }
 }
 

@@ -70,11 +70,12 @@ bool reaches(const Integers& integers, std::int64_t bound) {
   return false;
 }
 
-/// A whole number of `step`, not above it.
+/// A whole number of `step`, not above it; beside the lowest integer the one above.
 std::int64_t rounded_down(std::int64_t value, std::int64_t step) {
-  const std::int64_t rest = value % step;
-  return value - (rest < 0 ? std::max(rest + step, value - std::numeric_limits<std::int64_t>::max())
-                           : rest);
+  const std::int64_t towards_zero = value - value % step;
+  const bool is_above = value % step < 0;
+  const bool has_next = towards_zero >= std::numeric_limits<std::int64_t>::min() + step;
+  return is_above && has_next ? towards_zero - step : towards_zero;
 }
 
 /// Takes the integers less an origin, over a divisor.

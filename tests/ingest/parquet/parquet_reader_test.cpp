@@ -3,6 +3,7 @@
 #include "ingest/parquet/parquet_reader.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,22 @@ TEST(Parquet, TimesBefore1970CountFromWholeSeconds) {
   const ingest::log::LogTable table = read(file);
   EXPECT_EQ(table.columns[0].origin, -2);
   EXPECT_EQ(table.columns[0].values, (std::vector<double>{0.5, 1.5}));
+}
+
+TEST(Parquet, IntegersAtTheEndsOfTheirRangeAreNumbers) {
+  constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+  WrittenParquet file;
+  test::add_integers("n", {lowest + 1, highest, lowest}, file);
+  test::add_integers("stamp", {lowest + 1, highest, lowest}, file);
+  file.schema[1].logical = of_time(8, 2);
+  const ingest::log::LogTable table = read(file);
+  for (const ingest::log::LogColumn& column : table.columns) {
+    const double unit = column.header.full == "n" ? 1 : 1e6;
+    EXPECT_DOUBLE_EQ(column.origin + column.values[0], -0x1p63 / unit);
+    EXPECT_DOUBLE_EQ(column.origin + column.values[1], 0x1p63 / unit);
+    EXPECT_EQ(column.gaps, 1U) << "the lowest one, as pandas' NaT is";
+  }
 }
 
 TEST(Parquet, DatesAndTimesOfDayAreReadAsSuch) {
