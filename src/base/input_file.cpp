@@ -131,6 +131,19 @@ std::size_t InputFileSource::read(char* to, std::size_t most) {
   }
 }
 
+void InputFileSource::read_at(std::uint64_t at, char* to, std::size_t bytes) const {
+  while (bytes > 0) {
+    const ssize_t got = ::pread(file_.get(), to, bytes, static_cast<off_t>(at));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) refuse_unreadable(path_, errno);
+    refuse_if_shortened();
+    if (got == 0) refuse_shortened(path_, at, at + bytes);
+    at += static_cast<std::uint64_t>(got);
+    to += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
 void InputFileSource::refuse_if_shortened() const {
   const std::uint64_t now = size_of_regular_file(file_.get(), path_, UINT64_MAX);
   if (now < likely_bytes_) refuse_shortened(path_, now, likely_bytes_);

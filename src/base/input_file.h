@@ -61,6 +61,9 @@ class InputFileSource final : public ByteSource {
   /// @throw InputError with the system's reason, if the file has become shorter than it was, or if
   ///        one without a size goes beyond the bound.
   std::size_t read(char* to, std::size_t most) override;
+  /// Fills all of `to` from a place in the file, wherever read() has come to.
+  /// @throw InputError as read() does: there are fewer bytes by now.
+  void read_at(std::uint64_t at, char* to, std::size_t bytes) const;
   [[nodiscard]] std::uint64_t likely_bytes() const override { return likely_bytes_; }
   [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
   /// Whether the file is longer by now than what is read of it.

@@ -23,9 +23,11 @@ namespace {
 
 constexpr std::size_t longest_reason = 200;
 
-/// Rows of another time: with a file of several recordings, most of them.
+/// Rows of another recording, of another time or told apart by what they say: with a file of
+/// several recordings, most of them.
 bool is_outside_window(const SkippedRows& skipped) {
-  return skipped.reason.code == "skipped.outside_window";
+  return skipped.reason.code == "skipped.outside_window" ||
+         skipped.reason.code == "skipped.other_recording";
 }
 
 /// Rows that every recording of the file lacks, whatever its window.

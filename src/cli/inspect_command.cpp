@@ -33,11 +33,17 @@ struct SurveyedFile {
   bool is_named;  ///< By the user or a recorder, else just found in a folder.
 };
 
+/// What a recorder wrote as a whole: rosbag2, or LeRobot.
+bool is_recorders_folder(const std::string& path) {
+  namespace fs = std::filesystem;
+  return fs::exists(fs::path(path) / "metadata.yaml") ||
+         fs::exists(fs::path(path) / "meta" / "info.json");
+}
+
 std::vector<SurveyedFile> files_of(const std::vector<std::string>& paths) {
   std::vector<SurveyedFile> files;
   for (const std::string& path : paths) {
-    const bool is_named = !std::filesystem::is_directory(path) ||
-                          std::filesystem::exists(std::filesystem::path(path) / "metadata.yaml");
+    const bool is_named = !std::filesystem::is_directory(path) || is_recorders_folder(path);
     for (std::string& file : inspect::survey::log_files_in(path)) {
       files.push_back({std::move(file), is_named});
     }
@@ -157,7 +163,7 @@ void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& c
   }
   if (!proposal.roles.without_role.empty()) {
     console.say(
-        fmt::format("{} log(s) contain nothing usable", proposal.roles.without_role.size()));
+        fmt::format("{} recording(s) contain nothing usable", proposal.roles.without_role.size()));
   }
 }
 

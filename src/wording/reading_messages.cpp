@@ -62,6 +62,12 @@ const Messages& reading_messages() {
        text("column name {column} occurs twice; that of array {array} is now {name}")},
       {"reading.integers_rounded",
        text("{array} holds integers of 2^53 and more: they are rounded")},
+      {"reading.lerobot_clock",
+       text("the data set has no timestamps: its frames, {rate_Hz} in a second, are the clock")},
+      {"reading.lerobot_without_effort",
+       text(
+           "no torque or current in observation.*: the motion can be looked at, and no friction be "
+           "identified")},
       {"reading.long_format",
        by_count("readings",
                 "{readings} row is a signal's reading ({signals}); those of the same time are one "
@@ -172,6 +178,7 @@ const Messages& reading_messages() {
       {"skipped.point_at_rest", text("friction at rest, at no speed")},
       {"skipped.cut_off", text("cut off at the end of the file")},
       {"skipped.other_joint", text("another joint's row, as stated")},
+      {"skipped.other_recording", text("another recording's row, as stated")},
       {"skipped.unclear_joint_state",
        text("of other joints, or not told which of position, velocity and effort it has")},
       {"skipped.not_usable", text("cannot be used (skip_bad_rows)")},

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_dataset.h"
+#include "support/parquet_writer.h"
 
 namespace tribolog::test::loaded_libraries_test {
 namespace {
@@ -49,8 +50,8 @@ std::string named(const std::set<std::string>& libraries, const std::set<std::st
 }
 
 const std::set<std::string> graphics{"vtk", "OSMesa", "EGL", "GL.so", "GLX", "LLVM", "X11"};
-const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap",  "krb5",     "curl",
-                                                     "hdf5",  "matio", "sundials", "libmpi"};
+const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap",     "krb5",   "curl",  "hdf5",
+                                                     "matio", "sundials", "libmpi", "snappy"};
 
 TEST(LoadedLibraries, AreThoseOfACommandAlone) {
   const SmallDataset dataset;
@@ -175,6 +176,17 @@ TEST(MissingLibraries, AreNamedWhereTheyAreNeeded) {
   EXPECT_NE(inspect.err.find("logs of HDF5 and MATLAB cannot be read here; hint: nibmatio"),
             std::string::npos)
       << inspect.err;
+
+  installed.lose_library_of("tribolog_parquet", "libsnappy");
+  WrittenParquet file;
+  add_doubles("q", {1, 2}, file);
+  file.columns.front().codec = 1;
+  const std::string parquet = scratch.write("log.parquet", write_parquet(file));
+  const ProgramRun packed = run_shell(installed.command() + "inspect '" + parquet + "'");
+  EXPECT_EQ(packed.status, 3) << packed.err;
+  EXPECT_NE(packed.err.find("Parquet compressed with snappy cannot be read here; hint: nibsnappy"),
+            std::string::npos)
+      << packed.err;
 }
 
 }  // namespace

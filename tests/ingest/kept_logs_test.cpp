@@ -66,5 +66,40 @@ TEST(KeptLogs, NothingIsKeptBeyondTheLastRecording) {
   EXPECT_TRUE(first.expired());
 }
 
+/// Two recordings in one log, which "episode" tells apart; another joint moves beside.
+std::string log_of_episodes(int torque) {
+  std::string csv = "t,q,tau,other,episode\n";
+  for (int k = 0; k < 60; ++k) {
+    csv += std::to_string(k % 30) + ",0," + std::to_string(torque + k / 30) + "," +
+           std::to_string(k) + ",0" + std::to_string(k / 30) + "\n";
+  }
+  return csv;
+}
+
+TEST(KeptLogs, RecordingsOfOneLogTakeTheirRows) {
+  const test::TemporaryDirectory directory;
+  (void)directory.file("a.csv", log_of_episodes(1));
+  ingest::manifest::ManifestFile file = manifest();
+  file.recordings.resize(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ingest::manifest::RecordingEntry& recording = file.recordings[k];
+    recording.columns.rows = {"episode", "0" + std::to_string(k), {}};
+  }
+  ingest::dataset::KeptLogs logs(file, directory.path(""));
+  std::vector<Statement> notes;
+  const auto first = logs.read(file.recordings[0], {}, notes, {"other"});
+  (void)directory.file("a.csv", log_of_episodes(7));
+  const auto second = logs.read(file.recordings[1], {}, notes, {"other"});
+  EXPECT_EQ(first->table.rows, 30U);
+  EXPECT_EQ(first->table.columns.size(), 3U);
+  EXPECT_EQ(first->table.columns[2].values[0], 1);
+  EXPECT_EQ(second->table.columns[2].values[0], 2) << "read once, with the first";
+  EXPECT_EQ(second->table.line_of(0), 32);
+  EXPECT_EQ(second->table.other_rows, 0U) << "they are no other joint's";
+  EXPECT_EQ(second->table.rows_of_others, 30U);
+  EXPECT_EQ(second->others.at("other").values.size(), 30U);
+  EXPECT_EQ(second->others.at("other").values[0], 30);
+}
+
 }  // namespace
 }  // namespace tribolog::kept_logs_test

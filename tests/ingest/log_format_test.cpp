@@ -26,6 +26,10 @@ TEST(LogFormat, SignaturesCountMoreThanNames) {
             ingest::log::LogFormat::tdms);
   EXPECT_EQ(ingest::log::detect_log_format("TDSh\x0e\0\0\0"sv, "a.tdms_index"),
             ingest::log::LogFormat::tdms);
+  EXPECT_EQ(ingest::log::detect_log_format("PAR1\x15\x04"sv, "a.csv"),
+            ingest::log::LogFormat::parquet);
+  EXPECT_EQ(ingest::log::detect_log_format("PARE\x15\x04"sv, "a.parquet"),
+            ingest::log::LogFormat::parquet);
 }
 
 TEST(LogFormat, Matlab73IsNotTakenForPlainHdf5) {

@@ -21,6 +21,7 @@
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "ingest/measurement/measurement_readers.h"
+#include "ingest/parquet/parquet_reader.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
@@ -113,6 +114,8 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
       return measurement::read_mdf(path);
     case log::LogFormat::tdms:
       return measurement::read_tdms(path);
+    case log::LogFormat::parquet:
+      return parquet::read_parquet(path);
     case log::LogFormat::text:
       break;
   }
@@ -203,7 +206,7 @@ void set_others_apart(const std::vector<log::WantedColumn>& columns,
 std::vector<joint::OtherJoint> other_joints_in(const std::vector<log::ColumnHeader>& header,
                                                const manifest::RecordingEntry& entry) {
   std::vector<joint::OtherJoint> others;
-  if (!entry.columns.angle || entry.columns.rows) return others;
+  if (!entry.columns.angle) return others;
   const manifest::ColumnEntry& own = *entry.columns.angle;
   const layout::LogLayout layout = layout::guess_layout(header);
   const auto is_own = [&](const layout::ColumnMeaning& meaning) {
@@ -309,6 +312,7 @@ KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path
     : directory_(std::move(directory)), rules_(manifest.text_logs) {
   for (const manifest::RecordingEntry& entry : manifest.recordings) {
     ++still_named_[entry.file];
+    if (entry.columns.rows) rows_of_[entry.file].insert(entry.columns.rows->value);
     for (const manifest::RecordingEntry& companion : companions_of(entry))
       ++still_named_[companion.file];
   }
@@ -352,53 +356,64 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
 /// Of a log in which each row is one joint's: the angles of the others at the rows of this one,
 /// each as it was told last.
 void find_others_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& told_by,
-                         ReadLog& log) {
-  if (!entry.columns.angle) return;
-  const manifest::ColumnEntry& own = *entry.columns.angle;
-  const auto angle = std::find_if(
-      log.table.columns.begin(), log.table.columns.end(),
-      [&](const log::LogColumn& column) { return is_named(column, log.table, own.name); });
+                         const ReadLog& whole, ReadLog& part) {
   constexpr std::size_t most_joints = 64;
-  if (angle == log.table.columns.end() || told_by.words.size() > most_joints) return;
+  const manifest::ColumnEntry& own = present(entry.columns.angle);
+  const auto angle = std::find_if(
+      whole.table.columns.begin(), whole.table.columns.end(),
+      [&](const log::LogColumn& column) { return is_named(column, whole.table, own.name); });
+  if (angle == whole.table.columns.end() || told_by.words.size() > most_joints) return;
+  const std::string& value = present(entry.columns.rows).value;
   std::vector<std::vector<double>> angles(told_by.words.size());
   std::vector<double> last(told_by.words.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t row = 0; row < log.table.rows; ++row) {
+  for (std::size_t row = 0; row < whole.table.rows; ++row) {
     if (std::isnan(told_by.values[row])) continue;
     const auto word = static_cast<std::size_t>(told_by.values[row]);
     last[word] = angle->values[row];
-    if (told_by.words[word] != entry.columns.rows->value) continue;
+    if (told_by.words[word] != value) continue;
     for (std::size_t k = 0; k < angles.size(); ++k) angles[k].push_back(last[k]);
   }
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    if (told_by.words[k] == entry.columns.rows->value) continue;
-    joint::OtherJoint& other = log.found_others.emplace_back();
+    if (told_by.words[k] == value) continue;
+    joint::OtherJoint& other = part.found_others.emplace_back();
     other.name = other.angle = told_by.words[k];
     other.radian_per_unit = std::abs(own.si_factor);
     other.stated_at = entry.file;
     log::LogColumn column;
     column.header.full = column.header.name = other.angle;
     column.values = std::move(angles[k]);
-    log.others.emplace(other.angle, std::move(column));
+    part.others.emplace(other.angle, std::move(column));
   }
 }
 
-/// Leaves the rows of the joint that is stated, and counts the others.
-/// @param table the column that tells them is its last one, and is taken away.
-void keep_rows(const manifest::RecordingEntry& entry, ReadLog& log) {
-  const manifest::RowsEntry& wanted = *entry.columns.rows;
-  log::LogTable& table = log.table;
-  const log::LogColumn told_by = std::move(table.columns.back());
-  table.columns.pop_back();
-  find_others_in_rows(entry, told_by, log);
+/// The rows of the joint, or of the recording, that is stated; the others are counted.
+/// @param whole the column that tells them is its last one, and is left out.
+ReadLog rows_of(const manifest::RecordingEntry& entry, const ReadLog& whole) {
+  const manifest::RowsEntry& wanted = present(entry.columns.rows);
+  const log::LogColumn& told_by = whole.table.columns.back();
   const auto word = std::find(told_by.words.begin(), told_by.words.end(), wanted.value);
   if (word == told_by.words.end()) {
     throw InputError(wanted.where, {"no row of the log is of it", in_quotes(wanted.value),
                                     "one of " + list_of_names(told_by.words), ""});
   }
-  log::keep_rows_of(told_by, static_cast<std::size_t>(word - told_by.words.begin()), table);
+  const auto place = static_cast<std::size_t>(word - told_by.words.begin());
+  const std::vector<std::size_t> rows = log::rows_that_say(told_by, place);
+  ReadLog part{log::with_rows(whole.table, rows), {}, whole.found_others, whole.file};
+  part.table.columns.pop_back();
+  for (const auto& [name, column] : whole.others) {
+    part.others.emplace(name, log::with_rows(column, rows));
+  }
+  const bool numbers_recordings = wanted.name.starts_with("episode");
+  if (!numbers_recordings) find_others_in_rows(entry, told_by, whole, part);
+  return part;
 }
 
 }  // namespace
+
+bool KeptLogs::holds_several(const std::string& file) const {
+  const auto rows = rows_of_.find(file);
+  return rows != rows_of_.end() && rows->second.size() > 1;
+}
 
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
@@ -414,10 +429,18 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
   const std::optional<double> rate_Hz =
       entry.columns.time ? entry.columns.time->rate_Hz : std::nullopt;
   const std::string rows = entry.columns.rows ? entry.columns.rows->value : "";
-  if (!kept.log || kept.columns != columns || kept.rate_Hz != rate_Hz || kept.rows != rows) {
+  const bool is_new = !kept.log || kept.columns != columns;
+  if (is_new || kept.rate_Hz != rate_Hz || kept.rows != rows) {
     kept.log.reset();
-    ReadLog log = read_log(entry, path, columns, others, rules_, notes);
-    if (entry.columns.rows) keep_rows(entry, log);
+    if (is_new || !kept.whole) {
+      kept.whole.reset();
+      kept.whole = std::make_unique<ReadLog>(read_log(entry, path, columns, others, rules_, notes));
+    }
+    ReadLog log = entry.columns.rows ? rows_of(entry, *kept.whole)
+                                     : std::move(*std::exchange(kept.whole, nullptr));
+    if (holds_several(entry.file)) {
+      log.table.rows_of_others += std::exchange(log.table.other_rows, 0);
+    }
     if (rate_Hz) {
       make_clock(present(entry.columns.time), path, log.table);
     } else {

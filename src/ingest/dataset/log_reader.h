@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ std::string start_of_log(const std::string& path, std::size_t most_bytes);
 log::LogFormat format_of_log(const std::string& path);
 
 /// All tables of a log that is no text: MCAP, rosbag2 (.db3), MAT, HDF5, NumPy, JSON,
-/// MDF 4, TDMS.
+/// MDF 4, TDMS, Parquet.
 /// @throw InputError as the format's reader does, and for text.
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format);
 
@@ -70,14 +71,19 @@ class KeptLogs {
  private:
   struct Kept {
     std::vector<log::WantedColumn> columns;
-    std::optional<double> rate_Hz;  ///< Of its clock, where the log has none of its own.
-    std::string rows;               ///< Of which joint; empty: all.
+    std::optional<double> rate_Hz;     ///< Of its clock, where the log has none of its own.
+    std::string rows;                  ///< Of which joint or recording; empty: all.
+    std::unique_ptr<ReadLog> whole{};  ///< With all rows, where recordings take some of them.
     std::shared_ptr<const ReadLog> log;
   };
   std::filesystem::path directory_;
   text::TextLogRules rules_;
-  std::map<std::string, std::size_t> still_named_;  ///< By file, by so many recordings.
-  std::map<std::string, Kept> kept_;                ///< By file.
+  /// Whether the file's recordings are told apart by what stands in their rows.
+  [[nodiscard]] bool holds_several(const std::string& file) const;
+
+  std::map<std::string, std::set<std::string>> rows_of_;  ///< By file, what the rows say.
+  std::map<std::string, std::size_t> still_named_;        ///< By file, by so many recordings.
+  std::map<std::string, Kept> kept_;                      ///< By file.
 };
 
 }  // namespace tribolog::ingest::dataset

@@ -135,9 +135,7 @@ std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& en
   for (const std::string& name : others) {
     const auto is_same = [&](const log::WantedColumn& column) { return column.name == name; };
     const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), is_same);
-    if (!is_wanted && !entry.columns.rows) {
-      wanted.push_back({name, "", log::ColumnReading::number, true});
-    }
+    if (!is_wanted) wanted.push_back({name, "", log::ColumnReading::number, true});
   }
   const auto& time = entry.columns.time;
   if (time && time->plus) wanted.push_back({time->plus->name, "", time->plus->reading});
@@ -213,8 +211,8 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
   joint::Recording r;
   r.name = entry.file;
   r.role = entry.role;
-  r.rows_read =
-      table.rows + table.cut_rows + table.bad_rows + table.unclear_rows + table.other_rows;
+  r.rows_read = table.rows + table.cut_rows + table.bad_rows + table.unclear_rows +
+                table.other_rows + table.rows_of_others;
   r.skipped = choice.skipped;
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {

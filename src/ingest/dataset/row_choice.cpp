@@ -20,6 +20,7 @@ constexpr Code outside_window{"skipped.outside_window"};
 constexpr Code cut_off{"skipped.cut_off"};
 constexpr Code not_usable{"skipped.not_usable"};
 constexpr Code other_joint{"skipped.other_joint"};
+constexpr Code other_recording{"skipped.other_recording"};
 constexpr Code unclear{"skipped.unclear_joint_state"};
 constexpr std::size_t fewest_rows = 20;
 /// Beyond: two logs, unless the rows fit in between each other.
@@ -41,6 +42,7 @@ class RowChooser {
     skip(not_usable, table_.bad_rows);
     skip(unclear, table_.unclear_rows);
     skip(other_joint, table_.other_rows);
+    skip(other_recording, table_.rows_of_others);
     drop_outside_and_gaps();
     if (steps_back_ > 0) put_in_order();
     drop_repeated_stamps();

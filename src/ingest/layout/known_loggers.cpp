@@ -173,6 +173,34 @@ constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"}, usual("{}.p
                                 KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
                                             std::nullopt, ampere_or_newton_metre}};
 
+// Data sets of LeRobot, told by a column of theirs: the units are the robot's own, degrees, radians
+// or per cent of its range, and no set states them.
+constexpr std::array lerobot_set = {
+    KnownColumn{"timestamp", time, "s"},
+    KnownColumn{"{}.position_command", angle, "", true},
+    KnownColumn{"{}.velocity_command", angular_speed, "", true},
+    KnownColumn{"{}.effort_command", torque, "", true, std::nullopt, std::nullopt,
+                "a command, no measurement"},
+    KnownColumn{"{}.current_command", current, "", true, std::nullopt, std::nullopt,
+                "a command, no measurement"},
+    KnownColumn{"{}.pos", angle, ""},
+    KnownColumn{"{}.position", angle, ""},
+    KnownColumn{"observation.state_{}", angle, ""},
+    KnownColumn{"{}.vel", angular_speed, ""},
+    KnownColumn{"{}.velocity", angular_speed, ""},
+    KnownColumn{"observation.velocity_{}", angular_speed, ""},
+    KnownColumn{"{}.torque", torque, "Nm", false, std::nullopt, std::nullopt},
+    KnownColumn{"observation.torque_{}", torque, "Nm", false, std::nullopt, std::nullopt},
+    KnownColumn{"{}.effort", torque, "", false, std::nullopt, std::nullopt, ampere_or_newton_metre},
+    KnownColumn{"observation.effort_{}", torque, "", false, std::nullopt, std::nullopt,
+                ampere_or_newton_metre},
+    KnownColumn{"{}.current", current, "", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"observation.current_{}", current, "", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"{}.temperature", temperature, "degC"},
+    KnownColumn{"action_{}", angle, "", true}};
+
 // Each quantity in a file of its own; the hyphen belongs to the name.
 constexpr std::array figaroh = {KnownColumn{"t", time, "s"},
                                 KnownColumn{"- {}_joint_position", angle, "rad"},
@@ -194,6 +222,7 @@ constexpr std::array loggers = {
     KnownLogger{"figaroh", "- {}_joint_position", figaroh},
     KnownLogger{"figaroh", "- {}_joint_velocity", figaroh},
     KnownLogger{"figaroh", "- {}_joint_effort", figaroh},
+    KnownLogger{"LeRobot", "frame_index", lerobot_set},
     KnownLogger{"joint states", "{}.position", joint_states},
     KnownLogger{"ODrive", "pos_estimate", odrive},
     KnownLogger{"ODrive", "{}.pos_estimate", odrive},

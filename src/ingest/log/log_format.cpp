@@ -24,6 +24,8 @@ constexpr std::array signatures = {
     Signature{"UnFinMF "sv, LogFormat::mdf},
     Signature{"TDSm"sv, LogFormat::tdms},
     Signature{"TDSh"sv, LogFormat::tdms},
+    Signature{"PAR1"sv, LogFormat::parquet},
+    Signature{"PARE"sv, LogFormat::parquet},
 };
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -113,6 +115,8 @@ std::string to_string(LogFormat format) {
       return "ASAM MDF (.mf4)";
     case LogFormat::tdms:
       return "TDMS";
+    case LogFormat::parquet:
+      return "Parquet";
   }
   return "";
 }

@@ -31,29 +31,63 @@ LogColumn as_words(LogColumn column) {
   return column;
 }
 
-void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < table.rows; ++row) {
-    if (told_by.values[row] == static_cast<double>(word)) rows.push_back(row);
-  }
-  for (LogColumn& column : table.columns) {
-    std::vector<double> values(rows.size());
-    std::transform(rows.begin(), rows.end(), values.begin(),
-                   [&](std::size_t row) { return column.values[row]; });
-    column.gaps = static_cast<std::size_t>(std::count_if(
-        values.begin(), values.end(), [](double value) { return std::isnan(value); }));
-    column.values = std::move(values);
-  }
+LogColumn with_rows(const LogColumn& column, const std::vector<std::size_t>& rows) {
+  LogColumn kept{column.header, {}, column.origin, 0, column.reading, column.words};
+  kept.stands_in = column.stands_in;
+  kept.values.resize(rows.size());
+  std::transform(rows.begin(), rows.end(), kept.values.begin(),
+                 [&](std::size_t row) { return column.values[row]; });
+  kept.gaps = static_cast<std::size_t>(std::count_if(
+      kept.values.begin(), kept.values.end(), [](double value) { return std::isnan(value); }));
+  return kept;
+}
+
+namespace {
+
+/// Of these rows; none of a table without lines.
+std::vector<std::pair<std::size_t, long>> line_breaks_of(const LogTable& table,
+                                                         const std::vector<std::size_t>& rows) {
   std::vector<std::pair<std::size_t, long>> breaks;
+  if (table.line_breaks.empty()) return breaks;
   long expected = -1;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const long line = table.line_of(rows[k]);
     if (line != expected) breaks.emplace_back(k, line);
     expected = line + 1;
   }
-  if (!table.line_breaks.empty()) table.line_breaks = std::move(breaks);
-  table.other_rows += table.rows - rows.size();
-  table.rows = rows.size();
+  return breaks;
+}
+
+}  // namespace
+
+LogTable with_rows(const LogTable& table, const std::vector<std::size_t>& rows) {
+  LogTable kept;
+  kept.file = table.file;
+  kept.group = table.group;
+  kept.header = table.header;
+  for (const LogColumn& column : table.columns) kept.columns.push_back(with_rows(column, rows));
+  kept.rows = rows.size();
+  kept.cut_rows = table.cut_rows;
+  kept.bad_rows = table.bad_rows;
+  kept.unclear_rows = table.unclear_rows;
+  kept.other_rows = table.other_rows + (table.rows - rows.size());
+  kept.rows_of_others = table.rows_of_others;
+  kept.notes = table.notes;
+  kept.refusal = table.refusal;
+  kept.line_breaks = line_breaks_of(table, rows);
+  return kept;
+}
+
+std::vector<std::size_t> rows_that_say(const LogColumn& column, std::size_t word) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < column.values.size(); ++row) {
+    if (column.values[row] == static_cast<double>(word)) rows.push_back(row);
+  }
+  return rows;
+}
+
+void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table) {
+  table = with_rows(table, rows_that_say(told_by, word));
 }
 
 }  // namespace tribolog::ingest::log

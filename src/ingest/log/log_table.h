@@ -66,7 +66,8 @@ struct LogTable {
   /// Those left out of ros2 topic echo --csv: other joints', or nothing tells what their numbers
   /// are.
   std::size_t unclear_rows{};
-  std::size_t other_rows{};      ///< Those left out because they are another joint's, as stated.
+  std::size_t other_rows{};      ///< Those left out because they are another joint's, as stated,
+  std::size_t rows_of_others{};  ///< or another recording's of the same log.
   std::vector<Statement> notes;  ///< Peculiarities that the user should know.
   /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
   /// and take_columns() refuses them; other tables of the log are not concerned.
@@ -77,6 +78,15 @@ struct LogTable {
   /// (row, line) wherever a row does not follow directly on the line before it; ascending.
   std::vector<std::pair<std::size_t, long>> line_breaks;
 };
+
+/// The same table with these of its rows, ascending; the others count in `other_rows`.
+LogTable with_rows(const LogTable& table, const std::vector<std::size_t>& rows);
+
+/// The values of these rows, and their gaps.
+LogColumn with_rows(const LogColumn& column, const std::vector<std::size_t>& rows);
+
+/// Of a column of words the rows in which the one at this place stands.
+std::vector<std::size_t> rows_that_say(const LogColumn& column, std::size_t word);
 
 /// Leaves the rows alone in which a column of words has the one at this place; the others count in
 /// `other_rows`.

@@ -104,9 +104,6 @@ using namespace std::string_view_literals;
 constexpr std::string_view export_it = "export or unpack it as CSV";
 // The distributions have no library for these, and no package of pyarrow; Debian has one for
 // Feather as it was in 2016.
-constexpr std::string_view by_parquet =
-    "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
-    "pandas.read_parquet('LOG').to_csv('LOG.csv')\"";
 constexpr std::string_view by_feather =
     "in a Python with pandas and pyarrow (pip install pandas pyarrow): python3 -c \"import pandas; "
     "pandas.read_feather('LOG').to_csv('LOG.csv')\"";
@@ -149,8 +146,7 @@ constexpr std::array formats = {
     BinaryFormat{"\x89MCAP"sv, "MCAP"},
     BinaryFormat{"#ROSBAG V"sv, "rosbag"},
     BinaryFormat{"\x89HDF"sv, "HDF5"},
-    BinaryFormat{"PAR1"sv, "Parquet", by_parquet},
-    BinaryFormat{"PARE"sv, "Parquet, encrypted", "decrypt it and export it as CSV"},
+    BinaryFormat{"PAR1"sv, "Parquet"},
     BinaryFormat{"ARROW1"sv, "Arrow (also .feather)", by_feather},
     BinaryFormat{"FEA1"sv, "Feather (of 2016)", by_old_feather},
     BinaryFormat{"\xff\xff\xff\xff"sv, "Arrow (a stream)", by_stream},

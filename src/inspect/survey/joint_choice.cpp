@@ -35,7 +35,11 @@ std::vector<Found> all_joints(const std::vector<LogSurvey>& logs) {
         found.push_back({{l, t, j}, &table.joints[j], false});
       }
     }
-    if (found.size() == before + 1) found.back().is_only = true;
+    for (std::size_t k = before; k < found.size(); ++k) {
+      const TableSurvey& table = logs[l].tables[found[k].in_log.table];
+      found[k].is_only =
+          found.size() == before + 1 || (table.is_one_of_several && table.joints.size() == 1);
+    }
   }
   return found;
 }
@@ -83,6 +87,13 @@ double effort_range(const std::vector<LogSurvey>& logs, const Found& of) {
   if (!of.joint->effort) return 0;
   const ColumnSurvey& effort = table_of(logs, of.in_log).columns[*of.joint->effort];
   return effort.highest - effort.lowest;
+}
+
+/// Of the same log.
+bool is_another_recording(const std::vector<LogSurvey>& logs, const JointInLog& a,
+                          const JointInLog& b) {
+  return a.table != b.table && table_of(logs, a).is_one_of_several &&
+         table_of(logs, b).is_one_of_several;
 }
 
 std::vector<std::string> names_of(const std::vector<Found>& found) {
@@ -133,7 +144,8 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
     const bool is_it = f.joint->name == choice.name || (f.is_only && f.joint->name.empty());
     if (!is_it) continue;
     widest = std::max(widest, range(f));
-    const bool is_next = choice.in_logs.empty() || choice.in_logs.back().log != f.in_log.log;
+    const bool is_next = choice.in_logs.empty() || choice.in_logs.back().log != f.in_log.log ||
+                         is_another_recording(logs, choice.in_logs.back(), f.in_log);
     if (is_next) {
       choice.in_logs.push_back(f.in_log);
       continue;

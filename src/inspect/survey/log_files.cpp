@@ -56,14 +56,31 @@ void refuse_zarr(const fs::path& folder) {
   }
 }
 
+/// Of a data set of LeRobot, data/chunk-000/*.parquet and so on; none of any other folder.
+std::vector<std::string> files_of_lerobot(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  if (!fs::exists(folder / "meta" / "info.json", error)) return files;
+  for (const fs::directory_entry& chunk : fs::directory_iterator(folder / "data", error)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(chunk.path(), error)) {
+      if (entry.path().extension() == ".parquet") files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  if (!files.empty()) return files;
+  throw InputError({folder.string(), 0, 0}, {"is a data set of LeRobot without data/*/*.parquet",
+                                             "", "", "download its folder data too"});
+}
+
 }  // namespace
 
 std::vector<std::string> log_files_in(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
   const fs::path folder(path);
-  std::vector<std::string> files;
   refuse_zarr(folder);
+  std::vector<std::string> files = files_of_lerobot(folder);
+  if (!files.empty()) return files;
   const fs::path metadata = folder / "metadata.yaml";
   if (fs::exists(metadata, error)) {
     for (const std::string& name : listed_files(metadata))

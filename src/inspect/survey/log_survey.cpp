@@ -382,15 +382,15 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   return table;
 }
 
-/// A table with all joints' rows, or with one's.
-struct TableOfJoint {
+/// A table with all rows, or with one joint's or recording's.
+struct TableOfOne {
   ingest::log::LogTable table;
   std::optional<std::pair<std::string, std::string>> rows_of;  ///< As TableSurvey has it.
+  bool is_recording{};
 };
 
 /// Its joints go by what stands in the column that tells the rows.
 void name_joint(const std::pair<std::string, std::string>& rows_of, TableSurvey& table) {
-  table.rows_of = rows_of;
   if (table.joints.size() != 1) return;
   table.joints.front().name = rows_of.second;
   for (ColumnSurvey& column : table.columns) {
@@ -409,26 +409,25 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
   const ingest::text::TextLogRules rules = with_decimal_mark(path, survey.format, stated_rules);
   survey.has_decimal_commas = rules.decimal_mark == ingest::text::DecimalMark::comma;
   std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
-  const bool has_words = survey.format == ingest::log::LogFormat::text ||
-                         survey.format == ingest::log::LogFormat::json;
-  std::vector<TableOfJoint> of_joints;
+  std::vector<TableOfOne> of_each;
   for (ingest::log::LogTable& table : tables) {
-    std::vector<RowsOfJoint> rows;
-    if (has_words) rows = rows_of_joints(path, survey.format, rules, table);
-    if (rows.empty()) of_joints.push_back({std::move(table), std::nullopt});
-    for (RowsOfJoint& one : rows) {
-      of_joints.push_back({std::move(one.table), std::pair{one.key, one.joint}});
+    std::vector<RowsOfOne> rows = rows_of_each(path, survey.format, rules, table);
+    if (rows.empty()) of_each.push_back({std::move(table), std::nullopt});
+    for (RowsOfOne& one : rows) {
+      of_each.push_back({std::move(one.table), std::pair{one.key, one.value}, one.is_recording});
     }
   }
   std::vector<std::string> missing;  // in every table
   std::vector<std::string> there;
-  for (auto& [table, rows_of] : of_joints) {
+  for (auto& [table, rows_of, is_recording] : of_each) {
     std::vector<std::string> missing_here;
     StatedColumns of_table = stated;
-    if (rows_of) of_table.gear_ratio = stated.gear_ratio_for(rows_of->second);
+    if (rows_of && !is_recording) of_table.gear_ratio = stated.gear_ratio_for(rows_of->second);
     survey.tables.push_back(
         survey_table(path, survey.format, rules, of_table, table, missing_here));
-    if (rows_of) name_joint(*rows_of, survey.tables.back());
+    if (rows_of && !is_recording) name_joint(*rows_of, survey.tables.back());
+    survey.tables.back().rows_of = rows_of;
+    survey.tables.back().is_one_of_several = is_recording;
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     for (const ColumnSurvey& column : survey.tables.back().columns) there.push_back(column.name);
     if (survey.tables.size() == 1) missing = missing_here;

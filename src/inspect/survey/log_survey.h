@@ -129,9 +129,10 @@ struct TableSurvey {
   /// that shows lost samples and begins anew, so that it is no clock.
   std::string counter;
   std::vector<JointSurvey> joints;  ///< Those with an angle.
-  /// Of a log in which each row is one joint's: the column that tells which, as a manifest names
-  /// it, and what stands there in these rows.
+  /// Of a log in which each row is one joint's, or which holds several recordings: the column that
+  /// tells which, as a manifest names it, and what stands there in these rows.
   std::optional<std::pair<std::string, std::string>> rows_of;
+  bool is_one_of_several{};            ///< Recordings, which rows_of tells apart.
   bool has_impossible_values{};        ///< Single numbers that no joint has, taken as gaps.
   std::optional<ColumnGroups> groups;  ///< Of columns without names, where they come in such.
 };
@@ -162,8 +163,9 @@ std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& j
 /// @param manifest the proposed one; empty: none could be proposed.
 std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& manifest);
 
-/// The logs that a path names: itself or, of a folder, what rosbag2's metadata.yaml lists, else all
-/// files in it whose names end as those of logs, by their names.
+/// The logs that a path names: itself or, of a folder, what rosbag2's metadata.yaml lists, of a
+/// data set of LeRobot the files of its data, else all files in it whose names end as those of
+/// logs, by their names.
 /// @throw InputError: a folder without any.
 std::vector<std::string> log_files_in(const std::string& path);
 

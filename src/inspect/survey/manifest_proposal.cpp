@@ -75,8 +75,12 @@ class ManifestText {
       add_places_of_effort();
     }
     for (const ProposedRecording& recording : roles_.recordings) add_recording(recording);
-    for (const std::size_t log : roles_.without_role) {
-      text_ += "\n# " + printable(path_of(log), 200) +
+    for (const JointInLog& unused : roles_.without_role) {
+      const auto& rows_of = table(unused).rows_of;
+      text_ += "\n# " + printable(path_of(unused.log), 200) +
+               (table(unused).is_one_of_several
+                    ? ", " + printable(rows_of->first) + " " + printable(rows_of->second)
+                    : "") +
                ": no motion that a stage reads was found; not used.\n";
     }
   }

@@ -38,7 +38,7 @@ struct ProposedRecording {
 
 struct RoleProposal {
   std::vector<ProposedRecording> recordings;  ///< In the order of logs and of time.
-  std::vector<std::size_t> without_role;      ///< Logs in which nothing was found to use.
+  std::vector<JointInLog> without_role;       ///< Recordings in which nothing was found to use.
   /// Nothing in any log is a motion that a stage reads: each log is named whole, as a sweep.
   bool is_makeshift{};
 };
@@ -141,7 +141,8 @@ RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
 
 struct JointChoice {
   std::string name;
-  std::vector<JointInLog> in_logs;     ///< One of each log that has it, and in it the widest.
+  /// One of each recording that has it, and in it the widest.
+  std::vector<JointInLog> in_logs;
   std::vector<std::string> moves_too;  ///< Others that move a hundredth as far or further.
 };
 

@@ -148,7 +148,7 @@ class RoleChooser {
     } else if (const auto strokes = strokes_there_and_back(segments)) {
       add(of, *strokes, joint::Role::rough_sweep);
     } else {
-      proposal_.without_role.push_back(of.log);
+      proposal_.without_role.push_back(of);
     }
   }
 

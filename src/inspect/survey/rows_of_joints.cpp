@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 
 #include "base/input_file.h"
 #include "ingest/text/csv_reader.h"
@@ -11,6 +12,30 @@
 namespace tribolog::inspect::survey {
 
 namespace {
+
+/// The rows at which another value begins than stood in the row before.
+std::vector<std::size_t> begins_of_runs(const std::vector<double>& values) {
+  std::vector<std::size_t> begins;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (row == 0 || values[row] != values[row - 1]) begins.push_back(row);
+  }
+  return begins;
+}
+
+/// Whether no column of times goes on where these rows begin.
+bool has_clock_anew(const ingest::log::LogTable& table, const std::vector<std::size_t>& begins) {
+  std::vector<ingest::log::ColumnHeader> header;
+  for (const ingest::log::LogColumn& column : table.columns) header.push_back(column.header);
+  for (const ingest::layout::ColumnMeaning& meaning :
+       ingest::layout::guess_layout(header).columns) {
+    if (meaning.quantity != ingest::log::Quantity::time) continue;
+    const std::vector<double>& times = table.columns[meaning.column].values;
+    for (std::size_t k = 1; k < begins.size(); ++k) {
+      if (times[begins[k]] > times[begins[k] - 1]) return false;
+    }
+  }
+  return true;
+}
 
 /// The column of words, or of numbers that are names, that tells whose row it is; nothing for a log
 /// in which a row is all joints'.
@@ -57,29 +82,70 @@ std::optional<std::size_t> column_of_joints(const ingest::log::LogTable& table) 
   return std::nullopt;
 }
 
+/// The column that numbers recordings one behind the other, as LeRobot's "episode_index" does;
+/// nothing where the log is one recording, or its clock goes on from one to the next.
+std::optional<std::size_t> column_of_recordings(const ingest::log::LogTable& table) {
+  constexpr std::array besides = {"episode", "id", "no", "nr", "number", "index", "idx"};
+  const auto is_named = [&](const ingest::log::LogColumn& column) {
+    const auto words = ingest::layout::words_of_name(column.header.name);
+    return !words.empty() && words.front() == "episode" &&
+           std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+             return std::find(besides.begin(), besides.end(), word) != besides.end();
+           });
+  };
+  const auto column = std::find_if(table.columns.begin(), table.columns.end(), is_named);
+  if (column == table.columns.end() || column->gaps > 0) return std::nullopt;
+  const std::vector<std::size_t> begins = begins_of_runs(column->values);
+  std::set<double> numbers;
+  for (const std::size_t row : begins) numbers.insert(column->values[row]);
+  const bool are_behind_each_other = numbers.size() == begins.size();
+  if (begins.size() < 2 || !are_behind_each_other || !has_clock_anew(table, begins)) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(column - table.columns.begin());
+}
+
+/// What stands in a column, by the words of a text log as they are written there, "01" say.
+/// @return nothing where the log is being written.
+std::optional<ingest::log::LogColumn> words_of(const std::string& path,
+                                               ingest::log::LogFormat format,
+                                               const ingest::text::TextLogRules& rules,
+                                               const ingest::log::LogTable& table,
+                                               std::size_t column) {
+  if (format != ingest::log::LogFormat::text) return ingest::log::as_words(table.columns[column]);
+  const std::string key = survey_column(table.columns[column], table.header).key;
+  InputFileSource bytes(path);
+  ingest::text::CsvTable words =
+      ingest::text::read_csv(bytes, path, {{key, "", ingest::log::ColumnReading::words}}, rules);
+  if (words.rows != table.rows) return std::nullopt;
+  return std::move(words.columns.front());
+}
+
 }  // namespace
 
-std::vector<RowsOfJoint> rows_of_joints(const std::string& path, ingest::log::LogFormat format,
-                                        const ingest::text::TextLogRules& rules,
-                                        const ingest::log::LogTable& table) {
-  const auto told_by = column_of_joints(table);
+std::vector<RowsOfOne> rows_of_each(const std::string& path, ingest::log::LogFormat format,
+                                    const ingest::text::TextLogRules& rules,
+                                    const ingest::log::LogTable& table) {
+  const bool has_words = format == ingest::log::LogFormat::text ||
+                         format == ingest::log::LogFormat::json ||
+                         format == ingest::log::LogFormat::parquet;
+  auto told_by = has_words ? column_of_joints(table) : std::nullopt;
+  const bool are_joints = told_by.has_value();
+  if (!told_by) told_by = column_of_recordings(table);
   if (!told_by) return {};
+  const auto words = words_of(path, format, rules, table, *told_by);
+  if (!words) return {};
   const std::string key = survey_column(table.columns[*told_by], table.header).key;
-  ingest::log::LogColumn joints;
-  if (format == ingest::log::LogFormat::text) {  // as it is written there, "01" say
-    InputFileSource bytes(path);
-    ingest::text::CsvTable words =
-        ingest::text::read_csv(bytes, path, {{key, "", ingest::log::ColumnReading::words}}, rules);
-    if (words.rows != table.rows) return {};  // it is being written
-    joints = std::move(words.columns.front());
-  } else {
-    joints = ingest::log::as_words(table.columns[*told_by]);
+  std::vector<std::vector<std::size_t>> rows(words->words.size());
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    if (!std::isnan(words->values[row])) {
+      rows[static_cast<std::size_t>(words->values[row])].push_back(row);
+    }
   }
-  std::vector<RowsOfJoint> all;
-  for (std::size_t word = 0; word < joints.words.size(); ++word) {
-    RowsOfJoint one{table, key, joints.words[word]};
+  std::vector<RowsOfOne> all;
+  for (std::size_t word = 0; word < rows.size(); ++word) {
+    RowsOfOne one{ingest::log::with_rows(table, rows[word]), key, words->words[word], !are_joints};
     one.table.columns.erase(one.table.columns.begin() + static_cast<std::ptrdiff_t>(*told_by));
-    ingest::log::keep_rows_of(joints, word, one.table);
     if (word > 0) one.table.notes.clear();
     all.push_back(std::move(one));
   }

@@ -37,18 +37,20 @@ std::optional<std::size_t> first_column(const TableSurvey& table, ingest::log::Q
 /// usual units; else they are guessed: degrees where radians make no sense.
 void find_units(const ingest::log::LogTable& data, TableSurvey& table);
 
-/// One joint's rows of a log in which each row is one joint's.
-struct RowsOfJoint {
+/// One joint's rows of a log in which each row is one joint's; or one recording's of several.
+struct RowsOfOne {
   ingest::log::LogTable table;  ///< Without the column that tells them.
   std::string key;              ///< What a manifest calls that.
-  std::string joint;            ///< What stands in it.
+  std::string value;            ///< What stands in it.
+  bool is_recording{};          ///< Else a joint.
 };
 
-/// By a column named so that holds a few words or numbers by turns, or one behind the other.
-/// @return none for a log in which a row is all joints'.
-std::vector<RowsOfJoint> rows_of_joints(const std::string& path, ingest::log::LogFormat format,
-                                        const ingest::text::TextLogRules& rules,
-                                        const ingest::log::LogTable& table);
+/// Joints by a column named so that holds a few words or numbers by turns, or one behind the other;
+/// recordings by "episode_index" and the like, where the clock begins anew with each.
+/// @return none for a log that is one recording in which a row is all joints'.
+std::vector<RowsOfOne> rows_of_each(const std::string& path, ingest::log::LogFormat format,
+                                    const ingest::text::TextLogRules& rules,
+                                    const ingest::log::LogTable& table);
 
 /// A stretch of a log to which it gives a name.
 struct Phase {

@@ -288,6 +288,41 @@ std::string clock_in_short(const ClockSurvey& c) {
   return words.empty() ? "even" : words.substr(1);
 }
 
+/// Rows, clock and motion of a table in a row of the table of all.
+std::vector<std::string> cells_in_short(const std::string& name, const TableSurvey& table,
+                                        const std::string& joint) {
+  const auto& clock = table.clock;
+  return {printable(name, longest_name),
+          fmt::format("{}", table.rows),
+          clock ? fmt::format("{:.4g}", clock->last_s - clock->first_s) : "",
+          clock ? fmt::format("{:.4g}", clock->rate_Hz()) : "",
+          clock ? clock_in_short(*clock) : "none",
+          motion_in_short(table, joint)};
+}
+
+bool holds_several_recordings(const LogSurvey& log) {
+  return log.tables.size() > 1 && log.tables.front().is_one_of_several;
+}
+
+/// One log with several recordings.
+std::string block_of_recordings(const LogSurvey& log, const std::string& joint) {
+  std::vector<const TableSurvey*> tables;
+  for (const TableSurvey& table : log.tables) tables.push_back(&table);
+  const TableSurvey& first = log.tables.front();
+  std::string text = printable(log.file, 400) + "\n";
+  text += fmt::format("  {}: {} recordings, which {} tells apart{}\n",
+                      ingest::log::to_string(log.format), tables.size(),
+                      in_quotes(first.rows_of->first),
+                      first.logger.empty() ? "" : "; columns as " + first.logger + " writes them");
+  text += notes_text(log) + columns_text(tables) + faults_of(first) + "\n";
+  TextTable rows(2);
+  rows.add({"recording", "rows", "s", "Hz", "clock", "motion"});
+  for (const TableSurvey* table : tables) {
+    rows.add(cells_in_short(table->rows_of->second, *table, joint));
+  }
+  return text + rows.text();
+}
+
 /// Logs of one table each, with the same columns.
 std::string block(const std::vector<const LogSurvey*>& logs, const std::string& joint) {
   std::vector<const TableSurvey*> tables;
@@ -302,13 +337,8 @@ std::string block(const std::vector<const LogSurvey*>& logs, const std::string& 
   TextTable rows(2);
   rows.add({"log", "rows", "s", "Hz", "clock", "motion"});
   for (std::size_t k = 0; k < logs.size(); ++k) {
-    const auto& clock = tables[k]->clock;
     const std::string& file = logs[k]->file;
-    rows.add({printable(file.substr(file.rfind('/') + 1), longest_name),
-              fmt::format("{}", tables[k]->rows),
-              clock ? fmt::format("{:.4g}", clock->last_s - clock->first_s) : "",
-              clock ? fmt::format("{:.4g}", clock->rate_Hz()) : "",
-              clock ? clock_in_short(*clock) : "none", motion_in_short(*tables[k], joint)});
+    rows.add(cells_in_short(file.substr(file.rfind('/') + 1), *tables[k], joint));
   }
   return text + rows.text();
 }
@@ -338,7 +368,9 @@ std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& j
       alike.push_back(&logs[j]);
     }
     if (!text.empty()) text += '\n';
-    text += alike.size() == 1 ? block(logs[k]) : block(alike, joint);
+    text += holds_several_recordings(logs[k]) ? block_of_recordings(logs[k], joint)
+            : alike.size() == 1               ? block(logs[k])
+                                              : block(alike, joint);
   }
   return text;
 }

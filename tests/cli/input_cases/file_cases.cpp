@@ -131,13 +131,12 @@ std::vector<InputCase> file_cases() {
               "ELF\x02\x01",
               binary + "ELF" + export_it),
       refused("10e", "Ros1Bag", "#ROSBAG V2.0\n", binary + "rosbag" + export_it),
-      refused("10f", "Parquet", "PAR1\x15\x04",
-              binary + "Parquet" + by_python + "pandas; pandas.read_parquet('LOG')" + to_csv),
       refused(
-          "10i", "ParquetEncrypted", "PARE\x15\x04",
-          binary +
-              "Parquet, encrypted, expected a text file of columns; hint: decrypt it and export "
-              "it as CSV"),
+          "10f", "ParquetCutOff", "PAR1\x15\x04\x15\x10\x15\x14\x4c\x15\x01",
+          "log.csv: damaged: the file does not end with its footer; hint: it is cut off, or was "
+          "not closed by what wrote it: copy it again"),
+      refused("10i", "ParquetEncrypted", "PARE\x15\x04\x15\x10\x15\x14\x4c\x15\x01",
+              "log.csv: is encrypted Parquet; hint: decrypt it where its key is"),
       refused("10j", "Feather", "ARROW1\0\0\xff\xff\xff\xff"s,
               binary + "Arrow (also .feather)" + by_python + "pandas; pandas.read_feather('LOG')" +
                   to_csv),
