@@ -7,7 +7,7 @@
 
 namespace tribolog::ingest::log {
 
-enum class LogFormat { text, mat, hdf5, npz, npy, json, mcap, sqlite_bag };
+enum class LogFormat { text, mat, hdf5, npz, npy, json, mcap, rosbag, sqlite_bag };
 
 /// "CSV or the like", for people.
 std::string to_string(LogFormat format);

@@ -130,7 +130,10 @@ std::vector<InputCase> file_cases() {
               "\x7f"
               "ELF\x02\x01",
               binary + "ELF" + export_it),
-      refused("10e", "Ros1Bag", "#ROSBAG V2.0\n", binary + "rosbag" + export_it),
+      refused("10e", "BagWithoutMessages", "#ROSBAG V2.0\n",
+              "log.csv: holds no topic with numbers that can be read, found has no index: the "
+              "recording was not closed, expected messages of ROS, JSON or protobuf, such as "
+              "sensor_msgs/JointState"),
       refused("10f", "Parquet", "PAR1\x15\x04",
               binary + "Parquet" + by_python + "pandas; pandas.read_parquet('LOG')" + to_csv),
       refused(
@@ -152,8 +155,8 @@ std::vector<InputCase> file_cases() {
               binary + "zip (also .xlsx and .npz)" + export_it),
       refused("10h", "McapWithoutMessages", "\x89MCAP0\r\n",
               "log.csv: holds no topic with numbers that can be read, found ends at byte 8 without "
-              "a footer: the recording was not closed, expected messages of ROS 2 in CDR, such as "
-              "sensor_msgs/JointState"),
+              "a footer: the recording was not closed, expected messages of ROS, JSON or "
+              "protobuf, such as sensor_msgs/JointState"),
       accepted("40a", "FiveThousandColumns", many_columns,
                "columns of the logs that are not used: 'c4', 'c5', 'c6', 'c7', 'c8', 'c9', 'c10', "
                "'c11', 'c12', 'c13', 'c14', 'c15', 'c16', 'c17', 'c18', 'c19', 'c20', 'c21', "
