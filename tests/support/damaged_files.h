@@ -46,4 +46,36 @@ void expect_changes_answered(const Read& read, const std::string& bytes, std::si
   }
 }
 
+/// Damages the file in `count` ways: a bit turned, bytes changed, the end cut off, a piece of it
+/// put over or into another place.
+template <class Read>
+void expect_mutants_answered(const Read& read, const std::string& bytes, std::size_t count) {
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t bound) { return random() % bound; };
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string mutant = bytes;
+    const std::size_t at = below(bytes.size());
+    const std::string piece = bytes.substr(below(bytes.size()), 1 + below(64));
+    switch (i % 5) {
+      case 0:
+        mutant[at] = static_cast<char>(mutant[at] ^ static_cast<char>(1U << below(8)));
+        break;
+      case 1:
+        for (std::size_t k = 0; k < 4 && at + k < mutant.size(); ++k) {
+          mutant[at + k] = static_cast<char>(random() % 256);
+        }
+        break;
+      case 2:
+        mutant.resize(at);
+        break;
+      case 3:
+        mutant.replace(at, piece.size(), piece);
+        break;
+      default:
+        mutant.insert(at, piece);
+    }
+    expect_answer(read, mutant, "mutant " + std::to_string(i) + " at byte " + std::to_string(at));
+  }
+}
+
 }  // namespace tribolog::test

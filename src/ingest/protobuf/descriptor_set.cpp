@@ -63,31 +63,39 @@ pb::FileDescriptorSet parsed(std::string_view bytes) {
   return set;
 }
 
-/// Adds files in the order of their imports, without descending into them.
+/// Adds files in the order of their imports, without descending into them. Some writers leave the
+/// imports out: a file that needs what it does not import gets all that were added before it.
 class PoolFilling {
  public:
-  PoolFilling(const pb::FileDescriptorSet& set, pb::DescriptorPool& pool)
-      : set_(set), pool_(pool), is_added_(static_cast<std::size_t>(set.file_size())) {}
+  PoolFilling(const pb::FileDescriptorSet& set, pb::DescriptorPool& pool) : pool_(pool) {
+    for (const pb::FileDescriptorProto& file : set.file()) waiting_.push_back(&file);
+  }
 
   void add_all() {
-    for (bool adds = true; adds;) {
-      adds = false;
-      for (int i = 0; i < set_.file_size(); ++i) {
-        if (is_added_[static_cast<std::size_t>(i)] || !missing_import(set_.file(i)).empty())
-          continue;
-        add(i);
-        adds = true;
-      }
-    }
-    for (int i = 0; i < set_.file_size(); ++i) {
-      if (!is_added_[static_cast<std::size_t>(i)]) note_missing(set_.file(i));
+    for (int pass = 0; pass < most_passes && !waiting_.empty(); ++pass) {
+      const auto rest = std::remove_if(waiting_.begin(), waiting_.end(),
+                                       [&](const auto* file) { return is_added(*file); });
+      if (rest == waiting_.end()) return;
+      waiting_.erase(rest, waiting_.end());
     }
   }
 
-  /// Empty: nothing was wrong.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// Empty: all were added.
+  [[nodiscard]] std::string problem() const {
+    if (waiting_.empty()) return {};
+    const pb::FileDescriptorProto& file = *waiting_.front();
+    const std::string missing = missing_import(file);
+    if (missing.empty()) {
+      return fmt::format("'{}' is damaged: {}", printable(file.name()), printable(error_, 200));
+    }
+    return fmt::format("'{}' imports '{}', which is not there or imports it in turn",
+                       printable(file.name()), printable(missing));
+  }
 
  private:
+  /// Each pass adds at least one file; imports are seldom as deep.
+  static constexpr int most_passes = 64;
+
   std::string missing_import(const pb::FileDescriptorProto& file) const {
     for (const std::string& name : file.dependency()) {
       if (!names_.contains(name)) return name;
@@ -95,30 +103,30 @@ class PoolFilling {
     return {};
   }
 
-  void add(int number) {
-    const pb::FileDescriptorProto& file = set_.file(number);
-    is_added_[static_cast<std::size_t>(number)] = true;
-    if (!names_.insert(file.name()).second) return;  // it stands there twice
+  bool is_added(const pb::FileDescriptorProto& file) {
+    if (names_.contains(file.name())) return true;  // it stands there twice
+    if (!missing_import(file).empty()) return false;
+    const bool is_built = build(file) || (file.dependency().empty() && build(with_imports(file)));
+    if (is_built) names_.insert(file.name());
+    return is_built;
+  }
+
+  bool build(const pb::FileDescriptorProto& file) {
     FirstError error;
-    if (pool_.BuildFileCollectingErrors(file, &error) != nullptr) return;
-    names_.erase(file.name());
-    if (problem_.empty()) {
-      problem_ =
-          fmt::format("'{}' is damaged: {}", printable(file.name()), printable(error.text(), 200));
-    }
+    if (pool_.BuildFileCollectingErrors(file, &error) != nullptr) return true;
+    error_ = error.text();
+    return false;
   }
 
-  void note_missing(const pb::FileDescriptorProto& file) {
-    if (!problem_.empty()) return;
-    problem_ = fmt::format("'{}' imports '{}', which is not there or imports it in turn",
-                           printable(file.name()), printable(missing_import(file)));
+  [[nodiscard]] pb::FileDescriptorProto with_imports(pb::FileDescriptorProto file) const {
+    for (const std::string& name : names_) file.add_dependency(name);
+    return file;
   }
 
-  const pb::FileDescriptorSet& set_;
   pb::DescriptorPool& pool_;
-  std::vector<bool> is_added_;
+  std::vector<const pb::FileDescriptorProto*> waiting_;
   std::set<std::string> names_;
-  std::string problem_;
+  std::string error_;
 };
 
 }  // namespace
@@ -130,8 +138,9 @@ const pb::Descriptor* type_in(std::string_view bytes, const std::string& type,
   filling.add_all();
   const pb::Descriptor* const found = pool.FindMessageTypeByName(type);
   if (found != nullptr) return found;
-  const std::string why = filling.problem().empty() ? "" : ": " + filling.problem();
-  throw SchemaError("its FileDescriptorSet does not define " + printable(type) + why);
+  const std::string problem = filling.problem();
+  throw SchemaError(fmt::format("its FileDescriptorSet does not define {}{}{}", printable(type),
+                                problem.empty() ? "" : ": ", problem));
 }
 
 }  // namespace tribolog::ingest::protobuf

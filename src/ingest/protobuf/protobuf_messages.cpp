@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <google/protobuf/dynamic_message.h>
 #include <google/protobuf/message.h>
+#include <google/protobuf/stubs/logging.h>
 
 #include "base/error.h"
 #include "ingest/messages/protobuf_decoder.h"
@@ -206,10 +207,18 @@ class ProtobufDecoder final : public messages::TreeDecoder {
   std::uint64_t largest_part_bytes_{1};
 };
 
+/// What is damaged is said by the program, and not by the library beside it.
+void silence_library() {
+#if GOOGLE_PROTOBUF_VERSION < 4022000
+  pb::SetLogHandler(nullptr);
+#endif
+}
+
 }  // namespace
 }  // namespace tribolog::ingest::protobuf
 
 void tribolog_protobuf_decoder(const std::string& type, std::string_view schema,
                                std::unique_ptr<tribolog::ingest::messages::TreeDecoder>& decoder) {
+  tribolog::ingest::protobuf::silence_library();
   decoder = std::make_unique<tribolog::ingest::protobuf::ProtobufDecoder>(type, schema);
 }
