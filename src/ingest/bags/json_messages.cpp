@@ -1,6 +1,8 @@
 #include "ingest/bags/json_messages.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -21,8 +23,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool null() override { return tree_.add_gap(), true; }
   bool boolean(bool value) override { return add(value ? 1 : 0); }
-  bool number_integer(number_integer_t value) override { return add(static_cast<double>(value)); }
-  bool number_unsigned(number_unsigned_t value) override { return add(static_cast<double>(value)); }
+  bool number_integer(number_integer_t value) override { return tree_.add_integer(value), true; }
+  bool number_unsigned(number_unsigned_t value) override {
+    return value <= std::numeric_limits<std::int64_t>::max()
+               ? number_integer(static_cast<std::int64_t>(value))
+               : add(static_cast<double>(value));
+  }
   bool number_float(number_float_t value, const string_t&) override { return add(value); }
   bool string(string_t& value) override { return tree_.add_text(value), true; }
   bool binary(binary_t&) override { return false; }

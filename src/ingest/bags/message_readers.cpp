@@ -4,11 +4,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/program_module.h"
 #include "ingest/bags/json_messages.h"
+#include "ingest/bags/protobuf_module.h"
 #include "ingest/bags/rosmsg_schema.h"
 #include "ingest/bags/schema_columns.h"
-#include "ingest/messages/protobuf_decoder.h"
 
 namespace tribolog::ingest::bags {
 namespace {
@@ -36,18 +35,6 @@ MessageSchema schema_of_cdr(const TopicDescription& topic) {
   return parse_ros2msg(topic.type, topic.schema);
 }
 
-std::unique_ptr<messages::TreeDecoder> protobuf_decoder(const TopicDescription& topic) {
-  std::unique_ptr<messages::TreeDecoder> decoder;
-  try {
-    void* const make =
-        function_of({"tribolog_protobuf", TRIBOLOG_PROTOBUF_PACKAGES}, "tribolog_protobuf_decoder");
-    reinterpret_cast<decltype(&tribolog_protobuf_decoder)>(make)(topic.type, topic.schema, decoder);
-  } catch (const MissingModule& missing) {
-    throw SchemaError(std::string("protobuf cannot be read here: ") + missing.what());
-  }
-  return decoder;
-}
-
 }  // namespace
 
 std::unique_ptr<MessageReader> reader_of(const TopicDescription& topic) {
@@ -63,7 +50,7 @@ std::unique_ptr<MessageReader> reader_of(const TopicDescription& topic) {
   if (encoding == "json") return messages::reader_of_trees(std::make_unique<JsonDecoder>());
   if (encoding == "protobuf") {
     check_schema(topic, "protobuf");
-    return messages::reader_of_trees(protobuf_decoder(topic));
+    return messages::reader_of_trees(protobuf_decoder(topic.type, topic.schema));
   }
   throw SchemaError("messages are encoded as '" + printable(encoding) +
                     "', not as cdr, ros1, json or protobuf");

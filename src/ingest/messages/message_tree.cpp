@@ -20,6 +20,12 @@ void MessageTree::add_key(std::string_view key) {
 
 void MessageTree::add_number(double value) { values_[add(Kind::number)].number = value; }
 
+void MessageTree::add_integer(std::int64_t value) {
+  Value& added = values_[add(Kind::number)];
+  added.number = static_cast<double>(value);
+  added.integer = value;
+}
+
 void MessageTree::add_text(std::string_view text) {
   const Text kept = keep(text.substr(0, longest_text));
   values_[add(Kind::text)].text = kept;
@@ -50,7 +56,7 @@ std::size_t MessageTree::add(Kind kind) {
     throw MessageError(fmt::format("has more than {} values", most_values));
   }
   const std::size_t place = values_.size();
-  values_.push_back({kind, 0, key_, {}, place + 1});
+  values_.push_back({kind, 0, 0, key_, {}, place + 1});
   key_ = {};
   return place;
 }

@@ -34,6 +34,7 @@ class MessageTree {
   /// deeply.
   void add_gap() { (void)add(Kind::gap); }
   void add_number(double value);
+  void add_integer(std::int64_t value);
   void add_text(std::string_view text);
   /// @param kind array or object. What is added until its close() stands within it.
   void open(Kind kind);
@@ -44,6 +45,8 @@ class MessageTree {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] Kind kind(std::size_t value) const { return values_[value].kind; }
   [[nodiscard]] double number(std::size_t value) const { return values_[value].number; }
+  /// Of a whole number also where no double holds it; 0 of others.
+  [[nodiscard]] std::int64_t integer(std::size_t value) const { return values_[value].integer; }
   [[nodiscard]] std::string_view text(std::size_t value) const { return at(values_[value].text); }
   /// Of an object's member; empty of others.
   [[nodiscard]] std::string_view key(std::size_t value) const { return at(values_[value].key); }
@@ -60,6 +63,7 @@ class MessageTree {
   struct Value {
     Kind kind{};
     double number{};
+    std::int64_t integer{};
     Text key{};
     Text text{};
     std::size_t after{};
@@ -85,7 +89,8 @@ class MessageTree {
 /// has no field's name behind it, as in control_msgs/DynamicJointState.
 /// @return the time of the message in ns, of the first of `header.stamp`, `timestamp`, `stamp`,
 ///         `header.timestamp` and `time` that is one: whole seconds and nanoseconds (`sec` and
-///         `nanosec`, `seconds` and `nanos` ...), or ISO 8601. It gives no column, and neither does
+///         `nanosec`, `seconds` and `nanos` ...), ISO 8601, or nanoseconds since 1970 in one whole
+///         number. It gives no column, and neither does
 ///         a header that holds it.
 std::optional<std::int64_t> take_row(const MessageTree& message, MessageColumns& columns);
 

@@ -60,6 +60,9 @@ std::optional<std::int64_t> stamp_of_text(std::string_view text) {
 std::optional<std::int64_t> stamp_at(const MessageTree& message, std::size_t value) {
   if (message.kind(value) == Kind::object) return stamp_of_parts(message, value);
   if (message.kind(value) == Kind::text) return stamp_of_text(message.text(value));
+  constexpr std::int64_t year_1973_ns = 100'000'000 * ns_per_s;  // a clock since boot shows less
+  const std::int64_t time_ns = message.integer(value);
+  if (time_ns >= year_1973_ns) return time_ns;
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -142,11 +143,13 @@ class TreeWriter {
       case CppType::CPPTYPE_INT32:
         return add(one ? has.GetInt32(message, of) : has.GetRepeatedInt32(message, of, number));
       case CppType::CPPTYPE_INT64:
-        return add(one ? has.GetInt64(message, of) : has.GetRepeatedInt64(message, of, number));
+        return tree_.add_integer(one ? has.GetInt64(message, of)
+                                     : has.GetRepeatedInt64(message, of, number));
       case CppType::CPPTYPE_UINT32:
         return add(one ? has.GetUInt32(message, of) : has.GetRepeatedUInt32(message, of, number));
       case CppType::CPPTYPE_UINT64:
-        return add(one ? has.GetUInt64(message, of) : has.GetRepeatedUInt64(message, of, number));
+        return add_unsigned(one ? has.GetUInt64(message, of)
+                                : has.GetRepeatedUInt64(message, of, number));
       case CppType::CPPTYPE_DOUBLE:
         return add(one ? has.GetDouble(message, of) : has.GetRepeatedDouble(message, of, number));
       case CppType::CPPTYPE_FLOAT:
@@ -161,6 +164,14 @@ class TreeWriter {
       case CppType::CPPTYPE_MESSAGE:
         return add_message(one ? has.GetMessage(message, of)
                                : has.GetRepeatedMessage(message, of, number));
+    }
+  }
+
+  void add_unsigned(std::uint64_t value) {
+    if (value <= std::numeric_limits<std::int64_t>::max()) {
+      tree_.add_integer(static_cast<std::int64_t>(value));
+    } else {
+      tree_.add_number(static_cast<double>(value));
     }
   }
 

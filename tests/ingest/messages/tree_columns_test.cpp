@@ -115,10 +115,13 @@ TEST(TreeColumns, TakesTheTimeOfTheMessage) {
   EXPECT_EQ(stamp(R"({"timestamp": "2023-11-14T22:13:20.123456789Z"})"), wanted);
   EXPECT_EQ(stamp(R"({"time": "2023-11-14T22:13:20Z"})"), wanted - 123'456'789);
   EXPECT_EQ(stamp(R"({"timestamp": 5, "stamp": {"sec": -2, "nsec": 5}})"), -1'999'999'995);
+  EXPECT_EQ(stamp(R"({"timestamp": 1700000000123456789})"), wanted);
   for (const char* const none :
        {"{}", "[1]", R"({"stamp": {"sec": 1}})", R"({"stamp": {"sec": 1.5, "nsec": 0}})",
         R"({"stamp": {"sec": 1e300, "nsec": 0}})", R"({"stamp": {"sec": 1, "nsec": 1e11}})",
-        R"({"stamp": "yesterday"})", R"({"stamp": {"sec": 1, "nsec": 0, "q": 1}})"}) {
+        R"({"stamp": "yesterday"})", R"({"timestamp": 1700000000123456})",
+        R"({"timestamp": 18446744073709551615})", R"({"timestamp": 1.7e18})",
+        R"({"stamp": {"sec": 1, "nsec": 0, "q": 1}})"}) {
     EXPECT_EQ(stamp(none), std::nullopt) << none;
   }
   const Table table = read({R"({"header": {"stamp": )" + parts + R"(, "seq": 4}, "q": 1})"});
