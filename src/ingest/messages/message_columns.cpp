@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t most_columns = 5000;
 constexpr std::size_t most_places = 4 * most_columns;
+constexpr std::size_t longest_path = 512;
+/// Of all columns of a topic; then those with a number in less than a sixteenth of the rows go.
+constexpr std::size_t most_sparse_cells = std::size_t{1} << 25;
+constexpr std::size_t rows_of_a_number = 16;
 constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 
 std::string joined(const std::string& path, std::string_view name) {
@@ -73,7 +77,7 @@ MessageColumns::Place* MessageColumns::named_element(Place* parent, Place* array
 }
 
 MessageColumns::Place* MessageColumns::added(std::unique_ptr<Place>& where, std::string path) {
-  if (places_ == most_places) {
+  if (places_ == most_places || path.size() > longest_path) {
     has_too_many_columns_ = true;
     return nullptr;
   }
@@ -92,10 +96,34 @@ void MessageColumns::put(Place* place, double value) {
     }
     place->column = columns_.size();
     columns_.push_back({{place->path, place->path, ""}, {}, 0});
+    numbers_.push_back(0);
+    is_left_out_.push_back(false);
   }
-  std::vector<double>& values = columns_[place->column].values;
-  values.resize(rows_, std::numeric_limits<double>::quiet_NaN());
-  values.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN());
+  if (!grow(place->column, rows_ + 1)) return;
+  ++numbers_[place->column];
+  columns_[place->column].values.back() =
+      std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool MessageColumns::grow(std::size_t column, std::size_t rows) {
+  if (is_left_out_[column]) return false;
+  std::vector<double>& values = columns_[column].values;
+  const std::size_t cells = cells_ - values.size() + rows;
+  const bool is_sparse = rows / rows_of_a_number > numbers_[column];
+  if (is_sparse && rows > values.size() && cells > most_sparse_cells) {
+    cells_ -= values.size();
+    std::vector<double>().swap(values);
+    is_left_out_[column] = true;
+    has_too_many_columns_ = true;
+    return false;
+  }
+  values.resize(rows, std::numeric_limits<double>::quiet_NaN());
+  cells_ = cells;
+  return true;
+}
+
+void MessageColumns::fill_gaps() {
+  for (std::size_t i = 0; i < columns_.size(); ++i) (void)grow(i, rows_);
 }
 
 void MessageColumns::leave_out(const Place* long_array) {
@@ -111,13 +139,16 @@ void MessageColumns::end_row(bool is_too_long) {
 }
 
 std::vector<log::LogColumn> MessageColumns::finish() && {
-  for (log::LogColumn& column : columns_) {
-    column.values.resize(rows_, std::numeric_limits<double>::quiet_NaN());
+  fill_gaps();
+  std::vector<log::LogColumn> kept;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (is_left_out_[i]) continue;
+    log::LogColumn& column = kept.emplace_back(std::move(columns_[i]));
     column.gaps =
         static_cast<std::size_t>(std::count_if(column.values.begin(), column.values.end(),
                                                [](double value) { return std::isnan(value); }));
   }
-  return std::move(columns_);
+  return kept;
 }
 
 }  // namespace tribolog::ingest::messages

@@ -73,16 +73,24 @@ class MessageColumns {
   [[nodiscard]] const std::vector<std::string>& long_arrays() const { return long_arrays_; }
   [[nodiscard]] bool has_too_many_columns() const { return has_too_many_columns_; }
 
-  /// All columns, each with as many values as there are rows, in the order in which they occurred.
+  /// Every column gets as many values as there are rows. Where there are very many gaps, columns
+  /// that hold little else are left out: a small log must not ask for gigabytes.
+  void fill_gaps();
+  /// All columns, in the order in which they occurred.
   std::vector<log::LogColumn> finish() &&;
 
  private:
   Place* added(std::unique_ptr<Place>& where, std::string path);
+  /// @return false: it has too many gaps, and is left out from now on.
+  bool grow(std::size_t column, std::size_t rows);
 
   std::unique_ptr<Place> root_;
   std::size_t places_{0};
   std::set<std::string> named_paths_;
   std::vector<log::LogColumn> columns_;
+  std::vector<std::size_t> numbers_;  ///< Put into each column.
+  std::vector<bool> is_left_out_;     ///< By column.
+  std::size_t cells_{0};              ///< Of all columns, gaps included.
   std::vector<std::string> long_arrays_;
   bool has_too_many_columns_{false};
   std::size_t rows_{0};

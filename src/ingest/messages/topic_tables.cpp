@@ -92,6 +92,7 @@ std::optional<log::LogTable> TopicTable::finish(const std::string& file) && {
   table.file = file;
   table.group = topic_;
   table.rows = columns_.rows();
+  columns_.fill_gaps();
   table.notes = notes_of(columns_, printable(topic_));
   table.refusal = refusal_;
   std::vector<log::LogColumn> numbers = std::move(columns_).finish();

@@ -30,7 +30,10 @@ class TopicTable {
   void take(std::string_view message, std::uint64_t log_time_ns);
 
   /// A message could not be read, and why: the table keeps the rows before it, and says so.
-  void refuse(const std::string& reason) { refusal_ = reason; }
+  void refuse(const std::string& reason) {
+    refusal_ = reason;
+    reader_.reset();
+  }
 
   /// The columns: `time` (the messages' own, where they have one; a gap where one has none) and
   /// `log_time`, both in seconds since the topic's first, formed from differences in whole

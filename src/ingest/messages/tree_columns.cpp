@@ -225,10 +225,15 @@ class TreeReader : public MessageReader {
   std::optional<std::int64_t> take_row(std::string_view message, MessageColumns& columns) override {
     tree_.clear();
     decoder_->decode(message, tree_);
-    return messages::take_row(tree_, columns);
+    const std::optional<std::int64_t> stamp_ns = messages::take_row(tree_, columns);
+    if (tree_.size() > most_kept_values) tree_ = MessageTree();
+    return stamp_ns;
   }
 
  private:
+  /// The room for more of them is given back: a log may have many topics.
+  static constexpr std::size_t most_kept_values = 4096;
+
   std::unique_ptr<TreeDecoder> decoder_;
   MessageTree tree_;
 };

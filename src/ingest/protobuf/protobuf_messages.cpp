@@ -209,9 +209,17 @@ class ProtobufDecoder final : public messages::TreeDecoder {
           fmt::format("is not one of {}", printable(message_->GetDescriptor()->full_name())));
     }
     TreeWriter(tree).add_message(*message_);
+    give_back(message.size());
   }
 
  private:
+  /// Of a message that may have taken much memory; what others took serves the next one.
+  void give_back(std::size_t message_bytes) {
+    constexpr std::uint64_t most_kept_bytes = std::uint64_t{1} << 20;
+    if (message_bytes / least_element_bytes <= most_kept_bytes / largest_part_bytes_) return;
+    message_.reset(message_->New());
+  }
+
   pb::DescriptorPool pool_;
   pb::DynamicMessageFactory factory_;
   std::unique_ptr<pb::Message> message_;

@@ -157,9 +157,23 @@ TEST(TreeColumns, RefusesWhatIsNoMessage) {
   EXPECT_EQ(refusal_of(zeros + "]"), "has more than 1048576 values");
 }
 
+TEST(TreeColumns, ASmallLogAsksForLittleMemory) {
+  std::string wide = "{\"dense\": 1";
+  for (int i = 1; i < 4999; ++i) wide += ", \"k" + std::to_string(i) + "\": 1";
+  std::vector<std::string> messages(100'000, R"({"dense": 2, "late": 3})");
+  messages.front() = messages.back() = wide + "}";
+  const Table sparse = read(messages);
+  EXPECT_TRUE(sparse.has_too_many);
+  EXPECT_LT(sparse.columns.size(), 400U);
+  EXPECT_EQ(sparse.columns.front().header.name, "dense");
+  EXPECT_EQ(sparse.columns.front().gaps, 0U);
+  EXPECT_EQ(sparse.columns.back().gaps, 2U);
+  EXPECT_EQ(names_of(sparse).back(), "late");
+}
+
 TEST(TreeColumns, KeepsTheNumberOfColumnsBounded) {
   std::vector<std::string> messages;
-  for (int i = 0; i < 30'000; ++i) messages.push_back("{\"k" + std::to_string(i) + "\": 1}");
+  for (int i = 0; i < 6000; ++i) messages.push_back("{\"k" + std::to_string(i) + "\": 1}");
   const Table table = read(messages);
   EXPECT_TRUE(table.has_too_many);
   EXPECT_EQ(table.columns.size(), 5000U);
