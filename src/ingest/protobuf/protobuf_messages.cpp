@@ -11,12 +11,15 @@
 #include <fmt/format.h>
 #include <google/protobuf/dynamic_message.h>
 #include <google/protobuf/message.h>
-#include <google/protobuf/stubs/logging.h>
 
 #include "base/error.h"
 #include "ingest/messages/protobuf_decoder.h"
 #include "ingest/messages/topic_tables.h"
 #include "ingest/protobuf/descriptor_set.h"
+
+#if GOOGLE_PROTOBUF_VERSION < 4022000  // later ones log by Abseil
+#include <google/protobuf/stubs/logging.h>
+#endif
 
 namespace tribolog::ingest::protobuf {
 namespace {
