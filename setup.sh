@@ -17,7 +17,8 @@ needed=(cmake ninja-build g++ pkg-config git
   libvtk9-dev libexpat1-dev libfreetype-dev libdeflate-dev fonts-dejavu-core
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libctemplate-dev libssl-dev libsundials-dev libboost-dev libboost-locale-dev gettext
-  liblz4-dev libzstd-dev libsnappy-dev libbrotli-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
+  libbz2-dev liblz4-dev libprotobuf-dev libzstd-dev libsnappy-dev libbrotli-dev libsqlite3-dev libpq-dev
+  libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   package) needed+=(dpkg-dev file) ;;
   tests | lint | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev

@@ -1,4 +1,5 @@
 # Other people's libraries, each found once. A room links those that it names, and no other sees them.
+find_package(BZip2 REQUIRED)
 find_package(Boost REQUIRED COMPONENTS locale)
 find_package(CLI11 REQUIRED)
 find_package(EXPAT REQUIRED)
@@ -18,6 +19,7 @@ pkg_check_modules(TRIBOLOG_HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(TRIBOLOG_LIBPQ REQUIRED IMPORTED_TARGET libpq)
 pkg_check_modules(TRIBOLOG_LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(TRIBOLOG_MATIO REQUIRED IMPORTED_TARGET matio)
+pkg_check_modules(TRIBOLOG_PROTOBUF REQUIRED IMPORTED_TARGET protobuf)
 pkg_check_modules(TRIBOLOG_SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(TRIBOLOG_ZSTD REQUIRED IMPORTED_TARGET libzstd)
 find_path(TRIBOLOG_BROTLI_INCLUDE brotli/decode.h REQUIRED)

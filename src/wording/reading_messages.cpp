@@ -96,6 +96,13 @@ const Messages& reading_messages() {
        text("ends at byte {byte} without a footer: the recording was not closed")},
       {"reading.damaged_record",
        text("damaged at byte {byte}: no record has opcode 0x00; what follows is not read")},
+      {"reading.bag_chunk_damaged",
+       text("chunk at byte {byte} is damaged: there is no record at its "
+            "byte {at}; the rest of the chunk is left out")},
+      {"reading.bag_chunk_left_out", text("chunk at byte {byte} is left out: {why}")},
+      {"reading.damaged_bag",
+       text("damaged at byte {byte}: no record starts there; what follows is not read")},
+      {"reading.no_index", text("has no index: the recording was not closed")},
       {"reading.damaged_end",
        text("damaged at byte {byte}: the closing 8 bytes are not those of MCAP")},
       {"reading.bytes_after_end",

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/small_dataset.h"
+#include "support/bag_writer.h"
 #include "support/cdr_writer.h"
 #include "support/mcap_writer.h"
 #include "support/real_logs.h"
@@ -201,10 +202,8 @@ TEST(Inspect, AServoThatLogsVoltageAloneIsToldWhatToRecord) {
 }
 
 /// Joint states of two joints: the elbow sweeps there and back over its gravity peak.
-std::string joint_state_log() {
-  McapWriter writer({});
-  writer.add_schema(7, "sensor_msgs/msg/JointState", "ros2msg", joint_state_definition);
-  writer.add_channel(3, 7, "/joint_states");
+std::vector<JointStateMessage> joint_states() {
+  std::vector<JointStateMessage> messages;
   constexpr std::int64_t start_ns = 1'700'000'000'123'456'789;
   for (int i = 0; i < 4000; ++i) {
     const double t = 0.01 * i;
@@ -212,11 +211,49 @@ std::string joint_state_log() {
     const double q = t < 20 ? -1 + 0.1 * t : 1 - 0.1 * (t - 20);
     const double torque = 3 * std::cos(q - 0.2) + 0.5 * direction;
     const std::int64_t stamp_ns = start_ns + static_cast<std::int64_t>(i) * 10'000'000;
-    const JointStateMessage message{
-        stamp_ns, {"wrist", "elbow"}, {0.5, q}, {0, 0.1 * direction}, {0.1, torque}};
-    writer.add_message(3, static_cast<std::uint64_t>(stamp_ns), message.cdr());
+    messages.push_back(
+        {stamp_ns, {"wrist", "elbow"}, {0.5, q}, {0, 0.1 * direction}, {0.1, torque}});
+  }
+  return messages;
+}
+
+std::string joint_state_log() {
+  McapWriter writer({});
+  writer.add_schema(7, "sensor_msgs/msg/JointState", "ros2msg", joint_state_definition);
+  writer.add_channel(3, 7, "/joint_states");
+  for (const JointStateMessage& message : joint_states()) {
+    writer.add_message(3, static_cast<std::uint64_t>(message.stamp_ns), message.cdr());
   }
   return writer.finish();
+}
+
+std::string json_joint_state_log() {
+  McapWriter writer({});
+  writer.add_channel(3, 0, "/joint_states", "json");
+  for (const JointStateMessage& message : joint_states()) {
+    const nlohmann::json json = {{"header",
+                                  {{"stamp",
+                                    {{"sec", message.stamp_ns / 1'000'000'000},
+                                     {"nanosec", message.stamp_ns % 1'000'000'000}}}}},
+                                 {"name", message.names},
+                                 {"position", message.position},
+                                 {"velocity", message.velocity},
+                                 {"effort", message.effort}};
+    writer.add_message(3, static_cast<std::uint64_t>(message.stamp_ns), json.dump());
+  }
+  return writer.finish();
+}
+
+std::string joint_state_bag() {
+  std::string records =
+      bag_connection(0, "/joint_states", "sensor_msgs/JointState", std::string(ros1_joint_state));
+  for (const JointStateMessage& message : joint_states()) {
+    Ros1Message bytes;
+    bytes.add_header(message.stamp_ns).add_texts(message.names).add_sequence(message.position);
+    bytes.add_sequence(message.velocity).add_sequence(message.effort);
+    records += bag_message(0, static_cast<std::uint64_t>(message.stamp_ns), bytes.bytes());
+  }
+  return bag_start(1) + bag_chunk("none", records, records.size());
 }
 
 TEST(Inspect, JointStatesInMcapGiveAManifestThatIdentifyTakes) {
@@ -226,6 +263,18 @@ TEST(Inspect, JointStatesInMcapGiveAManifestThatIdentifyTakes) {
   EXPECT_EQ(calibration["robot"]["joint"], "elbow") << "the wrist stands still";
   const double gravity_Nm = calibration["cog"]["rough"]["gravity_joint_Nm"]["estimate"];
   EXPECT_NEAR(gravity_Nm, 3, 0.01);
+}
+
+TEST(Inspect, JointStatesGiveTheSameInWhateverTheyAreRecorded) {
+  const auto cog = [](const std::string& name, const std::string& bytes) {
+    const ScratchDirectory scratch;
+    const nlohmann::json calibration = identified(scratch, quoted(scratch.write(name, bytes)));
+    EXPECT_EQ(calibration["robot"]["joint"], "elbow");
+    return calibration["cog"];
+  };
+  const nlohmann::json in_cdr = cog("states.mcap", joint_state_log());
+  EXPECT_EQ(cog("json.mcap", json_joint_state_log()), in_cdr);
+  EXPECT_EQ(cog("states.bag", joint_state_bag()), in_cdr);
 }
 
 TEST(Inspect, AFolderOfRosbag2IsTheFilesThatItLists) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/small_dataset.h"
+#include "support/mcap_writer.h"
 #include "support/parquet_writer.h"
 
 namespace tribolog::test::loaded_libraries_test {
@@ -50,8 +51,8 @@ std::string named(const std::set<std::string>& libraries, const std::set<std::st
 }
 
 const std::set<std::string> graphics{"vtk", "OSMesa", "EGL", "GL.so", "GLX", "LLVM", "X11"};
-const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap",     "krb5",   "curl",  "hdf5",
-                                                     "matio", "sundials", "libmpi", "snappy"};
+const std::set<std::string> of_some_logs_or_archives{
+    "libpq", "ldap", "krb5", "curl", "hdf5", "matio", "sundials", "libmpi", "snappy", "protobuf"};
 
 TEST(LoadedLibraries, AreThoseOfACommandAlone) {
   const SmallDataset dataset;
@@ -187,6 +188,19 @@ TEST(MissingLibraries, AreNamedWhereTheyAreNeeded) {
   EXPECT_NE(packed.err.find("Parquet compressed with snappy cannot be read here; hint: nibsnappy"),
             std::string::npos)
       << packed.err;
+  installed.lose_library_of("tribolog_protobuf", "libprotobuf.so");
+  McapWriter writer({});
+  writer.add_schema(1, "arm.State", "protobuf", "");
+  writer.add_channel(1, 1, "/state", "protobuf");
+  writer.add_message(1, 0, "");
+  const std::string bag = scratch.write("log.mcap", writer.finish());
+  const ProgramRun messages = run_shell(installed.command() + "inspect '" + bag + "'");
+  EXPECT_EQ(messages.status, 3) << messages.err;
+  EXPECT_NE(messages.err.find("/state is not read: protobuf cannot be read here: nibprotobuf"),
+            std::string::npos)
+      << messages.err;
+  EXPECT_NE(messages.err.find(" is missing; install the packages libprotobuf"), std::string::npos)
+      << messages.err;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 executions=${1:-100000}
 out=${2:-$root/build-fuzz}
 targets=("${@:3}")
-[[ ${#targets[@]} -gt 0 ]] || targets=(csv manifest json npz mcap db3 mf4 tdms mat hdf5 parquet)
+[[ ${#targets[@]} -gt 0 ]] || targets=(csv manifest json npz mcap bag db3 mf4 tdms mat hdf5 parquet)
 
 cmake -S "$root" -B "$out" -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_FUZZ=ON \
   -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ >"$out.log" 2>&1 ||

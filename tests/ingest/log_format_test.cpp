@@ -10,6 +10,8 @@ using namespace std::string_view_literals;
 TEST(LogFormat, SignaturesCountMoreThanNames) {
   EXPECT_EQ(ingest::log::detect_log_format("\x89MCAP0\r\n\x01"sv, "a.csv"),
             ingest::log::LogFormat::mcap);
+  EXPECT_EQ(ingest::log::detect_log_format("#ROSBAG V2.0\n"sv, "a.csv"),
+            ingest::log::LogFormat::rosbag);
   EXPECT_EQ(ingest::log::detect_log_format("SQLite format 3\0abc"sv, "a"),
             ingest::log::LogFormat::sqlite_bag);
   EXPECT_EQ(ingest::log::detect_log_format("\x93NUMPY\1\0"sv, "a.npz"),

@@ -46,27 +46,35 @@ void expect_changes_answered(const Read& read, const std::string& bytes, std::si
   }
 }
 
-/// `count` mutants with a third each of changed bits, cuts, and bytes that stand elsewhere in it.
+/// Damages the file in `count` ways: a bit turned, bytes changed, the end cut off, a piece of it
+/// put over or into another place.
 template <class Read>
 void expect_mutants_answered(const Read& read, const std::string& bytes, std::size_t count) {
   std::mt19937 random(3);
-  const auto place = [&] { return random() % bytes.size(); };
+  const auto below = [&](std::size_t bound) { return random() % bound; };
   for (std::size_t i = 0; i < count; ++i) {
     std::string mutant = bytes;
-    if (i % 3 == 0) {
-      for (std::size_t k = 0; k <= i % 4; ++k) {
-        char& byte = mutant[place()];
-        byte = static_cast<char>(byte ^ static_cast<char>(1U << (random() % 8)));
-      }
-    } else if (i % 3 == 1) {
-      mutant.resize(place());
-    } else {
-      const std::size_t from = place();
-      const std::size_t to = place();
-      const std::size_t taken = random() % 64;
-      mutant.replace(to, random() % 64, bytes.substr(from, taken));
+    const std::size_t at = below(bytes.size());
+    const std::string piece = bytes.substr(below(bytes.size()), 1 + below(64));
+    switch (i % 5) {
+      case 0:
+        mutant[at] = static_cast<char>(mutant[at] ^ static_cast<char>(1U << below(8)));
+        break;
+      case 1:
+        for (std::size_t k = 0; k < 4 && at + k < mutant.size(); ++k) {
+          mutant[at + k] = static_cast<char>(random() % 256);
+        }
+        break;
+      case 2:
+        mutant.resize(at);
+        break;
+      case 3:
+        mutant.replace(at, piece.size(), piece);
+        break;
+      default:
+        mutant.insert(at, piece);
     }
-    expect_answer(read, mutant, "mutant " + std::to_string(i));
+    expect_answer(read, mutant, "mutant " + std::to_string(i) + " at byte " + std::to_string(at));
   }
 }
 

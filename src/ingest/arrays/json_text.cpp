@@ -10,40 +10,12 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "ingest/arrays/array_tables.h"
+#include "ingest/text/plain_json.h"
 
 namespace tribolog::ingest::arrays {
 namespace {
 
-/// A text with null in place of numbers that JSON does not know.
-struct PlainJson {
-  std::string text;
-  std::vector<std::size_t> inserted;  ///< Where a byte more stands than in the file; ascending.
-};
-
-PlainJson without_foreign_numbers(std::string_view text) {
-  PlainJson plain;
-  plain.text.reserve(text.size());
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::string_view rest = text.substr(i);
-    if (in_string && text[i] == '\\' && rest.size() > 1) {
-      plain.text += rest.substr(0, 2);
-      i += 2;
-    } else if (!in_string && rest.starts_with("NaN")) {
-      plain.text += "null";
-      plain.inserted.push_back(plain.text.size());
-      i += 3;
-    } else if (!in_string && (rest.starts_with("Infinity") || rest.starts_with("-Infinity"))) {
-      const std::size_t length = text[i] == '-' ? 9 : 8;
-      plain.text += "null" + std::string(length - 4, ' ');
-      i += length;
-    } else {
-      in_string = in_string != (text[i] == '"');
-      plain.text += text[i++];
-    }
-  }
-  return plain;
-}
+using text::PlainJson;
 
 Location location_of(const PlainJson& json, std::size_t byte, const std::string& file) {
   const std::string_view before = std::string_view(json.text).substr(0, byte);
@@ -147,7 +119,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 JsonValue parse_json_text(std::string_view text, const std::string& file) {
-  const PlainJson json = without_foreign_numbers(text);
+  const PlainJson json = text::without_foreign_numbers(text);
   TreeBuilder builder(json, file);
   nlohmann::json::sax_parse(json.text, &builder);
   return builder.take();

@@ -14,13 +14,13 @@ constexpr std::size_t encapsulation_bytes = 4;
 
 bool is_little_endian(std::string_view message) {
   if (message.size() < encapsulation_bytes) {
-    throw CdrError(fmt::format("has {} bytes, too few for CDR", message.size()));
+    throw MessageError(fmt::format("has {} bytes, too few for CDR", message.size()));
   }
   const auto first = static_cast<unsigned char>(message[0]);
   const auto second = static_cast<unsigned char>(message[1]);
   if (first != 0 || second > 1) {
-    throw CdrError(fmt::format("starts with 0x{:02x}{:02x}, not with 0x0000 or 0x0001 of plain CDR",
-                               first, second));
+    throw MessageError(fmt::format(
+        "starts with 0x{:02x}{:02x}, not with 0x0000 or 0x0001 of plain CDR", first, second));
   }
   return second == 1;
 }
@@ -32,24 +32,29 @@ std::size_t size_of(Primitive kind) {
   return sizes.at(static_cast<std::size_t>(kind));
 }
 
-CdrReader::CdrReader(std::string_view message)
-    : swaps_(is_little_endian(message) != (std::endian::native == std::endian::little)) {
-  body_ = message.substr(encapsulation_bytes);
+CdrReader::CdrReader(std::string_view message, Serialization how)
+    : before_body_(how == Serialization::cdr ? encapsulation_bytes : 0),
+      aligns_(how == Serialization::cdr) {
+  const bool is_little = how == Serialization::ros1 || is_little_endian(message);
+  swaps_ = is_little != (std::endian::native == std::endian::little);
+  body_ = message.substr(before_body_);
 }
 
-std::size_t CdrReader::byte() const { return encapsulation_bytes + at_; }
+std::size_t CdrReader::byte() const { return before_body_ + at_; }
 
 std::string_view CdrReader::take(std::size_t bytes) {
   if (bytes > bytes_left()) {
-    throw CdrError(fmt::format("ends too early: {} bytes wanted at its byte {}, {} left", bytes,
-                               byte(), bytes_left()));
+    throw MessageError(fmt::format("ends too early: {} bytes wanted at its byte {}, {} left", bytes,
+                                   byte(), bytes_left()));
   }
   const std::string_view taken = body_.substr(at_, bytes);
   at_ += bytes;
   return taken;
 }
 
-void CdrReader::align(std::size_t size) { (void)take((size - at_ % size) % size); }
+void CdrReader::align(std::size_t size) {
+  if (aligns_) (void)take((size - at_ % size) % size);
+}
 
 template <class T>
 T CdrReader::raw() {
@@ -94,15 +99,16 @@ std::uint32_t CdrReader::uint32() { return raw<std::uint32_t>(); }
 
 std::string_view CdrReader::string() {
   std::string_view text = take(uint32());
-  if (text.ends_with('\0')) text.remove_suffix(1);
+  if (aligns_ && text.ends_with('\0')) text.remove_suffix(1);
   return text;
 }
 
 std::size_t CdrReader::sequence_length() {
   const std::uint32_t length = uint32();
   if (length > bytes_left()) {
-    throw CdrError(fmt::format("states {} elements before its byte {}, but only {} bytes are left",
-                               length, byte(), bytes_left()));
+    throw MessageError(
+        fmt::format("states {} elements before its byte {}, but only {} bytes are left", length,
+                    byte(), bytes_left()));
   }
   return length;
 }

@@ -1,19 +1,15 @@
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <libdeflate.h>
-#include <lz4frame.h>
-#include <zstd.h>
 
 #include "base/error.h"
+#include "ingest/bags/chunk_unpacker.h"
 #include "ingest/bags/mcap_records.h"
 
 namespace tribolog::ingest::bags {
@@ -23,113 +19,13 @@ namespace tribolog::ingest::bags {
 
 namespace {
 
-/// The chunk cannot be unpacked; the text says why.
-class ChunkError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-class ChunkUnpacker {
- public:
-  ChunkUnpacker(const ChunkUnpacker&) = delete;
-  ChunkUnpacker& operator=(const ChunkUnpacker&) = delete;
-  virtual ~ChunkUnpacker() = default;
-
-  /// The next bytes as they stand in the file.
-  /// @throw ChunkError: they are damaged, or give more than was stated.
-  virtual void add(std::string_view stored) = 0;
-  /// What was unpacked so far. It grows as bytes come, never by what the file states.
-  [[nodiscard]] const std::string& records() const& { return records_; }
-  [[nodiscard]] std::string records() && { return std::move(records_); }
-
- protected:
-  explicit ChunkUnpacker(std::uint64_t stated_bytes) : stated_bytes_(stated_bytes) {}
-  void keep(std::string_view unpacked);
-
- private:
-  std::uint64_t stated_bytes_;
-  std::string records_;
-};
-
-constexpr std::size_t piece_bytes = std::size_t{1} << 17;
-
-class StoredChunk : public ChunkUnpacker {
- public:
-  explicit StoredChunk(std::uint64_t stated_bytes) : ChunkUnpacker(stated_bytes) {}
-  void add(std::string_view stored) override { keep(stored); }
-};
-
-class ZstdChunk : public ChunkUnpacker {
- public:
-  explicit ZstdChunk(std::uint64_t stated_bytes)
-      : ChunkUnpacker(stated_bytes), stream_(ZSTD_createDStream(), &ZSTD_freeDStream) {
-    if (!stream_) throw std::bad_alloc();
-  }
-
-  void add(std::string_view stored) override {
-    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-    for (bool is_full = false; in.pos < in.size || is_full;) {
-      ZSTD_outBuffer out{piece_.data(), piece_.size(), 0};
-      const std::size_t status = ZSTD_decompressStream(stream_.get(), &out, &in);
-      if (ZSTD_isError(status) != 0) {
-        throw ChunkError(std::string("zstd: ") + ZSTD_getErrorName(status));
-      }
-      keep({piece_.data(), out.pos});
-      is_full = out.pos == out.size;
-    }
-  }
-
- private:
-  std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream_;
-  std::string piece_ = std::string(piece_bytes, '\0');
-};
-
-class Lz4Chunk : public ChunkUnpacker {
- public:
-  explicit Lz4Chunk(std::uint64_t stated_bytes) : ChunkUnpacker(stated_bytes) {
-    if (LZ4F_isError(LZ4F_createDecompressionContext(&context_, LZ4F_VERSION)) != 0) {
-      throw std::bad_alloc();
-    }
-  }
-  Lz4Chunk(const Lz4Chunk&) = delete;
-  Lz4Chunk& operator=(const Lz4Chunk&) = delete;
-  ~Lz4Chunk() override { LZ4F_freeDecompressionContext(context_); }
-
-  void add(std::string_view stored) override {
-    for (bool is_full = false; !stored.empty() || is_full;) {
-      std::size_t out_bytes = piece_.size();
-      std::size_t in_bytes = stored.size();
-      const std::size_t status =
-          LZ4F_decompress(context_, piece_.data(), &out_bytes, stored.data(), &in_bytes, nullptr);
-      if (LZ4F_isError(status) != 0) {
-        throw ChunkError(std::string("lz4: ") + LZ4F_getErrorName(status));
-      }
-      keep({piece_.data(), out_bytes});
-      stored.remove_prefix(in_bytes);
-      is_full = out_bytes == piece_.size();
-      if (in_bytes == 0 && out_bytes == 0 && !stored.empty()) throw ChunkError("lz4: no progress");
-    }
-  }
-
- private:
-  LZ4F_dctx* context_{};
-  std::string piece_ = std::string(piece_bytes, '\0');
-};
-
-void ChunkUnpacker::keep(std::string_view unpacked) {
-  if (unpacked.size() > stated_bytes_ - records_.size()) {
-    throw ChunkError(fmt::format("gives more than the {} bytes stated", stated_bytes_));
-  }
-  records_ += unpacked;
-}
-
 /// @param compression "", "lz4" (frames) or "zstd". @param stated_bytes of the unpacked records.
 /// @throw ChunkError: another compression.
-std::unique_ptr<ChunkUnpacker> chunk_unpacker(const std::string& compression,
-                                              std::uint64_t stated_bytes) {
-  if (compression.empty()) return std::make_unique<StoredChunk>(stated_bytes);
-  if (compression == "lz4") return std::make_unique<Lz4Chunk>(stated_bytes);
-  if (compression == "zstd") return std::make_unique<ZstdChunk>(stated_bytes);
+std::unique_ptr<ChunkUnpacker> unpacker_of(const std::string& compression,
+                                           std::uint64_t stated_bytes) {
+  if (compression.empty()) return chunk_unpacker(Compression::none, stated_bytes);
+  if (compression == "lz4") return chunk_unpacker(Compression::lz4, stated_bytes);
+  if (compression == "zstd") return chunk_unpacker(Compression::zstd, stated_bytes);
   throw ChunkError("is compressed with '" + printable(compression) + "'");
 }
 
@@ -209,7 +105,7 @@ UnpackedChunk unpack_chunk(ByteReader& source, std::uint64_t content_bytes,
   std::unique_ptr<ChunkUnpacker> unpacker;
   try {
     const McapChunkStart start = take_start(content, largest_bytes);
-    unpacker = chunk_unpacker(start.compression, start.uncompressed_bytes);
+    unpacker = unpacker_of(start.compression, start.uncompressed_bytes);
     for (std::uint64_t left = start.stored_bytes; left > 0;) {
       const std::string_view stored = content.next(left);
       unpacker->add(stored);

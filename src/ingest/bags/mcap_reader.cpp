@@ -12,7 +12,8 @@
 #include "ingest/bags/bag_readers.h"
 #include "ingest/bags/byte_reader.h"
 #include "ingest/bags/mcap_records.h"
-#include "ingest/bags/topic_tables.h"
+#include "ingest/bags/message_readers.h"
+#include "ingest/messages/topic_tables.h"
 
 namespace tribolog::ingest::bags {
 
@@ -29,7 +30,7 @@ struct McapPlace {
 
 class McapMessages {
  public:
-  explicit McapMessages(const std::string& file) : tables_(file) {}
+  explicit McapMessages(const std::string& file) : tables_(file, reader_of) {}
 
   /// Schema, channel or message.
   [[nodiscard]] static bool takes(std::uint8_t opcode);
@@ -43,20 +44,20 @@ class McapMessages {
 
   void note(const Statement& note) { tables_.note(note); }
   [[nodiscard]] const std::string& file() const { return tables_.file(); }
-  /// @throw InputError as TopicTables::finish.
+  /// @throw InputError as messages::TopicTables::finish.
   std::vector<log::LogTable> finish() &&;
 
  private:
   struct Channel {
     McapChannel described;
-    bool is_opened{false};  ///< Which happens at its first message.
-    TopicTable* table{};    ///< Then none: it is not read.
+    bool is_opened{false};          ///< Which happens at its first message.
+    messages::TopicTable* table{};  ///< Then none: it is not read.
   };
 
   void take_message(const McapMessage& message, const McapPlace& place);
-  TopicTable* open(const McapChannel& channel);
+  messages::TopicTable* open(const McapChannel& channel);
 
-  TopicTables tables_;
+  messages::TopicTables tables_;
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, Channel> channels_;
   std::size_t without_channel_{0};
@@ -130,12 +131,12 @@ void McapMessages::take_message(const McapMessage& message, const McapPlace& pla
   if (channel.table == nullptr) return;
   try {
     channel.table->take(message.data, message.log_time_ns);
-  } catch (const CdrError& error) {
+  } catch (const messages::MessageError& error) {
     channel.table->refuse(fmt::format("{} ({})", error.what(), place.text()));
   }
 }
 
-TopicTable* McapMessages::open(const McapChannel& channel) {
+messages::TopicTable* McapMessages::open(const McapChannel& channel) {
   const auto schema = schemas_.find(channel.schema);
   if (schema == schemas_.end()) {
     return tables_.table_for({channel.topic, "", channel.encoding, "", ""});

@@ -99,6 +99,8 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
   switch (format) {
     case log::LogFormat::mcap:
       return bags::read_mcap(path);
+    case log::LogFormat::rosbag:
+      return bags::read_rosbag(path);
     case log::LogFormat::sqlite_bag:
       return bags::read_rosbag_db3(path);
     case log::LogFormat::mat:

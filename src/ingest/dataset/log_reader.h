@@ -26,8 +26,8 @@ std::string start_of_log(const std::string& path, std::size_t most_bytes);
 /// @throw InputError as read_file() does.
 log::LogFormat format_of_log(const std::string& path);
 
-/// All tables of a log that is no text: MCAP, rosbag2 (.db3), MAT, HDF5, NumPy, JSON,
-/// MDF 4, TDMS, Parquet.
+/// All tables of a log that is no text: MCAP, rosbag (.bag), rosbag2 (.db3), MAT, HDF5, NumPy,
+/// JSON, MDF 4, TDMS, Parquet.
 /// @throw InputError as the format's reader does, and for text.
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format);
 

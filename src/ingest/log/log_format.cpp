@@ -16,6 +16,7 @@ struct Signature {
 
 constexpr std::array signatures = {
     Signature{"\x89MCAP0\r\n"sv, LogFormat::mcap},
+    Signature{"#ROSBAG V"sv, LogFormat::rosbag},
     Signature{"SQLite format 3\0"sv, LogFormat::sqlite_bag},
     Signature{"\x93NUMPY"sv, LogFormat::npy},
     Signature{"MATLAB 5.0 MAT"sv, LogFormat::mat},
@@ -109,6 +110,8 @@ std::string to_string(LogFormat format) {
       return "JSON";
     case LogFormat::mcap:
       return "MCAP";
+    case LogFormat::rosbag:
+      return "rosbag (.bag)";
     case LogFormat::sqlite_bag:
       return "rosbag2 (.db3)";
     case LogFormat::mdf:

@@ -7,7 +7,20 @@
 
 namespace tribolog::ingest::log {
 
-enum class LogFormat { text, mat, hdf5, npz, npy, json, mcap, sqlite_bag, mdf, tdms, parquet };
+enum class LogFormat {
+  text,
+  mat,
+  hdf5,
+  npz,
+  npy,
+  json,
+  mcap,
+  rosbag,
+  sqlite_bag,
+  mdf,
+  tdms,
+  parquet
+};
 
 /// "CSV or the like", for people.
 std::string to_string(LogFormat format);

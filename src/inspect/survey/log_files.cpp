@@ -17,10 +17,11 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_metadata_bytes = 1 << 24;
 /// Of those that are not read the refusal says what to run.
-constexpr std::array known_endings{".arrow", ".bag",  ".csv",  ".dat", ".db3",   ".feather",
-                                   ".h5",    ".hdf5", ".json", ".log", ".mat",   ".mcap",
-                                   ".mdf",   ".mf4",  ".npy",  ".npz", ".jsonl", ".parquet",
-                                   ".rrd",   ".tdms", ".tsv",  ".txt", ".ulg"};
+/// ".active" is a bag of ROS 1 that was not closed.
+constexpr std::array known_endings{".active",  ".arrow", ".bag",  ".csv",  ".dat", ".db3",
+                                   ".feather", ".h5",    ".hdf5", ".json", ".log", ".mat",
+                                   ".mcap",    ".mdf",   ".mf4",  ".npy",  ".npz", ".jsonl",
+                                   ".parquet", ".rrd",   ".tdms", ".tsv",  ".txt", ".ulg"};
 
 /// What rosbag2's metadata.yaml lists under relative_file_paths, a line each: "    - bag_0.mcap".
 std::vector<std::string> listed_files(const fs::path& metadata) {

@@ -130,7 +130,10 @@ std::vector<InputCase> file_cases() {
               "\x7f"
               "ELF\x02\x01",
               binary + "ELF" + export_it),
-      refused("10e", "Ros1Bag", "#ROSBAG V2.0\n", binary + "rosbag" + export_it),
+      refused("10e", "BagWithoutMessages", "#ROSBAG V2.0\n",
+              "log.csv: holds no topic with numbers that can be read, found has no index: the "
+              "recording was not closed, expected messages of ROS, JSON or protobuf, such as "
+              "sensor_msgs/JointState"),
       refused(
           "10f", "ParquetCutOff", "PAR1\x15\x04\x15\x10\x15\x14\x4c\x15\x01",
           "log.csv: damaged: the file does not end with its footer; hint: it is cut off, or was "
@@ -151,8 +154,8 @@ std::vector<InputCase> file_cases() {
               binary + "zip (also .xlsx and .npz)" + export_it),
       refused("10h", "McapWithoutMessages", "\x89MCAP0\r\n",
               "log.csv: holds no topic with numbers that can be read, found ends at byte 8 without "
-              "a footer: the recording was not closed, expected messages of ROS 2 in CDR, such as "
-              "sensor_msgs/JointState"),
+              "a footer: the recording was not closed, expected messages of ROS, JSON or "
+              "protobuf, such as sensor_msgs/JointState"),
       accepted("40a", "FiveThousandColumns", many_columns,
                "columns of the logs that are not used: 'c4', 'c5', 'c6', 'c7', 'c8', 'c9', 'c10', "
                "'c11', 'c12', 'c13', 'c14', 'c15', 'c16', 'c17', 'c18', 'c19', 'c20', 'c21', "

@@ -16,7 +16,7 @@ namespace {
 using namespace std::string_literals;
 
 std::string refusal_of(const std::string& message, const auto& action) {
-  return test::refusal_of<ingest::bags::CdrError>([&] {
+  return test::refusal_of<ingest::bags::MessageError>([&] {
     ingest::bags::CdrReader reader(message);
     return action(reader);
   });

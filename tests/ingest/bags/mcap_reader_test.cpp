@@ -108,7 +108,7 @@ TEST(McapReader, NamesTopicsThatItDoesNotRead) {
   test::McapWriter writer = test::writer_with_joints({});
   writer.add_schema(8, "pkg/msg/Idl", "ros2idl", "struct Idl {};");
   writer.add_schema(9, "pkg/msg/Broken", "ros2msg", "Missing field\n");
-  writer.add_channel(10, 0, "/json", "json");
+  writer.add_channel(10, 0, "/flat", "flatbuffer");
   writer.add_channel(11, 8, "/idl");
   writer.add_channel(12, 9, "/broken");
   writer.add_channel(13, 0, "/bare");
@@ -117,12 +117,14 @@ TEST(McapReader, NamesTopicsThatItDoesNotRead) {
   writer.add_message(3, 0, test::numbered_message(0).cdr());
   const std::vector<ingest::log::LogTable> tables = test::read(writer.finish());
   ASSERT_EQ(tables.size(), 1U);
-  EXPECT_EQ(wording::words(tables[0].notes),
-            (Names{"/json is not read: messages are encoded as 'json', not as cdr",
-                   "/idl is not read: pkg/msg/Idl is defined in 'ros2idl', not in ros2msg",
-                   "/broken is not read: type 'pkg/Missing' is not defined",
-                   "/bare is not read: the log does not say what its messages consist of",
-                   "messages left out because no channel record precedes them: 1"}));
+  EXPECT_EQ(
+      wording::words(tables[0].notes),
+      (Names{"/flat is not read: messages are encoded as 'flatbuffer', not as cdr, ros1, json or "
+             "protobuf",
+             "/idl is not read: pkg/msg/Idl is defined in 'ros2idl', not in ros2msg",
+             "/broken is not read: type 'pkg/Missing' is not defined",
+             "/bare is not read: the log does not say what its messages consist of",
+             "messages left out because no channel record precedes them: 1"}));
 }
 
 TEST(McapReader, JoinsChannelsOfOneTopicAndSeparatesTopics) {

@@ -1,6 +1,6 @@
 // The .msg language.
 
-#include "ingest/bags/ros2msg_schema.h"
+#include "ingest/bags/rosmsg_schema.h"
 
 #include <gtest/gtest.h>
 

@@ -1,25 +1,34 @@
-// Messages of any type as columns.
+// Messages of any type of ROS as columns.
+
+#include "ingest/bags/schema_columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "ingest/bags/topic_tables.h"
 #include "support/cdr_writer.h"
 
-namespace tribolog::message_columns_test {
+namespace tribolog::schema_columns_test {
 namespace {
 
 using test::CdrWriter;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 
-void take(ingest::bags::MessageColumns& columns, const test::CdrWriter& writer) {
-  ingest::bags::CdrReader reader(writer.message());
-  (void)columns.take_row(reader);
+/// Messages of one type in CDR.
+struct TypedColumns {
+  TypedColumns(std::string_view type, std::string_view definition)
+      : reader(ingest::bags::parse_ros2msg(type, definition), ingest::bags::Serialization::cdr) {}
+  ingest::bags::SchemaReader reader;
+  ingest::messages::MessageColumns columns;
+};
+
+std::optional<std::int64_t> take(TypedColumns& typed, const test::CdrWriter& writer) {
+  return typed.reader.take_row(writer.message(), typed.columns);
 }
 
 Names names_of(const std::vector<ingest::log::LogColumn>& columns) {
@@ -57,13 +66,12 @@ test::CdrWriter arm_message(double value) {
   return writer;
 }
 
-TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+TEST(SchemaColumns, NamesNumbersByTheirPathAndJointsByName) {
+  TypedColumns columns("arm_msgs/msg/Arm", arm_definition);
   take(columns, arm_message(1));
   take(columns, arm_message(-1));
-  EXPECT_EQ(columns.too_long(), 0U);
-  const std::vector<ingest::log::LogColumn> finished = std::move(columns).finish();
+  EXPECT_EQ(columns.columns.too_long(), 0U);
+  const std::vector<ingest::log::LogColumn> finished = std::move(columns.columns).finish();
   EXPECT_EQ(
       names_of(finished),
       (Names{"flags.contact[0]", "flags.contact[1]", "flags.contact[2]",
@@ -75,14 +83,13 @@ TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
   EXPECT_EQ(finished[15].values, (Values{1.5, 1.5}));
 }
 
-TEST(MessageColumns, TakesWhatIsNoNumberForAGap) {
+TEST(SchemaColumns, TakesWhatIsNoNumberForAGap) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  TypedColumns columns("arm_msgs/msg/Arm", arm_definition);
   for (const double value : {1.5, infinity, -infinity, std::nan(""), 2.5}) {
     take(columns, arm_message(value));
   }
-  const std::vector<ingest::log::LogColumn> found = std::move(columns).finish();
+  const std::vector<ingest::log::LogColumn> found = std::move(columns.columns).finish();
   const auto column = std::find_if(
       found.begin(), found.end(),
       [](const ingest::log::LogColumn& one) { return one.header.name == "measured.j1.position"; });
@@ -93,19 +100,15 @@ TEST(MessageColumns, TakesWhatIsNoNumberForAGap) {
   for (const std::size_t row : {1U, 2U, 3U}) EXPECT_TRUE(std::isnan(column->values[row])) << row;
 }
 
-TEST(MessageColumns, GivesTheStampInNanoseconds) {
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
-  const test::CdrWriter writer = arm_message(0);
-  ingest::bags::CdrReader reader(writer.message());
-  EXPECT_EQ(columns.take_row(reader), 5'000'000'006);
+TEST(SchemaColumns, GivesTheStampInNanoseconds) {
+  TypedColumns columns("arm_msgs/msg/Arm", arm_definition);
+  EXPECT_EQ(take(columns, arm_message(0)), 5'000'000'006);
 }
 
-TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("control_msgs/msg/DynamicJointState",
-                                  "std_msgs/Header header\nstring[] joint_names\n"
-                                  "InterfaceValue[] interface_values\n"));
+TEST(SchemaColumns, NamesInterfacesOfDynamicJointState) {
+  TypedColumns columns("control_msgs/msg/DynamicJointState",
+                       "std_msgs/Header header\nstring[] joint_names\n"
+                       "InterfaceValue[] interface_values\n");
   const auto message = [](const Names& joints, double value) {
     test::CdrWriter writer;
     writer.add_header(0).add_texts(joints).add(std::uint32_t{2});
@@ -114,7 +117,7 @@ TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
   };
   take(columns, message({"a", "b"}, 1));
   take(columns, message({"b", "a"}, 5));
-  const std::vector<ingest::log::LogColumn> finished = std::move(columns).finish();
+  const std::vector<ingest::log::LogColumn> finished = std::move(columns.columns).finish();
   EXPECT_EQ(names_of(finished), (Names{"a.position", "a.motor_temperature", "b.torque",
                                        "b.position", "b.motor_temperature", "a.torque"}));
   EXPECT_EQ(finished[0].values.at(0), 1);
@@ -124,31 +127,29 @@ TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
   EXPECT_EQ(finished[5].values.at(1), 6);
 }
 
-TEST(MessageColumns, LeavesOutImagesAndCountsWhatIsTooLong) {
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("pkg/Image", "uint32 width\nuint8[] data\nfloat64 gain\n"));
+TEST(SchemaColumns, LeavesOutImagesAndCountsWhatIsTooLong) {
+  TypedColumns columns("pkg/Image", "uint32 width\nuint8[] data\nfloat64 gain\n");
   const std::vector<std::uint8_t> pixels(100'000, 3);
   take(columns, test::CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5));
   take(columns, test::CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5).add(1.0));
-  EXPECT_EQ(columns.long_arrays(), Names{"data"});
-  EXPECT_EQ(columns.too_long(), 1U);
-  EXPECT_EQ(names_of(std::move(columns).finish()), (Names{"width", "gain"}));
+  EXPECT_EQ(columns.columns.long_arrays(), Names{"data"});
+  EXPECT_EQ(columns.columns.too_long(), 1U);
+  EXPECT_EQ(names_of(std::move(columns.columns).finish()), (Names{"width", "gain"}));
 }
 
-TEST(MessageColumns, KeepsTheNumberOfColumnsBounded) {
-  ingest::bags::MessageColumns columns(
-      ingest::bags::parse_ros2msg("sensor_msgs/JointState", "string[] name\nfloat64[] position\n"));
+TEST(SchemaColumns, KeepsTheNumberOfColumnsBounded) {
+  TypedColumns columns("sensor_msgs/JointState", "string[] name\nfloat64[] position\n");
   const auto message = [](int first, int last) {
     Names names;
     for (int i = first; i < last; ++i) names.push_back(std::to_string(i));
     return test::CdrWriter().add_texts(names).add_sequence(Values(names.size(), 1));
   };
   take(columns, message(0, 5000));
-  EXPECT_FALSE(columns.has_too_many_columns());
+  EXPECT_FALSE(columns.columns.has_too_many_columns());
   take(columns, message(4999, 50'000));
-  EXPECT_TRUE(columns.has_too_many_columns());
-  EXPECT_EQ(std::move(columns).finish().size(), 5000U);
+  EXPECT_TRUE(columns.columns.has_too_many_columns());
+  EXPECT_EQ(std::move(columns.columns).finish().size(), 5000U);
 }
 
 }  // namespace
-}  // namespace tribolog::message_columns_test
+}  // namespace tribolog::schema_columns_test

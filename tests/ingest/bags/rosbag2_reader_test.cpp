@@ -142,7 +142,7 @@ TEST_F(RosbagReader, TakesDefinitionsThatTheLogHolds) {
   EXPECT_EQ(wording::words(tables[0].notes),
             (Names{"/arm: rows are in the file's order; log_time goes back at 1 of 2",
                    "/unknown is not read: the log does not say what arm_msgs/msg/Hand consists of",
-                   "/proto is not read: messages are encoded as 'protobuf', not as cdr",
+                   "/proto is not read: the log does not say what x consists of",
                    "messages left out because they belong to no topic: 1"}));
 }
 

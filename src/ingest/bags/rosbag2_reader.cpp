@@ -12,7 +12,8 @@
 #include "base/error.h"
 #include "ingest/bags/bag_readers.h"
 #include "ingest/bags/byte_reader.h"
-#include "ingest/bags/topic_tables.h"
+#include "ingest/bags/message_readers.h"
+#include "ingest/messages/topic_tables.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -180,12 +181,12 @@ std::map<std::string, Definition> definitions_in(SqliteDatabase& database) {
   return definitions;
 }
 
-std::map<std::int64_t, TopicDescription> topics_in(SqliteDatabase& database) {
+std::map<std::int64_t, messages::TopicDescription> topics_in(SqliteDatabase& database) {
   const std::map<std::string, Definition> definitions = definitions_in(database);
-  std::map<std::int64_t, TopicDescription> topics;
+  std::map<std::int64_t, messages::TopicDescription> topics;
   SqliteRows rows(database, "SELECT id, name, type, serialization_format FROM topics");
   while (rows.next()) {
-    TopicDescription topic{rows.text(1), rows.text(2), rows.text(3), "", ""};
+    messages::TopicDescription topic{rows.text(1), rows.text(2), rows.text(3), "", ""};
     if (const auto known = definitions.find(topic.type); known != definitions.end()) {
       topic.schema_encoding = known->second.encoding;
       topic.schema = known->second.text;
@@ -195,9 +196,9 @@ std::map<std::int64_t, TopicDescription> topics_in(SqliteDatabase& database) {
   return topics;
 }
 
-void take_messages(SqliteDatabase& database, TopicTables& tables) {
-  const std::map<std::int64_t, TopicDescription> topics = topics_in(database);
-  std::map<std::int64_t, TopicTable*> table_of;
+void take_messages(SqliteDatabase& database, messages::TopicTables& tables) {
+  const std::map<std::int64_t, messages::TopicDescription> topics = topics_in(database);
+  std::map<std::int64_t, messages::TopicTable*> table_of;
   std::size_t without_topic = 0;
   SqliteRows rows(database, "SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
   while (rows.next()) {
@@ -211,7 +212,7 @@ void take_messages(SqliteDatabase& database, TopicTables& tables) {
     if (entry->second == nullptr) continue;
     try {
       entry->second->take(rows.blob(3), static_cast<std::uint64_t>(rows.integer(2)));
-    } catch (const CdrError& error) {
+    } catch (const messages::MessageError& error) {
       entry->second->refuse(fmt::format("{} (row {} of messages)", error.what(), rows.integer(0)));
     }
   }
@@ -220,7 +221,7 @@ void take_messages(SqliteDatabase& database, TopicTables& tables) {
   }
 }
 
-void note_files_beside(const std::string& path, TopicTables& tables) {
+void note_files_beside(const std::string& path, messages::TopicTables& tables) {
   for (const char* const ending : {"-wal", "-journal"}) {
     std::error_code none;
     const auto bytes = std::filesystem::file_size(path + ending, none);
@@ -234,7 +235,7 @@ void note_files_beside(const std::string& path, TopicTables& tables) {
 
 std::vector<log::LogTable> read_rosbag_db3(const std::string& path) {
   check_start(path);
-  TopicTables tables(path);
+  messages::TopicTables tables(path, reader_of);
   SqliteDatabase database(path);
   take_messages(database, tables);
   note_files_beside(path, tables);

@@ -1,16 +1,16 @@
-#include "ingest/bags/topic_tables.h"
+#include "ingest/messages/topic_tables.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "ingest/bags/ros2msg_schema.h"
 #include "wording/words.h"
 
-namespace tribolog::ingest::bags {
+namespace tribolog::ingest::messages {
 
 namespace {
 
@@ -26,6 +26,15 @@ log::LogColumn seconds_since_first(const char* name, const std::vector<Integer>&
     column.values.push_back(static_cast<double>(since) / ns_per_s);
   }
   return column;
+}
+
+/// Puts the values into these of so many rows, and gaps into the others.
+void spread(log::LogColumn& column, const std::vector<std::size_t>& rows, std::size_t all_rows) {
+  if (rows.size() == all_rows) return;
+  std::vector<double> values(all_rows, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < rows.size(); ++i) values[rows[i]] = column.values[i];
+  column.values = std::move(values);
+  column.gaps = all_rows - rows.size();
 }
 
 std::size_t times_going_back(const std::vector<std::uint64_t>& times_ns) {
@@ -65,12 +74,15 @@ std::vector<Statement> notes_of(const MessageColumns& columns, const std::string
 
 void TopicTable::take(std::string_view message, std::uint64_t log_time_ns) {
   if (!refusal_.empty()) return;
+  const std::size_t row = log_times_ns_.size();
   try {
-    CdrReader reader(message);
-    if (const auto stamp_ns = columns_.take_row(reader)) stamps_ns_.push_back(*stamp_ns);
-  } catch (const CdrError& error) {
-    throw CdrError(fmt::format("message {} of {} {}", log_times_ns_.size() + 1, printable(topic_),
-                               error.what()));
+    if (const auto stamp_ns = reader_->take_row(message, columns_)) {
+      rows_of_stamps_.push_back(row);
+      stamps_ns_.push_back(*stamp_ns);
+    }
+  } catch (const MessageError& error) {
+    throw MessageError(
+        fmt::format("message {} of {} {}", row + 1, printable(topic_), error.what()));
   }
   log_times_ns_.push_back(log_time_ns);
 }
@@ -80,11 +92,15 @@ std::optional<log::LogTable> TopicTable::finish(const std::string& file) && {
   table.file = file;
   table.group = topic_;
   table.rows = columns_.rows();
+  columns_.fill_gaps();
   table.notes = notes_of(columns_, printable(topic_));
   table.refusal = refusal_;
   std::vector<log::LogColumn> numbers = std::move(columns_).finish();
   if (numbers.empty() && refusal_.empty()) return std::nullopt;
-  if (!stamps_ns_.empty()) table.columns.push_back(seconds_since_first("time", stamps_ns_));
+  if (!stamps_ns_.empty()) {
+    table.columns.push_back(seconds_since_first("time", stamps_ns_));
+    spread(table.columns.back(), rows_of_stamps_, table.rows);
+  }
   if (!log_times_ns_.empty()) {
     table.columns.push_back(seconds_since_first("log_time", log_times_ns_));
   }
@@ -100,24 +116,6 @@ std::optional<log::LogTable> TopicTable::finish(const std::string& file) && {
 
 namespace {
 
-/// @throw SchemaError: why the topic cannot be read.
-MessageSchema schema_of(const TopicDescription& topic) {
-  if (topic.message_encoding != "cdr") {
-    throw SchemaError("messages are encoded as '" + printable(topic.message_encoding) +
-                      "', not as cdr");
-  }
-  if (topic.schema_encoding == "ros2msg") return parse_ros2msg(topic.type, topic.schema);
-  if (const auto known = known_message_type(short_type_name(topic.type))) {
-    return parse_ros2msg(topic.type, *known);
-  }
-  if (topic.schema_encoding.empty()) {
-    const std::string what = topic.type.empty() ? "its messages consist" : topic.type + " consists";
-    throw SchemaError("the log does not say what " + printable(what) + " of");
-  }
-  throw SchemaError(printable(topic.type) + " is defined in '" + printable(topic.schema_encoding) +
-                    "', not in ros2msg");
-}
-
 Statement without_numbers(const std::string& topic) {
   return {"reading.no_number_in_topic", {{"topic", printable(topic)}}};
 }
@@ -130,7 +128,7 @@ TopicTable* TopicTables::table_for(const TopicDescription& topic) {
       nullptr);
   if (!is_new) return entry->second;
   try {
-    entry->second = &tables_.emplace_back(topic.topic, schema_of(topic));
+    entry->second = &tables_.emplace_back(topic.topic, reader_of_(topic));
   } catch (const SchemaError& error) {
     note({"reading.not_read", {{"name", printable(topic.topic)}, {"why", error.what()}}});
   }
@@ -152,7 +150,7 @@ std::vector<log::LogTable> TopicTables::finish() && {
     for (const Statement& note : notes_) reasons.add(note);
     throw InputError({file_, 0, 0},
                      {"holds no topic with numbers that can be read", wording::words(reasons),
-                      "messages of ROS 2 in CDR, such as sensor_msgs/JointState", ""});
+                      "messages of ROS, JSON or protobuf, such as sensor_msgs/JointState", ""});
   }
   const bool any_whole =
       std::any_of(finished.begin(), finished.end(),
@@ -164,4 +162,4 @@ std::vector<log::LogTable> TopicTables::finish() && {
   return finished;
 }
 
-}  // namespace tribolog::ingest::bags
+}  // namespace tribolog::ingest::messages

@@ -5,19 +5,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ingest/bags/cdr_reader.h"
+#include "ingest/messages/topic_tables.h"
 
 namespace tribolog::ingest::bags {
 
 /// @param name "sensor_msgs/JointState". @return the fields in the .msg language.
 std::optional<std::string_view> known_message_type(std::string_view name);
 
-// What a message of ROS 2 consists of, from its definition in the .msg language, as recorders put
+// What a message of ROS consists of, from its definition in the .msg language, as recorders put
 // it into a log: the type's own text, then the types that it uses, each after a line of `=` and a
 // line `MSG: package/Type`.
 
@@ -42,11 +42,7 @@ struct MessageSchema {
   std::vector<MessageType> types;  ///< The first is the message's own.
 };
 
-/// A definition that is not understood; the text says which line.
-class SchemaError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using messages::SchemaError;
 
 /// "sensor_msgs/msg/JointState" is "sensor_msgs/JointState".
 std::string short_type_name(std::string_view type);
@@ -56,5 +52,9 @@ std::string short_type_name(std::string_view type);
 /// @throw SchemaError: a line that is no field, an unknown type, wstring (its size on the wire is
 ///        not the same everywhere), a type that contains itself.
 MessageSchema parse_ros2msg(std::string_view type, std::string_view text);
+
+/// The same of ROS 1, whose `Header` counts its messages, whose `byte` has a sign, and whose `time`
+/// and `duration` are messages of `sec` and `nsec`.
+MessageSchema parse_ros1msg(std::string_view type, std::string_view text);
 
 }  // namespace tribolog::ingest::bags

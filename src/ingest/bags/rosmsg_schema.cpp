@@ -1,4 +1,4 @@
-#include "ingest/bags/ros2msg_schema.h"
+#include "ingest/bags/rosmsg_schema.h"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +56,22 @@ constexpr std::array<std::pair<std::string_view, Primitive>, 13> primitives = {{
     {"float64", Primitive::float64},
 }};
 
+/// Types of ROS 1 that no text defines.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> ros1_types = {{
+    {"time", "uint32 sec\nuint32 nsec\n"},
+    {"duration", "int32 sec\nint32 nsec\n"},
+    {"std_msgs/Header", "uint32 seq\ntime stamp\nstring frame_id\n"},
+}};
+
+std::optional<std::string_view> known_ros1_type(std::string_view name) {
+  for (const auto& [type, text] : ros1_types) {
+    if (type == name) return text;
+  }
+  return std::nullopt;
+}
+
+enum class Dialect : std::uint8_t { ros1, ros2 };
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
@@ -108,7 +124,8 @@ TypeTexts split_at_separators(std::string_view type, std::string_view text) {
 
 class Parser {
  public:
-  Parser(std::string_view type, std::string_view text) : texts_(split_at_separators(type, text)) {
+  Parser(std::string_view type, std::string_view text, Dialect dialect)
+      : dialect_(dialect), texts_(split_at_separators(type, text)) {
     (void)type_at(short_type_name(type), 0);
   }
   MessageSchema schema() && { return std::move(schema_); }
@@ -152,7 +169,8 @@ class Parser {
 
   std::string_view text_of(const std::string& name) const {
     if (const auto text = texts_.find(name); text != texts_.end()) return text->second;
-    if (const auto text = known_message_type(name)) return *text;
+    const bool is_ros1 = dialect_ == Dialect::ros1;
+    if (const auto text = is_ros1 ? known_ros1_type(name) : known_message_type(name)) return *text;
     throw SchemaError("type '" + printable(name, 60) + "' is not defined");
   }
 
@@ -194,7 +212,8 @@ class Parser {
         std::find_if(primitives.begin(), primitives.end(),
                      [&](const auto& entry) { return entry.first == type; });
     if (primitive != primitives.end()) {
-      field.primitive = primitive->second;
+      const bool has_sign = dialect_ == Dialect::ros1 && type == "byte";
+      field.primitive = has_sign ? Primitive::int8 : primitive->second;
       return;
     }
     if (type == "string" || type.starts_with("string<=")) {
@@ -203,13 +222,17 @@ class Parser {
     }
     if (type.starts_with("wstring")) throw BadLine{"wstring is not read"};
     field.kind = MessageField::Kind::message;
-    const bool states_package = type.find('/') != std::string_view::npos;
-    const std::string name = states_package
-                                 ? short_type_name(type)
-                                 : inside.substr(0, inside.find('/')) + "/" + std::string(type);
-    field.type = type_at(name, depth + 1);
+    field.type = type_at(full_name(type, inside), depth + 1);
   }
 
+  [[nodiscard]] std::string full_name(std::string_view type, const std::string& inside) const {
+    if (dialect_ == Dialect::ros1 && type == "Header") return "std_msgs/Header";
+    const bool is_alone = dialect_ == Dialect::ros1 && known_ros1_type(type).has_value();
+    if (is_alone || type.find('/') != std::string_view::npos) return short_type_name(type);
+    return inside.substr(0, inside.find('/')) + "/" + std::string(type);
+  }
+
+  Dialect dialect_;
   TypeTexts texts_;
   MessageSchema schema_;
   std::map<std::string, Place> places_;
@@ -226,7 +249,11 @@ std::string short_type_name(std::string_view type) {
 }
 
 MessageSchema parse_ros2msg(std::string_view type, std::string_view text) {
-  return Parser(type, text).schema();
+  return Parser(type, text, Dialect::ros2).schema();
+}
+
+MessageSchema parse_ros1msg(std::string_view type, std::string_view text) {
+  return Parser(type, text, Dialect::ros1).schema();
 }
 
 }  // namespace tribolog::ingest::bags
