@@ -18,6 +18,7 @@
 {{#NOTE}}<div class="free">{{#NOTE_LINE}}<p><bdi>{{TEXT}}</bdi></p>{{/NOTE_LINE}}</div>{{/NOTE}}
 </header>
 <main id="content">
+{{>LOG_PICTURE}}
 <div class="page-one">
 <div class="answer">
 {{>VERDICT}}

@@ -37,11 +37,20 @@
 namespace tribolog::calibration {
 
 /// What figures draw besides the numbers: samples and fitted curves, no results.
+/// The joint's way through one recording, thinned for a picture.
+struct LogTrace {
+  std::string recording;
+  joint::Role role{};
+  std::vector<double> t_s;
+  std::vector<double> q_rad;
+};
+
 struct Curves {
   method::gravity::SweepCurves rough;
   method::gravity::SweepCurves precise;
   std::vector<method::hysteresis::LoopTrace> loops;  ///< One for each oscillation in the result.
   method::selection::FrictionCurve friction;         ///< Of the recommended estimator's curve.
+  std::vector<LogTrace> log{};                       ///< Of each recording, in the dataset's order.
 };
 
 /// One quantity of the simulated joint, as identified over the runs.

@@ -58,7 +58,9 @@ Json drive(const joint::Manifest& m) {
           {"effort_side", joint::to_string(d.side())},
           {"effort_confirmed", m.effort_is_confirmed},
           {"gravity_removed", m.gravity_is_removed},
-          {"torque_constant_Nm_A", number(d.torque_constant_Nm_A())},
+          {"torque_constant_Nm_A",
+           m.torque_is_in_amperes ? Json(nullptr) : number(d.torque_constant_Nm_A())},
+          {"torque_is_in_amperes", m.torque_is_in_amperes},
           {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
 }
 

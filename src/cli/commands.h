@@ -10,8 +10,9 @@
 #include "base/error.h"
 #include "cli/archiving.h"
 #include "cli/console.h"
+#include "cli/given_data.h"
 #include "cli/identification.h"
-#include "inspect/survey/manifest_proposal.h"
+#include "cli/log_proposal.h"
 #include "joint/dataset.h"
 #include "tribolog/figures.h"
 #include "tribolog/values.h"
@@ -26,8 +27,9 @@ struct SimulateOptions {
 };
 
 struct IdentifyArguments {
-  DatasetChoice dataset;
-  std::string output;
+  GivenData given;
+  DatasetChoice dataset;              ///< Found of what is given.
+  std::string output;                 ///< Empty: beside the input.
   std::size_t truth_runs{20};         ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;     ///< This verdict or a worse one is exit status 1.
   joint::IntervalSettings intervals;  ///< Win over the manifest's.
@@ -45,8 +47,9 @@ struct FiguresOptions {
 };
 
 struct ReportOptions {
-  DatasetChoice dataset;
-  std::string output;
+  GivenData given;
+  DatasetChoice dataset;    ///< Found of what is given.
+  std::string output;       ///< Empty: beside the input.
   std::string calibration;  ///< Empty: beside the report.
   std::size_t truth_runs{20};
   std::optional<Verdict> fail_on;
@@ -106,13 +109,6 @@ struct StudyCommandOptions {
   std::string logs;  ///< With `misfit` or `sound`: directory for the first run of each case.
   int processes{2};
   wording::Language language;
-};
-
-/// What inspect and init are told of the logs.
-struct InspectedLogs {
-  std::vector<std::string> files;
-  inspect::survey::ProposalOptions known;
-  inspect::survey::KnownOfJoints of_joints;  ///< Several values with all joints alone.
 };
 
 struct InspectOptions {

@@ -12,6 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "joint/degrees.h"
+#include "wording/ampere_words.h"
 #include "wording/rounding.h"
 #include "wording/words.h"
 
@@ -159,19 +160,22 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
   return identify_joint(dataset, options);
 }
 
-void tell_outcome(const Calibration& calibration, Console& console) {
-  console.say(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
-                          calibration.sentence().words));
+void tell_outcome(const Calibration& calibration, Console& to, bool in_amperes) {
+  const auto tell = [&](const std::string& line) {
+    to.say(in_amperes ? wording::in_amperes(line) : line);
+  };
+  tell(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
+                   calibration.sentence().words));
   for (const Check& check : calibration.checks()) {
     if (check.state != Check::State::fails) continue;
-    console.say(printable(fmt::format("  check fails: {}: {}", check.words, check.found.words),
-                          longest_finding));
+    tell(printable(fmt::format("  check fails: {}: {}", check.words, check.found.words),
+                   longest_finding));
   }
   for (const Quantity& quantity : calibration.quantities()) {
     if (quantity.verdict == Verdict::usable || !quantity.decides) continue;
-    console.say(printable(fmt::format("  {}: {}: {}", code_of(quantity.verdict), quantity.words,
-                                      quantity.reasons.front().words),
-                          longest_finding));
+    tell(printable(fmt::format("  {}: {}: {}", code_of(quantity.verdict), quantity.words,
+                               quantity.reasons.front().words),
+                   longest_finding));
   }
   const auto say = [&](const char* quantity, const std::string& name, double factor,
                        const char* unit) {
@@ -179,9 +183,9 @@ void tell_outcome(const Calibration& calibration, Console& console) {
     if (!found || !found->at_joint || found->verdict == Verdict::not_identifiable) return;
     const Estimate& e = *found->at_joint;
     using wording::six_digits;
-    console.say(fmt::format("  {:<34} {} {} (95 %: {} to {}){}", name, six_digits(factor * e.value),
-                            unit, six_digits(factor * e.low), six_digits(factor * e.high),
-                            found->verdict == Verdict::doubtful ? ", doubtful" : ""));
+    tell(fmt::format("  {:<34} {} {} (95 %: {} to {}){}", name, six_digits(factor * e.value), unit,
+                     six_digits(factor * e.low), six_digits(factor * e.high),
+                     found->verdict == Verdict::doubtful ? ", doubtful" : ""));
   };
   say("cog_angle", "gravity peak at joint angle", joint::degrees_per_rad, "deg");
   say("surrogate_mass", "surrogate mass, " + calibration.estimator(), 1, "kg");
@@ -192,7 +196,7 @@ void tell_outcome(const Calibration& calibration, Console& console) {
       say("coulomb_torque", "Coulomb torque at the joint", 1, "N·m");
     }
   }
-  for (const std::string& line : row_accounts(calibration.inputs())) console.say(line);
+  for (const std::string& line : row_accounts(calibration.inputs())) tell(line);
 }
 
 ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {

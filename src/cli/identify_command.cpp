@@ -11,8 +11,15 @@
 
 namespace tribolog::cli {
 
-ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
+ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::string>& arguments,
                         Console& console) {
+  IdentifyArguments options = stated;
+  console.make_way_for(options.output);
+  const FoundData found = find_data(stated.given, stated.output, console);
+  options.dataset = found.dataset;
+  options.truth_runs = truth_runs_of(stated.truth_runs, found, stated.given);
+  options.output = output_or_beside(
+      stated.output, found, joints_to_do(options.dataset).empty() ? ".calibration.json" : "");
   if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
     return identify_robot(options, joints, arguments, console);
   }
@@ -29,8 +36,9 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
   archiving.keep_numbers({calibration.to_json(), options.output}, options.dataset.manifest,
                          console);
   files.commit();
-  tell_outcome(calibration, console);
+  tell_outcome(calibration, console, found.is_in_amperes);
   console.say("calibration: " + printable(options.output, longest_path));
+  tell_what_is_open(found, "identify", stated.given, console);
   return status_of(calibration, options.fail_on);
 }
 
@@ -102,10 +110,11 @@ can share a manifest, each in [[joints]]: --joint NAME picks one. README.md,
 CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
   CLI::App& command =
       *app.add_subcommand("identify", "identify a joint: numbers with intervals, as JSON");
-  add_dataset(command, identify.dataset);
-  command.add_option("-o,--output", identify.output, "calibration file (JSON) to write")
-      ->required();
+  add_given_data(command, identify.given);
+  command.add_option("-o,--output", identify.output,
+                     "calibration file (JSON) to write; default: beside the input");
   add_truth_runs(command, identify.truth_runs);
+  identify.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, identify.fail_on);
   add_intervals(command, identify.intervals);
   add_archiving(command, identify.archiving);
@@ -115,20 +124,23 @@ CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
 
 CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
-  add_dataset(command, report.dataset);
-  command.add_option("-o,--output", report.output, "report (HTML) to write")->required();
+  add_given_data(command, report.given);
+  command.add_option("-o,--output", report.output,
+                     "report (HTML) to write; default: beside the input");
   command.add_option("--calibration", report.calibration,
                      "where to write the numbers (JSON); default: next to the report");
   command.add_flag_callback(
       "--no-figures", [&report] { report.figures = false; }, "numbers and tables only");
   add_truth_runs(command, report.truth_runs);
+  report.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, report.fail_on);
   add_intervals(command, report.intervals);
   add_archiving(command, report.archiving);
   add_processes(command, report.processes);
   add_language(command, report.language);
   command.footer(
-      std::string("\nReport and numbers replace older ones together, once both are on disk;\nif "
+      std::string("\nOf logs it proposes the manifest and writes it too: tribolog report log.csv.\n"
+                  "Report and numbers replace older ones together, once both are on disk;\nif "
                   "one cannot be written, both old ones remain. With --archive the archive keeps "
                   "the\nnumbers before figures are drawn, whatever happens to the files.\n-o - is "
                   "standard output; --calibration then states where the numbers go.\n") +

@@ -36,15 +36,23 @@ std::string calibration_of(const ReportOptions& options) {
 
 }  // namespace
 
-ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
+ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string>& arguments,
                       Console& console) {
+  ReportOptions options = stated;
+  for (const std::string& output : {options.output, options.calibration}) {
+    console.make_way_for(output);
+  }
+  const FoundData found = find_data(stated.given, stated.output, console);
+  options.dataset = found.dataset;
+  options.truth_runs = truth_runs_of(stated.truth_runs, found, stated.given);
+  options.output =
+      output_or_beside(stated.output, found, joints_to_do(options.dataset).empty() ? ".html" : "");
   if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
     return report_robot(options, joints, arguments, console);
   }
   const std::string numbers = calibration_of(options);
   for (const std::string& output : {options.output, numbers}) {
     check_output_can_be_written(output, {options.dataset.manifest, options.archiving.file()});
-    console.make_way_for(output);
   }
   check_outputs_differ({options.output, numbers});
   static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
@@ -70,9 +78,10 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   files.add(options.output, report.html);
   archiving.keep_report(id, report.html, console);
   files.commit();
-  tell_outcome(calibration, console);
+  tell_outcome(calibration, console, found.is_in_amperes);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));
+  tell_what_is_open(found, "report", stated.given, console);
   if (tell_failures(report.figures, console) > 0) return ExitStatus::figure_failed;
   return status_of(calibration, options.fail_on);
 }

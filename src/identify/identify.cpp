@@ -211,6 +211,27 @@ std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
   return joint::StatedGravity(0, 0);
 }
 
+/// About as many points as a screen is wide, over all recordings.
+std::vector<calibration::LogTrace> traces_of(const joint::Dataset& dataset) {
+  constexpr std::size_t most_points = 2400;
+  constexpr std::size_t fewest_points = 12;  // of a recording
+  std::size_t all = 1;
+  for (const joint::Recording& r : dataset.recordings) all += r.size();
+  std::vector<calibration::LogTrace> traces;
+  for (const joint::Recording& r : dataset.recordings) {
+    const std::size_t wanted = std::max(fewest_points, most_points * r.size() / all);
+    const std::size_t stride = std::max<std::size_t>(1, r.size() / wanted);
+    calibration::LogTrace& trace = traces.emplace_back();
+    trace.recording = r.name;
+    trace.role = r.role;
+    for (std::size_t i = 0; i < r.size(); i += stride) {
+      trace.t_s.push_back(r.t_s[i]);
+      trace.q_rad.push_back(r.q_rad[i]);
+    }
+  }
+  return traces;
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be compared
 /// with a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
@@ -220,6 +241,7 @@ constexpr Step papers_chain[] = {
        p.c.false_stamps = method::motion::replace_false_stamps(cleaned.recordings);
        p.c.torque_outliers = method::motion::replace_torque_outliers(cleaned.recordings);
        if (&p.used() == &p.cleaned) p.cleaned = std::move(cleaned);
+       p.c.curves.log = traces_of(p.used());
      }},
     {"",
      [](Progress& p) {
@@ -393,7 +415,8 @@ constexpr Step further_steps[] = {
     {"",
      [](Progress& p) {
        p.c.curves = {std::move(p.rough.curves), std::move(p.precise.curves),
-                     std::move(p.loop.traces), method::selection::fitted_curve(p.friction)};
+                     std::move(p.loop.traces), method::selection::fitted_curve(p.friction),
+                     std::move(p.c.curves.log)};
      }},
 };
 

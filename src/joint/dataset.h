@@ -123,6 +123,8 @@ struct Manifest {
   /// false: kind and side of the effort were proposed from the log's columns (`tribolog init`), and
   /// nobody confirmed them.
   bool effort_is_confirmed{true};
+  /// A current whose torque constant is not known: its numbers stand for torques.
+  bool torque_is_in_amperes{};
   /// The effort is what is left of the torque after the controller has taken gravity off: gravity
   /// is not looked for in it (known_gravity is 0).
   bool gravity_is_removed{};

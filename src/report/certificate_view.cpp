@@ -50,12 +50,23 @@ std::string recordings_of(Role role, std::size_t count) {
 
 std::string what_went_in(const calibration::Calibration& c) {
   std::map<std::string, std::size_t> of_role;
-  std::size_t read = 0;
-  std::size_t used = 0;
+  struct Rows {
+    std::size_t read{};
+    std::size_t used{};
+  };
+  // Of a log with several recordings each row counts once.
+  std::map<std::string, Rows> of_log;
   for (const joint::InputFile& input : c.inputs) {
     ++of_role[input.role];
-    read += input.rows_read;
-    used += input.rows_used;
+    Rows& rows = of_log[input.name];
+    rows.read = std::max(rows.read, input.rows_read);
+    rows.used += input.rows_used;
+  }
+  std::size_t read = 0;
+  std::size_t used = 0;
+  for (const auto& [name, rows] : of_log) {
+    read += rows.read;
+    used += std::min(rows.used, rows.read);
   }
   std::vector<std::string> kinds;
   for (const Role role : roles) {

@@ -7,6 +7,7 @@
 #include "report/report_view.h"
 #include "report/review_json.h"
 #include "report/template_engine.h"
+#include "wording/ampere_words.h"
 
 namespace tribolog::report {
 namespace {
@@ -42,7 +43,8 @@ std::string html_report(const calibration::Calibration& calibration,
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
   }
   values.set_checked_by_modifier("RESULT_JSON", result);
-  return expand_template("report.tpl", values, language);
+  const std::string page = expand_template("report.tpl", values, language);
+  return calibration.manifest.torque_is_in_amperes ? wording::page_in_amperes(page) : page;
 }
 
 calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info) {

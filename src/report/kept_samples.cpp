@@ -8,6 +8,13 @@
 #include <utility>
 
 namespace tribolog::report {
+
+std::vector<double> picked(const std::vector<double>& signal, const std::vector<std::size_t>& at) {
+  std::vector<double> out;
+  out.reserve(at.size());
+  for (const std::size_t i : at) out.push_back(signal[i]);
+  return out;
+}
 namespace {
 
 using Signals = std::vector<const std::vector<double>*>;
@@ -126,13 +133,6 @@ std::vector<std::size_t> extremes_of_parts(std::size_t size, const Signals& sign
   std::sort(needed.begin(), needed.end());
   needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
   return needed;
-}
-
-std::vector<double> picked(const std::vector<double>& signal, const std::vector<std::size_t>& at) {
-  std::vector<double> out;
-  out.reserve(at.size());
-  for (const std::size_t i : at) out.push_back(signal[i]);
-  return out;
 }
 
 /// The same question about fewer samples.

@@ -17,6 +17,9 @@ std::vector<std::size_t> kept_samples(const std::vector<double>& t,
                                       const std::vector<const std::vector<double>*>& signals,
                                       const std::vector<std::size_t>& needed, std::size_t most);
 
+/// The samples at these indices.
+std::vector<double> picked(const std::vector<double>& signal, const std::vector<std::size_t>& at);
+
 /// Indices of the samples of the last cycles, every so many of them, so that they are at most about
 /// `most`; of all samples where the frequency is 0 (not known).
 /// @param t ascending, not empty.

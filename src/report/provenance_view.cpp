@@ -31,8 +31,10 @@ Table inputs_table(const std::vector<joint::InputFile>& inputs) {
                    {"SHA-256", "", false}};
   for (const joint::InputFile& file : inputs) {
     const bool has_rows = file.rows_read > 0 || file.rows_used > 0 || !file.skipped.empty();
-    table.rows.push_back({{or_dash(file.name), or_dash(file.role),
-                           wording::count(static_cast<std::size_t>(file.bytes)),
+    // No directory of the machine.
+    const bool is_absolute = file.name.starts_with('/');
+    table.rows.push_back({{or_dash(is_absolute ? log_name(file.name) : file.name),
+                           or_dash(file.role), wording::count(static_cast<std::size_t>(file.bytes)),
                            has_rows ? wording::count(file.rows_read) : "–",
                            has_rows ? wording::count(file.rows_used) : "–",
                            has_rows ? skipped_in_words(file.skipped) : "–", or_dash(file.sha256)},

@@ -124,6 +124,29 @@ void fill_ticks(const std::vector<KeyPicture::Tick>& ticks, const std::string& s
   }
 }
 
+void fill_log(const LogPicture& picture, TemplateValues& values) {
+  constexpr double narrowest_named_px = 60;
+  TemplateValues& out = values.add_include("LOG_PICTURE", "log_picture.tpl");
+  out.set("CAPTION", picture.caption);
+  fill_ticks(picture.y_ticks, "Y_TICK", out);
+  std::string names;
+  for (const LogPicture::Phase& phase : picture.phases) {
+    TemplateValues& part = out.add_section("PHASE");
+    const std::string times =
+        phase.recordings > 1 ? fmt::format(" × {}", phase.recordings) : std::string();
+    part.set("ROLE", phase.role);
+    part.set("FROM", fmt::format("{:.1f}", phase.from));
+    part.set("WIDTH", fmt::format("{:.1f}", std::max(1.0, phase.to - phase.from)));
+    part.set("PATH", phase.path);
+    names += (names.empty() ? "" : ", ") + phase.name + times;
+    if (phase.to - phase.from < narrowest_named_px) continue;
+    TemplateValues& label = part.add_section("NAMED");
+    label.set("MIDDLE", fmt::format("{:.1f}", (phase.from + phase.to) / 2));
+    label.set("NAME", phase.name + times);
+  }
+  out.set("NAMES", names);
+}
+
 void fill_pictures(const std::vector<KeyPicture>& pictures, TemplateValues& values) {
   for (const KeyPicture& picture : pictures) {
     TemplateValues& out = values.add_include("KEY_PICTURE", "key_picture.tpl");
@@ -369,6 +392,7 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   fill_findings(view, verdict, values);
 
   fill_quantities(view, values);
+  if (view.log) fill_log(*view.log, values);
   fill_pictures(view.pictures, values);
   fill_terms(view, values);
   fill_data_checks(view, values);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/key_pictures.h"
+#include "report/log_picture.h"
 #include "report/view_parts.h"
 #include "wording/number_text.h"
 #include "wording/tr.h"
@@ -148,6 +149,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.not_asked_for = not_asked_for(c.judgement);
   view.findings = findings.all();
   view.next_steps = next_steps(c);
+  view.log = log_picture(c);
   view.pictures = key_pictures(c);
   view.boundary = boundary_facts(c);
   view.certificate = certificate_facts(c, provenance);

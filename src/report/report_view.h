@@ -140,6 +140,21 @@ struct KeyPicture {
   std::string fitted;
 };
 
+/// The joint's angle through the log, its parts named.
+struct LogPicture {
+  struct Phase {
+    std::string name;  ///< "rough sweep"
+    std::string role;  ///< Class of its colour: "rough_sweep".
+    double from{};
+    double to{};
+    std::size_t recordings{};
+    std::string path;
+  };
+  std::vector<Phase> phases;  ///< Those of one role that follow each other are one.
+  std::vector<KeyPicture::Tick> y_ticks;
+  std::string caption;
+};
+
 /// One quantity's uncertainty.
 struct BudgetRow {
   struct Part {
@@ -183,6 +198,7 @@ struct ReportView {
   std::vector<NextStep> next_steps;
   std::string
       not_asked_for;  ///< Quantities that nothing rests on and that do not show; may be empty.
+  std::optional<LogPicture> log;  ///< Above all else; absent without recordings.
   std::vector<KeyPicture> pictures;
   std::vector<Fact> boundary;     ///< What went in, is included, is not, was seen.
   std::vector<Fact> certificate;  ///< What ISO/IEC 17025, 7.8 asks for.

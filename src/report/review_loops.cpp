@@ -72,13 +72,6 @@ void add_neighbours(const std::vector<double>& t, double at, std::vector<std::si
   if (after < t.size()) needed.push_back(after);
 }
 
-std::vector<double> picked(const std::vector<double>& signal,
-                           const std::vector<std::size_t>& kept) {
-  std::vector<double> out;
-  for (const std::size_t i : kept) out.push_back(signal[i]);
-  return out;
-}
-
 std::vector<std::size_t> every_so_many(std::size_t size, std::size_t most) {
   std::vector<std::size_t> kept;
   const std::size_t step = std::max<std::size_t>(1, (size + most - 1) / most);

@@ -235,6 +235,11 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
       c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
   apply_data_checks(c.data_checks, sources, all);
   doubt_masses_off_the_peak(c, all);
+  if (c.manifest.torque_is_in_amperes) {
+    calibration::lower(verdict_on(Quantity::surrogate_mass, all),
+                       calibration::Verdict::not_identifiable, {"effort.constant_unknown"},
+                       {"effort.state_constant"});
+  }
   apply_truth_check(c.truth_check, c.selection.recommended, all);
   return all;
 }

@@ -141,6 +141,11 @@ const Messages& check_messages() {
       {"effort.is_target_proposed",
        text("the effort is a target torque from a controller or its model, not a measurement; "
             "that, too, is proposed, not confirmed")},
+      {"effort.constant_unknown", text("the torque constant is not known: the effort is a current")},
+      {"effort.is_of_amperes",
+       text("every torque is a number of amperes: times the torque constant it is one of N·m")},
+      {"effort.state_constant",
+       text("state --torque-constant NM_PER_A, or torque_constant_Nm_A in the manifest")},
       {"effort.friction_of_model",
        text("friction and gravity found in it are the model's own, not the joint's")},
       {"effort.record_measurement", text("also record the motor current or a measured torque")},

@@ -136,6 +136,9 @@ const Messages& reading_messages() {
        text("lines in front of the table: {lines}, read for its columns' names alone")},
       {"reading.remarks",
        text("lines of words among the rows: {lines}, left out; the first is {first}")},
+      {"reading.register_without_sign",
+       text("column {column} jumps between the ends of a register ({register}): its numbers were "
+            "logged without their sign, and are read with it")},
       {"reading.clock_set_back",
        text("the clock was set back while it was logged ({times} times); it goes on from the "
             "row before by the usual step")},

@@ -322,6 +322,18 @@ KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path
 
 namespace {
 
+/// Numbers of registers become signed ones.
+void read_registers(const manifest::RecordingEntry& entry, log::LogTable& table) {
+  for (const LoggedColumn& stated : logged_columns(entry.columns)) {
+    const manifest::ColumnEntry& of = *stated.entry;
+    if (!of.of_register) continue;
+    for (log::LogColumn& column : table.columns) {
+      if (!is_named(column, table, of.name)) continue;
+      for (double& value : column.values) value = of.of_register->value_of(value);
+    }
+  }
+}
+
 /// Puts the clock of a log that has none in front of its columns.
 /// @throw InputError where rows were left out: when the others were written is not known then.
 void make_clock(const manifest::ColumnEntry& time, const std::string& path, log::LogTable& table) {
@@ -440,6 +452,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
     }
     ReadLog log = entry.columns.rows ? rows_of(entry, *kept.whole)
                                      : std::move(*std::exchange(kept.whole, nullptr));
+    read_registers(entry, log.table);
     if (holds_several(entry.file)) {
       log.table.rows_of_others += std::exchange(log.table.other_rows, 0);
     }

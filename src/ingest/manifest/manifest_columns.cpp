@@ -148,6 +148,13 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
     entry.side =
         table->choice("side", {"motor", "joint"}) == 0 ? joint::Side::motor : joint::Side::joint;
   }
+  if (table->has("register")) {
+    entry.of_register = log::register_named(table->text("register"));
+    if (!entry.of_register) {
+      table->refuse("register", {"is none that is known", in_quotes(table->text("register")),
+                                 "one of " + log::register_names(), ""});
+    }
+  }
   read_place(*table, entry);
   entry.where = table->where("name");
   table->refuse_unknown_keys();

@@ -42,6 +42,26 @@ void read_identity(const TomlTable& top, joint::Manifest& manifest) {
   robot.refuse_unknown_keys();
 }
 
+/// Friction points of a joint without a gear need none: their torque is one, on whatever side.
+TomlTable effort_of(const TomlTable& top, const TomlTable& joint, const std::string& file) {
+  constexpr const char* of_points = "kind = \"joint_torque\"\nside = \"joint\"\n";
+  if (!top.has("effort")) {
+    const std::vector<TomlTable> recordings = top.tables("recording");
+    const bool are_points =
+        !recordings.empty() && std::all_of(recordings.begin(), recordings.end(), [](const auto& r) {
+          return r.says("role", "friction_points");
+        });
+    if (are_points && joint.number_or("gear_ratio", 0) == 1)
+      return TomlTable::parse(of_points, file);
+  }
+  return top.table("effort", effort_hint);
+}
+
+/// Torques are then numbers of amperes.
+bool has_unknown_constant(const TomlTable& effort) {
+  return effort.says("torque_constant_Nm_A", "unknown") && effort.says("kind", "motor_current");
+}
+
 /// Side and constant of an effort that is not there have no meaning, and are unknown keys.
 joint::Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
   const double gear_ratio =
@@ -53,6 +73,7 @@ joint::Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
   if (kind == joint::EffortKind::none) return {gear_ratio, kind, joint::Side::motor};
   const auto side = static_cast<joint::Side>(effort.choice(
       "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
+  if (has_unknown_constant(effort)) return {gear_ratio, kind, side, 1.0};
   const auto constant = effort.find_number("torque_constant_Nm_A", Sign::positive);
   if (kind == joint::EffortKind::motor_current && !constant) {
     effort.refuse("torque_constant_Nm_A",
@@ -244,21 +265,37 @@ RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
   return entry;
 }
 
-/// A log, say. The first row of a manifest has a key or a table's name.
-void refuse_what_is_no_manifest(std::string_view text, const std::string& file) {
+/// What a file starts with, as far as it tells whether it is a manifest.
+struct FirstRow {
+  std::string_view text;  ///< Empty: there is none.
+  long line{};
+  bool is_binary{};
+  bool may_be_manifest{};  ///< It has a key or a table's name.
+};
+
+FirstRow first_row_of(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  FirstRow first;
   const log::LogFormat format = log::detect_log_format(text, "");
-  const bool is_binary = format != log::LogFormat::text && format != log::LogFormat::json;
+  first.is_binary = format != log::LogFormat::text && format != log::LogFormat::json;
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   text::RowCursor cursor(text);
-  if (!cursor.next()) return;
-  const std::string_view row = text::trimmed(cursor.row());
-  const bool is_of_excel = row.starts_with("sep=");
-  const bool has_key = row.front() == '[' || row.find('=') != std::string_view::npos;
-  if (!is_binary && !is_of_excel && has_key) return;
+  if (!cursor.next()) return first;
+  first.text = text::trimmed(cursor.row());
+  first.line = cursor.line();
+  const bool is_of_excel = first.text.starts_with("sep=");
+  const bool has_key = first.text.front() == '[' || first.text.find('=') != std::string_view::npos;
+  first.may_be_manifest = !first.is_binary && !is_of_excel && has_key;
+  return first;
+}
+
+/// A log, say.
+void refuse_what_is_no_manifest(std::string_view text, const std::string& file) {
+  const auto [row, line, is_binary, may_be_manifest] = first_row_of(text);
+  if (row.empty() || may_be_manifest) return;
   constexpr std::size_t longest_shown = 60;
   throw InputError(
-      {file, is_binary ? 0 : cursor.line(), 0},
+      {file, is_binary ? 0 : line, 0},
       {is_binary ? "is a binary log" : "is no manifest",
        is_binary ? "" : in_quotes(row.substr(0, longest_shown)), "a dataset manifest (TOML)",
        "a log is named in one: [[recording]] file = \"log.csv\"; tribolog report "
@@ -289,6 +326,10 @@ void add_others(std::vector<joint::OtherJoint> of_robot, std::vector<joint::Othe
 
 }  // namespace
 
+bool may_be_manifest(std::string_view first_bytes) {
+  return first_row_of(first_bytes).may_be_manifest;
+}
+
 std::vector<std::string> joints_in_manifest(std::string_view text, const std::string& file) {
   return joint_names(document_in(text, file), file);
 }
@@ -306,11 +347,12 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   read_identity(top, result.manifest);
   const TomlTable joint = top.table("joint", "[joint] with name and gear_ratio");
   result.manifest.joint = required_name(joint, "");
-  const TomlTable effort = top.table("effort", effort_hint);
+  const TomlTable effort = effort_of(top, joint, file);
   result.manifest.drive = read_drive(joint, effort);
   if (result.manifest.drive.kind() != joint::EffortKind::none)
     result.effort_sign = read_sign(effort);
   result.manifest.effort_is_confirmed = effort.flag_or("confirmed", true);
+  result.manifest.torque_is_in_amperes = has_unknown_constant(effort);
   result.manifest.gravity_is_removed = effort.flag_or("gravity_removed", false);
   const bool has_no_gravity = joint.has("gravity") || result.manifest.gravity_is_removed;
   if (joint.has("gravity")) static_cast<void>(joint.choice("gravity", {"none"}));

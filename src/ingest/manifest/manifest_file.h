@@ -11,10 +11,11 @@
 //   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "target_torque" (of a
 //                 controller or its model) | "none" (neither torque nor current was recorded: the
 //                 motion alone is checked)
-//                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
-//                 confirmed = false (optional; kind and side are a proposal)
-//                 gravity_removed = true (optional; the controller has taken gravity off)
-//                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
+//                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only;
+//                 "unknown": every torque is then a number of amperes, and doubtful) confirmed =
+//                 false (optional; kind and side are a proposal) gravity_removed = true (optional;
+//                 the controller has taken gravity off) sign = 1 | -1 (optional; -1: positive
+//                 effort moves the joint to negative angles)
 //   [payload]     mass_kg, distance_m (from the axis of the joint), note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
@@ -34,7 +35,8 @@
 //                 rows = {name, value} (optional): of a log in which each row is one joint's those
 //                 in which the column has the value
 //                 angle and speed: side = "joint" (default) | "motor"
-//                 time, angle, speed: confirmed = false (optional; the unit is a proposal)
+//                 register = "unsigned 16" | "sign bit 15" ... (optional; numbers without their
+//                 sign) time, angle, speed: confirmed = false (optional; the unit is a proposal)
 //                 time: any_rate = true where under 5 or over 100000 samples a second are right;
 //                 time = {rate_Hz}: the log has no clock, its rows come at this rate
 //                 the others: file (relative to the manifest) where the column stands in another
@@ -95,6 +97,9 @@ inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
 /// The text of a manifest. @throw InputError as read_file(), or as parse_manifest() for a log, of
 /// whatever size.
 std::string read_manifest_text(const std::string& path);
+
+/// Whether a file that starts so may be a manifest: its first row has a key or a table's name.
+bool may_be_manifest(std::string_view first_bytes);
 
 /// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
 bool is_impossible_time(const std::string& text);

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "ingest/log/log_table.h"
+#include "ingest/log/register.h"
 #include "ingest/log/units.h"
 #include "ingest/manifest/toml_table.h"
 #include "ingest/text/csv_dialect.h"
@@ -55,8 +56,9 @@ struct ColumnEntry {
   bool any_rate{};             ///< Of the time: so stated, however many samples a second it makes.
   /// Of the time: the log has no clock, its rows come at this rate.
   std::optional<double> rate_Hz{};
-  std::optional<ClockPart> plus{};  ///< Of the time: is added to it.
-  bool is_proposed{};               ///< `confirmed = false`: the unit is proposed, not stated.
+  std::optional<ClockPart> plus{};             ///< Of the time: is added to it.
+  std::optional<log::Register> of_register{};  ///< Its numbers lack their sign.
+  bool is_proposed{};  ///< `confirmed = false`: the unit is proposed, not stated.
 };
 
 struct ColumnEntries {

@@ -91,6 +91,12 @@ TomlTable TomlTable::of(TomlNode document, const std::string& file) {
 
 bool TomlTable::has(const std::string& key) const { return view_->find(key) != nullptr; }
 
+bool TomlTable::says(const std::string& key, std::string_view text) const {
+  const TomlNode* const node = view_->find(key);
+  const auto* const found = node == nullptr ? nullptr : node->as<std::string>();
+  return found != nullptr && *found == text;
+}
+
 bool TomlTable::has_misplaced(const std::string& key) const {
   return view_->table->member(key) != nullptr;
 }

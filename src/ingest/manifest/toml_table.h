@@ -62,6 +62,8 @@ class TomlTable {
   [[nodiscard]] std::vector<TomlTable> one_or_more_tables(const std::string& key) const;
 
   [[nodiscard]] bool has(const std::string& key) const;
+  /// Whether the key is there, and its value this text.
+  [[nodiscard]] bool says(const std::string& key, std::string_view text) const;
   /// has() of a key that is not known here, to refuse it with its own reason.
   [[nodiscard]] bool has_misplaced(const std::string& key) const;
   [[nodiscard]] Location where() const;

@@ -269,6 +269,19 @@ std::vector<std::string> voltages_of(const TableSurvey& table) {
   return names;
 }
 
+std::string foreign_unit_in_words(const TableSurvey& table,
+                                  const ingest::layout::ForeignUnit& foreign) {
+  const ColumnSurvey& column = table.columns[foreign.column];
+  const bool is_effort = foreign.quantity == ingest::log::Quantity::torque ||
+                         foreign.quantity == ingest::log::Quantity::current;
+  const std::string option = is_effort ? "effort" : ingest::log::quantity_word(foreign.quantity);
+  return fmt::format(
+      "left out: column {}, {} in a unit that is not known; --{}-unit states it, '{}' "
+      "say",
+      in_quotes(column.name), ingest::log::to_string(foreign.quantity), option,
+      ingest::log::example_of_multiple(foreign.quantity));
+}
+
 std::vector<std::string> not_understood(const TableSurvey& table) {
   std::vector<std::string> told;
   for (const ingest::layout::ForeignUnit& foreign : table.foreign) {
@@ -376,14 +389,27 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.lines.push_back(
         options.torque_constant_Nm_A
             ? fmt::format("torque_constant_Nm_A = {}", *options.torque_constant_Nm_A)
+        : options.takes_amperes
+            ? "torque_constant_Nm_A = \"unknown\"  # not in the log: torques are numbers of amperes"
             : "# torque_constant_Nm_A =  # not in the log, and needed: N·m per ampere on that "
               "side");
+    proposal.lacks_constant = !options.torque_constant_Nm_A;
   }
   // A stated kind says nothing of the unit.
   const bool is_stated = (options.effort_kind && meaning.unit_is_stated) || is_taken_as_current ||
                          (is_current && meaning.unit_is_stated);
   const bool is_one_of_several = (column->has_rivals() && !is_stated_column) ||
                                  (angle->has_rivals() && !states(options, "angle"));
+  // What a register holds is a guess until the user has looked at it.
+  const bool is_of_register = column->of_register.has_value() && !options.registers_are_confirmed;
+  if (is_of_register) {
+    proposal.remarks.push_back(
+        fmt::format("{} is read as a register without its sign ({}): --signed-registers confirms "
+                    "it.",
+                    in_quotes(column->name), ingest::log::to_string(*column->of_register)));
+    proposal.not_understood.push_back(proposal.remarks.back());
+  }
+  proposal.is_confirmed = !(lacks_gear && !options.effort_side) && is_stated && !is_one_of_several;
   if (lacks_gear && !options.effort_side) {
     proposal.lines.emplace_back(
         "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "
@@ -392,7 +418,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.lines.emplace_back(
         "confirmed = false  # the unit in [columns] is a guess; true, or no such line, once it is "
         "looked at");
-  } else if (!is_stated || is_one_of_several) {
+  } else if (!is_stated || is_one_of_several || is_of_register) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "
         "looked at");

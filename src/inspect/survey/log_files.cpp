@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t largest_metadata_bytes = 1 << 24;
 /// Of those that are not read the refusal says what to run.
 /// ".active" is a bag of ROS 1 that was not closed.
-constexpr std::array known_endings{".active",  ".arrow", ".bag",  ".csv",  ".dat", ".db3",
-                                   ".feather", ".h5",    ".hdf5", ".json", ".log", ".mat",
-                                   ".mcap",    ".mdf",   ".mf4",  ".npy",  ".npz", ".jsonl",
-                                   ".parquet", ".rrd",   ".tdms", ".tsv",  ".txt", ".ulg"};
+constexpr std::array known_endings{
+    ".active",  ".arrow", ".bag",  ".csv",  ".dat", ".db3", ".feather", ".h5",  ".hdf5",
+    ".json",    ".log",   ".mat",  ".mcap", ".mdf", ".mf4", ".npy",     ".npz", ".jsonl",
+    ".parquet", ".rrd",   ".tdms", ".tsv",  ".txt", ".ulg", ".lvm"};
 
 /// What rosbag2's metadata.yaml lists under relative_file_paths, a line each: "    - bag_0.mcap".
 std::vector<std::string> listed_files(const fs::path& metadata) {
@@ -92,6 +92,8 @@ std::vector<std::string> log_files_in(const std::string& path) {
     const std::string ending = entry.path().extension().string();
     const bool is_log =
         std::find(known_endings.begin(), known_endings.end(), ending) != known_endings.end();
+    // What this program writes beside logs is none.
+    if (is_log && entry.path().string().ends_with(".calibration.json")) continue;
     if (is_log && entry.is_regular_file(error)) files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());

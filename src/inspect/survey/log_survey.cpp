@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -246,6 +247,33 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
   }
 }
 
+/// Speeds and efforts whose registers were logged without their sign become signed.
+/// @return by their columns.
+std::map<std::size_t, ingest::log::Register> read_registers(const ingest::layout::LogLayout& layout,
+                                                            ingest::log::LogTable& data) {
+  using enum ingest::log::Quantity;
+  std::vector<std::size_t> columns;
+  for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
+    const bool may_be = meaning.quantity == angular_speed || meaning.quantity == torque ||
+                        meaning.quantity == current;
+    if (may_be) columns.push_back(meaning.column);
+  }
+  for (const ingest::layout::ForeignUnit& foreign : layout.foreign)
+    columns.push_back(foreign.column);
+  std::map<std::size_t, ingest::log::Register> found;
+  for (const std::size_t k : columns) {
+    ingest::log::LogColumn& column = data.columns[k];
+    const auto of = ingest::log::find_register(column.values);
+    if (!of) continue;
+    for (double& value : column.values) value = of->value_of(value);
+    found.emplace(k, *of);
+    data.notes.push_back(
+        {"reading.register_without_sign",
+         {{"column", in_quotes(column.header.full)}, {"register", ingest::log::to_string(*of)}}});
+  }
+  return found;
+}
+
 /// Makes gaps of single numbers that no joint has; where they are many, the unit is another.
 /// @return whether there were some.
 bool blank_impossible_values(const ingest::layout::LogLayout& layout, ingest::log::LogTable& data) {
@@ -357,9 +385,11 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   refuse_words(stated, data, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
+  const std::map<std::size_t, ingest::log::Register> registers = read_registers(layout, data);
   table.has_impossible_values = blank_impossible_values(layout, data);
   for (const ingest::log::LogColumn& column : data.columns)
     table.columns.push_back(survey_column(column, data.header));
+  for (const auto& [column, of] : registers) table.columns[column].of_register = of;
   for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
     table.columns[meaning.column].meaning = meaning;
     if (meaning.unit_is_usual) {

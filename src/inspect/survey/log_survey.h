@@ -12,6 +12,7 @@
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_format.h"
 #include "ingest/log/log_table.h"
+#include "ingest/log/register.h"
 #include "ingest/text/csv_dialect.h"
 #include "inspect/motion/motion_segments.h"
 #include "inspect/survey/column_guess.h"
@@ -85,6 +86,7 @@ struct ColumnSurvey {
   double step{};                     ///< In which its numbers come; 0: none was found.
   std::size_t distinct{};            ///< Different numbers, counted up to 1000.
   std::vector<std::string> words{};  ///< What it says, where it holds no numbers.
+  std::optional<ingest::log::Register> of_register{};  ///< Its numbers lack their sign.
   bool is_at_motor{};     ///< An angle or a speed whose name says that it is the motor's,
   double gear_ratio{1};   ///< which is this many times the joint's, as far as it is known.
   bool has_gear{};        ///< A gear ratio other than 1 is stated.

@@ -13,6 +13,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_table.h"
+#include "inspect/survey/survey_parts.h"
 
 namespace tribolog::inspect::survey {
 namespace {
@@ -250,6 +251,9 @@ class ManifestText {
     std::string entry =
         fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.key),
                     ingest::manifest::toml_text(has_other_unit ? effort_.unit : meaning.unit));
+    if (column.of_register) {
+      entry += fmt::format(", register = \"{}\"", ingest::log::to_string(*column.of_register));
+    }
     if (column.is_at_motor) entry += ", side = \"motor\"";
     if (is_only_proposed(key, column)) entry += ", confirmed = false";
     entry += " }";
@@ -411,11 +415,64 @@ void check_count(const std::vector<double>& values, const char* option,
 
 }  // namespace
 
+namespace {
+
+/// What is written with `confirmed = false`, and columns that are left out for their unit.
+std::vector<std::string> only_proposed(const std::vector<LogSurvey>& logs,
+                                       const ManifestProposal& proposal) {
+  std::vector<std::string> told;
+  const JointInLog& first = proposal.in_logs.front();
+  const TableSurvey& table = table_of(logs, first);
+  const ColumnSurvey& angle = table.columns[joint_of(logs, first).angle];
+  const ingest::layout::ColumnMeaning& meaning = present(angle.meaning);
+  if (!meaning.unit_is_stated && !angle.unit_is_proven) {
+    told.push_back("the angle's unit, " + meaning.unit + " (--angle-unit)");
+  }
+  if (angle.side_is_open) told.emplace_back("the angle's side of the gear, joint (--angle-side)");
+  const ClockSurvey& clock = present(table.clock);
+  if (!clock.is_certain()) told.push_back("the clock's unit, " + clock.unit + " (--time-unit)");
+  return told;
+}
+
+/// What would have to be stated for a proposal without guesses.
+std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
+                                      const ManifestProposal& proposal,
+                                      const ProposalOptions& options) {
+  std::vector<std::string> open;
+  const JointInLog& first = proposal.in_logs.front();
+  const TableSurvey& table = table_of(logs, first);
+  const ColumnSurvey& angle = table.columns[joint_of(logs, first).angle];
+  const ClockSurvey& clock = present(table.clock);
+  const std::string& unit = present(angle.meaning).unit;
+  if (!angle.meaning->unit_is_stated && !angle.unit_is_proven)
+    open.push_back("--angle-unit " + unit);
+  if (angle.side_is_open) open.emplace_back("--angle-side motor");
+  if (!clock.is_certain()) open.push_back("--time-unit " + clock.unit);
+  if (!options.gear_ratio) open.emplace_back("--gear-ratio RATIO");
+  const EffortProposal& effort = proposal.effort;
+  if (effort.kind == joint::EffortKind::none || effort.is_target) return open;
+  if (effort.lacks_constant) open.emplace_back("--torque-constant NM_PER_A");
+  const bool is_current = effort.kind == joint::EffortKind::motor_current;
+  if (!effort.is_confirmed && !is_current) {
+    open.push_back("--effort-kind " + joint::to_string(effort.kind));
+    open.emplace_back("--effort-unit Nm");
+  }
+  return open;
+}
+
+}  // namespace
+
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options) {
+  if (auto points = propose_friction_points(logs, options)) {
+    check_that_it_reads(points->text);
+    return *points;
+  }
   const JointChoice choice = choose_joint(logs, options.joint);
   ManifestProposal proposal = without_text(logs, choice, options.has_no_gravity);
   proposal.effort = propose_effort(logs, choice.in_logs, options);
+  proposal.open = open_options(logs, proposal, options);
+  proposal.only_proposed = only_proposed(logs, proposal);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
   check_that_it_reads(proposal.text);
   return proposal;
@@ -468,6 +525,8 @@ RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
     ManifestProposal& joint = robot.joints[k];
     if (k == 0) robot.text = ManifestText(logs, of_joint, moving[k], joint.roles).shared_text();
     joint.effort = propose_effort(logs, moving[k].in_logs, of_joint);
+    joint.open = open_options(logs, joint, of_joint);
+    joint.only_proposed = only_proposed(logs, joint);
     joint.text = ManifestText(logs, of_joint, moving[k], joint.roles).part_of_robot();
     robot.text += joint.text;
   }

@@ -74,6 +74,10 @@ struct ProposalOptions {
   std::optional<std::string> measured_on;  ///< RFC 3339, a day alone or with a time.
   std::optional<double> temperature_C;     ///< Of the joint, while it was measured.
   std::optional<double> payload_kg;
+  /// A current whose torque constant is not stated is taken as it is: torques are then numbers of
+  /// amperes, and the manifest says so.
+  bool takes_amperes{};
+  bool registers_are_confirmed{};        ///< Those that are found without their sign.
   bool has_no_gravity{};                 ///< Stated: a vertical axis, or a bare motor.
   ingest::text::TextLogRules log_rules;  ///< The logs were read with them, and with
   StatedColumns columns;                 ///< these.
@@ -89,7 +93,9 @@ struct EffortProposal {
   std::string unit;                  ///< Of the column, where it is not the survey's; else empty.
   /// Columns that may be the effort but were not understood, and what to state: a sentence each.
   std::vector<std::string> not_understood;
-  bool is_target{};  ///< No measured effort is there: a controller's value stands in.
+  bool is_confirmed{};    ///< Kind and unit are stated.
+  bool lacks_constant{};  ///< A current without its torque constant.
+  bool is_target{};       ///< No measured effort is there: a controller's value stands in.
 
   /// The column in a joint's own log; nothing where it has none of this kind.
   [[nodiscard]] std::optional<std::size_t> column_of(const JointSurvey& joint) const;
@@ -101,6 +107,10 @@ struct ManifestProposal {
   std::vector<std::string> moves_too;  ///< Other joints that move beside it.
   RoleProposal roles;
   EffortProposal effort;
+  /// What no log tells and nobody stated: options that would, with their values as guessed.
+  std::vector<std::string> open{};
+  /// What no log tells and nothing proves, in words: "the angle's unit, rad".
+  std::vector<std::string> only_proposed{};
   std::string text;  ///< TOML that read_manifest() takes, but for a torque
                      ///< constant nobody stated, which is missing.
 };
@@ -161,6 +171,10 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
 /// log of the joint that has an effort decides.
 EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
                               const std::vector<JointInLog>& joint, const ProposalOptions& options);
+
+/// "left out: column 'v [qc/s]', an angular speed in a unit that is not known ('qc/s'); ..."
+std::string foreign_unit_in_words(const TableSurvey& table,
+                                  const ingest::layout::ForeignUnit& foreign);
 
 /// Columns that may be an effort: those known to be one in an unknown unit, else those that nothing
 /// is known of. A sentence each, with what to state.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inspect/survey/log_survey.h"
+#include "inspect/survey/manifest_proposal.h"
 
 namespace tribolog::inspect::survey {
 
@@ -27,6 +28,10 @@ ColumnSurvey survey_column(const ingest::log::LogColumn& column,
 /// @param data its clock becomes what it says in sum, counted from its first reading where that is
 /// from 1970 on.
 void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& table);
+
+/// Where all logs hold rows of speed and torque without a clock: friction points.
+std::optional<ManifestProposal> propose_friction_points(const std::vector<LogSurvey>& logs,
+                                                        const ProposalOptions& options);
 
 /// The first column of a quantity and a joint.
 std::optional<std::size_t> first_column(const TableSurvey& table, ingest::log::Quantity quantity,

@@ -162,6 +162,13 @@ DataCheck check_effort_provenance(const CheckedDataset& data) {
     check.experiment = {"effort.record_measurement"};
     return check;
   }
+  if (data.manifest->torque_is_in_amperes) {
+    check.state = CheckState::fails;
+    check.found = {"effort.constant_unknown"};
+    check.consequence = {"effort.is_of_amperes"};
+    check.experiment = {"effort.state_constant"};
+    return check;
+  }
   check.state = is_confirmed ? CheckState::passed : CheckState::fails;
   check.found = stated_effort(drive, is_confirmed);
   if (is_confirmed) return check;

@@ -1,0 +1,183 @@
+#include "cli/given_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/encodings.h"
+#include "base/error.h"
+#include "ingest/manifest/manifest_file.h"
+
+namespace tribolog::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view seal = "# Unedited as long as this is its digest: ";
+constexpr std::size_t digits_of_seal = 16;
+
+std::string start_of(const std::string& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 16;
+  std::ifstream file(path, std::ios::binary);
+  std::string start(most_bytes, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  return start;
+}
+
+/// By its ending where that is a manifest's or a log's, else by what it starts with.
+bool is_manifest(const std::string& path) {
+  constexpr std::array of_logs = {".csv", ".txt", ".log", ".dat", ".tsv", ".lvm"};
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".toml") return true;
+  std::error_code error;
+  const bool is_log = std::find(of_logs.begin(), of_logs.end(), ending) != of_logs.end();
+  if (is_log || !fs::is_regular_file(path, error)) return false;
+  return ingest::manifest::may_be_manifest(start_of(path));
+}
+
+std::string sealed(const std::string& text) {
+  return text + std::string(seal) + sha256_hex(text).substr(0, digits_of_seal) + "\n";
+}
+
+/// Whether the file is as this program wrote it: then another proposal may replace it.
+bool is_unedited(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t at = text.rfind(seal);
+  return at != std::string::npos && sealed(text.substr(0, at)) == text;
+}
+
+/// "runs/j3" of "runs/j3.csv"; of a folder or of several logs "runs/runs", in their folder.
+std::string stem_of(const std::vector<std::string>& paths) {
+  const fs::path first(paths.front());
+  std::error_code error;
+  const bool is_folder = fs::is_directory(first, error);
+  if (paths.size() == 1 && !is_folder) return (first.parent_path() / first.stem()).string();
+  const fs::path folder = is_folder ? first : first.parent_path();
+  const fs::path whole = fs::weakly_canonical(folder.empty() ? "." : folder, error);
+  return (folder / (whole.filename().empty() ? "log" : whole.filename())).string();
+}
+
+std::string without_ending(const std::string& path) {
+  const fs::path whole(path);
+  return (whole.parent_path() / whole.stem()).string();
+}
+
+void refuse_edited(const std::string& manifest, const GivenData& given) {
+  std::error_code error;
+  if (given.force || !fs::exists(manifest, error) || is_unedited(manifest)) return;
+  throw OutputError(printable(manifest, 400) +
+                    ": exists and was left unchanged, as it is not what was proposed; tribolog "
+                    "report " +
+                    printable(manifest, 400) + " uses it, --force replaces it");
+}
+
+void refuse_options_of_logs(const GivenData& given) {
+  for (const CLI::Option* const option : given.of_logs) {
+    if (option->count() == 0) continue;
+    throw UsageError(option->get_name() + " is for logs; beside a manifest, " +
+                     printable(given.paths.front()) + ", state it there");
+  }
+}
+
+}  // namespace
+
+FoundData find_data(const GivenData& given, const std::string& output, Console& console) {
+  FoundData found;
+  found.dataset.joint = given.joint;
+  const auto manifest = std::find_if(given.paths.begin(), given.paths.end(), is_manifest);
+  found.stem = stem_of(given.paths);
+  if (manifest != given.paths.end()) {
+    if (given.paths.size() > 1) {
+      throw UsageError(printable(*manifest) + " is a manifest: one alone, or logs");
+    }
+    refuse_options_of_logs(given);
+    found.dataset.manifest = *manifest;
+    return found;
+  }
+  found.is_of_logs = true;
+  const bool is_beside_output = !output.empty() && is_file_output(output);
+  found.dataset.manifest = (is_beside_output ? without_ending(output) : found.stem) + ".toml";
+  const std::vector<SurveyedFile> files = files_of(given.paths);
+  refuse_edited(found.dataset.manifest, given);
+  check_output_can_be_written(found.dataset.manifest, paths_of(files));
+  InspectedLogs of = given.logs;
+  if (!given.joint.empty()) of.known.joint = given.joint;
+  of.known.takes_amperes = true;
+  const std::vector<inspect::survey::LogSurvey> logs =
+      survey_with_gears(files, of, of.of_joints, console);
+  const ProposedManifest proposed =
+      propose(of, given.all_joints, fs::path(found.dataset.manifest).parent_path().string(), logs,
+              of.of_joints, console);
+  write_file_atomically(found.dataset.manifest, sealed(proposed.text));
+  console.say("manifest: " + printable(found.dataset.manifest, 400));
+  found.open = proposed.open;
+  found.is_in_amperes =
+      proposed.text.find("torque_constant_Nm_A = \"unknown\"") != std::string::npos;
+  found.dataset.joint.clear();  // the manifest's only one
+  return found;
+}
+
+std::string output_or_beside(const std::string& stated, const FoundData& found,
+                             const std::string& ending) {
+  if (!stated.empty()) return stated;
+  const std::string path = found.stem + ending;
+  std::error_code error;
+  const bool is_foreign = ending.empty() ? fs::exists(path, error) && !fs::is_directory(path, error)
+                                         : fs::exists(path, error) &&
+                                               start_of(path).find("tribolog") == std::string::npos;
+  if (is_foreign) {
+    throw OutputError(printable(path, 400) +
+                      ": exists, is no file of tribolog's and was left unchanged; -o FILE names "
+                      "another");
+  }
+  return path;
+}
+
+std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const GivenData& given) {
+  constexpr std::size_t of_a_first_look = 5;
+  const bool is_stated = given.truth_runs != nullptr && given.truth_runs->count() > 0;
+  return found.is_of_logs && !is_stated ? std::min(stated, of_a_first_look) : stated;
+}
+
+void tell_what_is_open(const FoundData& found, const std::string& command, const GivenData& given,
+                       Console& console) {
+  if (found.open.empty()) return;
+  std::string line = "tribolog " + command;
+  for (const std::string& path : given.paths) line += " " + printable(path, 200);
+  for (const std::string& open : found.open) line += " " + open;
+  console.say("the log does not tell these; with what you know of them:\n  " + line);
+}
+
+void add_given_data(CLI::App& command, GivenData& given) {
+  command
+      .add_option("DATA", given.paths,
+                  "dataset manifest (TOML); or logs of any format, or folders of them")
+      ->required();
+  command
+      .add_option("--joint", given.joint,
+                  "one joint by its name, of a whole robot's manifest or of logs")
+      ->type_name("NAME");
+  const auto before = command.get_options();
+  add_known_of_logs(command, given.logs);
+  command.add_flag("--all-joints", given.all_joints, "of logs: every joint that moves in them")
+      ->excludes("--joint");
+  command.add_flag("--force", given.force, "of logs: replace a manifest that was edited");
+  const std::set<const CLI::Option*> known(before.begin(), before.end());
+  for (const CLI::Option* const option : command.get_options()) {
+    if (!known.contains(option)) given.of_logs.push_back(option);
+  }
+  for (CLI::Option* const option : command.get_options()) {
+    if (!known.contains(option)) option->group("Of logs");
+  }
+}
+
+}  // namespace tribolog::cli

@@ -1,0 +1,58 @@
+#pragma once
+// What identify and report are given: a manifest, or logs, for which one is proposed and written.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/console.h"
+#include "cli/identification.h"
+#include "cli/log_proposal.h"
+
+namespace tribolog::cli {
+
+struct GivenData {
+  std::vector<std::string> paths;  ///< A manifest, or logs and folders of logs.
+  std::string joint;   ///< By its name; empty: the manifest's, or the one that moves most.
+  InspectedLogs logs;  ///< What is known of logs; nothing with a manifest.
+  bool all_joints{};
+  bool force{};                             ///< Replaces a manifest that was edited.
+  std::vector<const CLI::Option*> of_logs;  ///< The options that are for logs alone.
+  const CLI::Option* truth_runs{};          ///< Of the known-truth check.
+};
+
+struct FoundData {
+  DatasetChoice dataset;
+  std::string stem;  ///< Of the outputs' names that are not stated: "runs/j3" of "runs/j3.csv".
+  bool is_of_logs{};
+  bool is_in_amperes{};  ///< The torque constant is not known: torques are numbers of amperes.
+  std::vector<std::string> open;  ///< Options that would state what is not known.
+};
+
+/// Of logs the manifest is proposed and written beside the output or, where none is stated, beside
+/// the log: never over one that somebody edited.
+/// @param output that is stated; empty: none.
+/// @throw InputError, UsageError as propose_manifest(); UsageError: options of logs beside a
+///        manifest. OutputError: the manifest cannot be written, or is somebody's.
+FoundData find_data(const GivenData& given, const std::string& output, Console& console);
+
+/// The stated output, or one beside the input.
+/// @param ending ".html"; empty: a directory.
+/// @throw OutputError: it would replace a file that this program has not written.
+std::string output_or_beside(const std::string& stated, const FoundData& found,
+                             const std::string& ending);
+
+/// Runs of the known-truth check: of logs fewer than of a manifest, unless the user states them. A
+/// first answer is wanted soon.
+std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const GivenData& given);
+
+/// The line to type for what is not known yet; nothing where all is.
+void tell_what_is_open(const FoundData& found, const std::string& command, const GivenData& given,
+                       Console& console);
+
+/// Paths, --joint, and every option of logs.
+void add_given_data(CLI::App& command, GivenData& given);
+
+}  // namespace tribolog::cli
