@@ -1,6 +1,8 @@
 #include "cli/log_proposal.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -208,6 +210,19 @@ const std::map<std::string, joint::EffortKind> kinds{
 const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
                                                {"joint", joint::Side::joint}};
 
+/// "38@0": 38 N·m, largest at 0°. @throw UsageError
+std::pair<double, double> parse_known_gravity(const std::string& text) {
+  double torque_Nm = 0;
+  double peak_deg = 0;
+  int read = 0;
+  const int found = std::sscanf(text.c_str(), "%lf@%lf%n", &torque_Nm, &peak_deg, &read);
+  const bool is_one = found == 2 && static_cast<std::size_t>(read) == text.size() &&
+                      std::isfinite(torque_Nm) && std::isfinite(peak_deg) && torque_Nm > 0;
+  if (is_one) return {torque_Nm, peak_deg};
+  throw UsageError("--known-gravity '" + printable(text) +
+                   "': N·m and the joint angle in degrees where they are largest, as 38@0");
+}
+
 void add_unit(CLI::App& command, const std::string& option, std::optional<std::string>& unit,
               std::initializer_list<ingest::log::Quantity> quantities, const std::string& help) {
   command
@@ -287,6 +302,14 @@ void add_known_of_logs(CLI::App& command, InspectedLogs& logs) {
                    "registers that were logged without their sign are read as is proposed");
   command.add_flag("--no-gravity", logs.known.has_no_gravity,
                    "gravity does not turn the joint: a vertical axis, or a bare motor");
+  command
+      .add_option_function<std::string>(
+          "--known-gravity",
+          [&logs](const std::string& text) {
+            logs.known.known_gravity_Nm_deg = parse_known_gravity(text);
+          },
+          "gravity's torque at the joint by its design, in N·m, and the angle where it is largest")
+      ->type_name("NM@DEG");
   command.add_option("--payload", logs.known.payload_kg, "mass that it carried, in kg")
       ->check(number_between(0, 1e5));
   ingest::text::TextLogRules& rules = logs.known.log_rules;

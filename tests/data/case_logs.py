@@ -37,7 +37,7 @@ cases = [
     ("ur_gravity_taken_off/log.csv", FRICTION, TORQUE + GEAR),
     ("ur_joint_order/log.csv", ARM, ["--torque-constant", "0.11188"] + GEAR),
     ("effort_denormal/log.csv", {}, TORQUE),
-    ("torque_constant_twice/log.csv", {"cog_angle": 0.0}, TORQUE + GEAR),
+    ("torque_constant_twice/log.csv", ARM, TORQUE + GEAR + ["--known-gravity", "38@0"]),
     ("dynamixel_unsigned/log.csv", COUNTED, DYNAMIXEL),
     ("dynamixel_unsigned/signed.csv", COUNTED, DYNAMIXEL),
     ("wrap_pi/pm_pi.csv", FRICTION, TORQUE + GEAR + ["--no-gravity"]),

@@ -182,6 +182,11 @@ class ManifestText {
     if (options_.payload_kg) {
       text_ += fmt::format("\n[payload]\nmass_kg = {}\n", *options_.payload_kg);
     }
+    if (options_.known_gravity_Nm_deg) {
+      const auto& [amplitude_Nm, peak_deg] = *options_.known_gravity_Nm_deg;
+      text_ += fmt::format("\n[known_gravity]\namplitude_Nm = {}\nq_peak_deg = {}\n", amplitude_Nm,
+                           peak_deg);
+    }
     if (options_.temperature_C) {
       text_ += fmt::format("\n[temperature]\ndegC = {}\n", *options_.temperature_C);
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "inspect/survey/log_survey.h"
@@ -74,6 +75,8 @@ struct ProposalOptions {
   std::optional<std::string> measured_on;  ///< RFC 3339, a day alone or with a time.
   std::optional<double> temperature_C;     ///< Of the joint, while it was measured.
   std::optional<double> payload_kg;
+  /// Gravity's torque at the joint by its design, and the angle where it is largest.
+  std::optional<std::pair<double, double>> known_gravity_Nm_deg;
   /// A current whose torque constant is not stated is taken as it is: torques are then numbers of
   /// amperes, and the manifest says so.
   bool takes_amperes{};

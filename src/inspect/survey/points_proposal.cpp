@@ -25,12 +25,21 @@ struct PointColumns {
   std::size_t torque{};
 };
 
+/// The first that is measured, whatever joint its name tells: "friction torque".
+std::optional<std::size_t> first_of(const TableSurvey& table, Quantity quantity) {
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    if (meaning && meaning->quantity == quantity && !meaning->is_target) return k;
+  }
+  return std::nullopt;
+}
+
 /// Of a table without a clock and without an angle that has a speed and a torque of one joint.
 std::optional<PointColumns> points_in(const std::vector<LogSurvey>& logs, std::size_t log) {
   for (std::size_t t = 0; t < logs[log].tables.size(); ++t) {
     const TableSurvey& table = logs[log].tables[t];
-    const auto speed = first_column(table, Quantity::angular_speed, "", false);
-    const auto torque = first_column(table, Quantity::torque, "", false);
+    const auto speed = first_of(table, Quantity::angular_speed);
+    const auto torque = first_of(table, Quantity::torque);
     if (table.clock || !table.joints.empty() || !speed || !torque) continue;
     return PointColumns{log, t, *speed, *torque};
   }
