@@ -43,6 +43,7 @@ double KnownLoad::torque_Nm(double angle_sum_rad) const {
 StatedGravity::StatedGravity(double amplitude_Nm, double q_peak_rad, double percent)
     : amplitude_Nm_(amplitude_Nm), q_peak_rad_(q_peak_rad), percent_(percent) {
   require_not_negative(amplitude_Nm, Code{"parameter.known_gravity_amplitude"}, "N·m");
+  require_not_negative(percent, Code{"parameter.known_gravity_percent"}, "%");
   if (!std::isfinite(q_peak_rad)) {
     throw Refusal({"gravity_peak.known_value_not_finite", {{"angle_rad", q_peak_rad}}});
   }

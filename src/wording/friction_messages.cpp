@@ -26,6 +26,7 @@ const Messages& friction_messages() {
       {"parameter.smoothing", text("smoothing of eq. (7)")},
       {"parameter.cog_distance", text("distance of the centre of gravity")},
       {"parameter.known_gravity_amplitude", text("amplitude of the known gravity")},
+      {"parameter.known_gravity_percent", text("half width of the known gravity")},
       {"parameter.set_point_rate", text("rate of the set points")},
       {"parameter.encoder_counts", text("encoder counts per turn")},
       {"parameter.ripple_periods", text("ripple periods per turn")},

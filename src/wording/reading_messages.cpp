@@ -140,8 +140,11 @@ const Messages& reading_messages() {
        text("column {column} jumps between the ends of a register ({register}): its numbers were "
             "logged without their sign, and are read with it")},
       {"reading.clock_set_back",
-       text("the clock was set back while it was logged ({times} times); it goes on from the "
-            "row before by the usual step")},
+       by_count("times",
+                "the clock was set back {times} time while it was logged; it goes on from the row "
+                "before by the usual step",
+                "the clock was set back {times} times while it was logged; it goes on from the row "
+                "before by the usual step")},
       {"reading.held_rows",
        text("{percent:.0f} % of the rows repeat the row before: the robot sends a sample every "
             "{rows} rows, and each is used once")},

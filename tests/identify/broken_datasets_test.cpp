@@ -480,6 +480,94 @@ TEST(BrokenDatasets, AnEffortThatIsOnlyProposedMakesEveryTorqueDoubtfulAndIsTold
       << wording::words(c.judgement.findings.front());
 }
 
+/// A log whose unit of one column is proposed only.
+joint::Dataset with_proposed_unit(joint::Dataset d, joint::LoggedSignal signal, const char* unit) {
+  joint::ColumnConversion conversion;
+  conversion.signal = signal;
+  conversion.column = "a";
+  conversion.unit = unit;
+  conversion.is_proposed = true;
+  joint::InputFile input;
+  input.name = d.recordings.front().name;
+  input.conversions = {conversion};
+  d.inputs.push_back(input);
+  return d;
+}
+
+/// What is usable of the first is doubtful in the second where it is among `touched`, and usable
+/// else.
+void expect_doubtful(const std::vector<joint::Quantity>& touched, const calibration::Calibration& c,
+                     const calibration::Calibration& proposed) {
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    if (q.verdict != calibration::Verdict::usable) continue;
+    const bool is_touched = std::find(touched.begin(), touched.end(), q.quantity) != touched.end();
+    EXPECT_EQ(proposed.judgement.find(q.quantity)->verdict,
+              is_touched ? calibration::Verdict::doubtful : calibration::Verdict::usable)
+        << to_string(q.quantity);
+  }
+}
+
+const std::vector<joint::Quantity> per_speed{
+    joint::Quantity::stribeck_speed, joint::Quantity::viscous_coefficient,
+    joint::Quantity::viscous_curve, joint::Quantity::bristle_damping, joint::Quantity::inertia};
+
+TEST(BrokenDatasets, AClockThatIsOnlyProposedMakesWhatIsPerSpeedDoubtful) {
+  const joint::Dataset d = good_dataset();
+  const calibration::Calibration c =
+      identified(with_proposed_unit(d, joint::LoggedSignal::time, "ms"));
+  EXPECT_TRUE(c.data_checks.fails(CheckName::speed_provenance));
+  EXPECT_FALSE(c.data_checks.fails(CheckName::angle_provenance));
+  expect_doubtful(per_speed, identified(d), c);
+}
+
+TEST(BrokenDatasets, AnAngleThatIsOnlyProposedMakesAllDoubtfulWhereGravityIsLookedFor) {
+  const joint::Dataset d = good_dataset();
+  const calibration::Calibration c =
+      identified(with_proposed_unit(d, joint::LoggedSignal::angle, "rad"));
+  EXPECT_TRUE(c.data_checks.fails(CheckName::angle_provenance));
+  EXPECT_FALSE(c.data_checks.fails(CheckName::speed_provenance));
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    EXPECT_NE(q.verdict, calibration::Verdict::usable) << to_string(q.quantity);
+  }
+}
+
+TEST(BrokenDatasets, AnAngleThatIsOnlyProposedLeavesTorquesWhereThereIsNoGravity) {
+  simulate::Scenario s = good_joint();
+  s.load = joint::GravityLoad(1e-9, 0.5, 0);
+  joint::Dataset d = simulate::simulated_dataset(s);
+  d.manifest.known_gravity = joint::StatedGravity(0, 0);
+  const calibration::Calibration stated = identified(d);
+  for (const joint::Quantity torque :
+       {joint::Quantity::coulomb_torque, joint::Quantity::break_away_torque}) {
+    ASSERT_EQ(stated.judgement.find(torque)->verdict, calibration::Verdict::usable)
+        << to_string(torque);
+  }
+  std::vector<joint::Quantity> touched = per_speed;
+  touched.push_back(joint::Quantity::bristle_stiffness);
+  expect_doubtful(touched, stated,
+                  identified(with_proposed_unit(d, joint::LoggedSignal::angle, "rad")));
+}
+
+TEST(BrokenDatasets, GravityThatTheControllerTookOffIsNotLookedForAndThatIsSaid) {
+  simulate::Scenario s = good_joint();
+  s.load = joint::GravityLoad(1e-9, 0.5, 0);
+  joint::Dataset d = simulate::simulated_dataset(s);
+  d.manifest.known_gravity = joint::StatedGravity(0, 0);
+  d.manifest.gravity_is_removed = true;
+  const calibration::Calibration c = identified(d);
+  for (const joint::Quantity quantity :
+       {joint::Quantity::cog_angle, joint::Quantity::gravity_torque,
+        joint::Quantity::surrogate_mass}) {
+    const calibration::QuantityVerdict& q = *c.judgement.find(quantity);
+    EXPECT_FALSE(q.estimate) << to_string(quantity);
+    EXPECT_FALSE(q.decides) << to_string(quantity);
+    ASSERT_FALSE(q.reasons.empty());
+    EXPECT_TRUE(q.reasons.front().is("cause.gravity_removed")) << as_code(q.reasons.front());
+  }
+  EXPECT_EQ(c.judgement.find(joint::Quantity::coulomb_torque)->verdict,
+            calibration::Verdict::usable);
+}
+
 TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
   // What a sensor at the joint feels: the load, and a hundredth of the drive's friction.
   joint::Dataset d = good_dataset();

@@ -168,6 +168,77 @@ TEST(RecordingRows, LargeStepsBackAreRefusedEvenOutsideTheWindow) {
             "file, or correct the unit of time");
 }
 
+/// Two writers whose rows stand in blocks of 200: each block's begin lies two seconds back.
+TEST(RecordingRows, OfTwoWritersAreSortedWhereTheyFitBetweenEachOther) {
+  const auto block = [](int from, int every, int shift) {
+    std::string text;
+    for (int k = 0; k < 200; ++k) {
+      const int i = from + every * k + shift;
+      text += fmt::format("{},{},{}\n", i / 100.0, i / 1000.0, i);
+    }
+    return text;
+  };
+  std::string csv = header;
+  for (const int from : {0, 400, 800, 1200, 1600}) csv += block(from, 2, 0) + block(from, 2, 1);
+  const auto [r, notes] = make(entry(), csv);
+  ASSERT_EQ(r.size(), 2000U);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    ASSERT_EQ(r.t_s[i], static_cast<double>(i) / 100.0) << i;
+    ASSERT_EQ(r.torque_Nm[i], static_cast<double>(i)) << i;
+  }
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes.front().find("sorted by time"), std::string::npos) << notes.front();
+}
+
+/// Two logs, one behind the other: that their rows would fit between each other is by chance.
+TEST(RecordingRows, OfALogBehindAnotherAreNotSortedIntoIt) {
+  for (const double shift_s : {0.0001, 0.003, 0.005, 0.0099}) {
+    std::string twice = header;
+    for (const double from_s : {0.0, shift_s}) {
+      for (int i = 0; i < 1000; ++i) {
+        twice += fmt::format("{:.4f},{},{}\n", i / 100.0 + from_s, i / 1000.0, i);
+      }
+    }
+    const std::string refused = refusal(entry(), twice);
+    EXPECT_NE(refused.find("run.csv:1002:"), std::string::npos) << refused;
+    EXPECT_NE(refused.find(fmt::format("time runs back by {:.6g} s", 9.99 - shift_s)),
+              std::string::npos)
+        << refused;
+  }
+}
+
+/// Logged at 100 Hz of a robot that sends 25 samples in a second.
+TEST(RecordingRows, ThatRepeatTheRowBeforeAreUsedOnce) {
+  std::string csv = header;
+  for (int i = 0; i < 1000; ++i) {
+    const int sample = i / 4;
+    csv += fmt::format("{},{},{}\n", i / 100.0, sample / 100.0, sample + 0.5);
+  }
+  const auto [r, notes] = make(entry(), csv);
+  ASSERT_EQ(r.size(), 250U);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    EXPECT_EQ(r.t_s[k], static_cast<double>(4 * k) / 100.0) << "the first row of each";
+    EXPECT_EQ(r.q_rad[k], static_cast<double>(k) / 100.0);
+  }
+  expect_sum_rule(r);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_TRUE(r.skipped.front().reason.is("skipped.held"));
+  EXPECT_EQ(r.skipped.front().count, 750U);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes.front().find("75 % of the rows repeat the row before: the robot sends a sample "
+                               "every 4 rows"),
+            std::string::npos)
+      << notes.front();
+}
+
+TEST(RecordingRows, OfACoarseEncoderBesideANoisyTorqueAreNoneThatRepeat) {
+  std::string csv = header;
+  for (int i = 0; i < 1000; ++i) {
+    csv += fmt::format("{},{},{}\n", i / 100.0, (i / 4) / 100.0, (i * 37) % 101);
+  }
+  EXPECT_EQ(make(entry(), csv).recording.size(), 1000U);
+}
+
 TEST(RecordingRows, TooFewAreRefusedWithTheReasons) {
   ingest::manifest::RecordingEntry e = entry();
   e.from_s = 0.9;

@@ -105,10 +105,17 @@ TEST(ManifestProposal, AnEffortOfUnknownKindWithATorqueConstantIsACurrent) {
   EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
   EXPECT_EQ(manifest.drive.torque_constant_Nm_A(), 0.35);
   EXPECT_TRUE(manifest.effort_is_confirmed);
-  // A torque that is one stays one.
-  const std::string torque = scratch.write("torque.csv", sweep("time_ms,q_deg,tau_Nm"));
-  EXPECT_EQ(proposed_manifest(scratch, torque, options).drive.kind(),
-            joint::EffortKind::joint_torque);
+  // A torque that is one stays one, and what is called one, even without a unit.
+  for (const char* name : {"tau_Nm", "tau", "joint_torque", "moment", "drehmoment"}) {
+    const std::string torque =
+        scratch.write("torque.csv", sweep(fmt::format("time_ms,q_deg,{}", name)));
+    EXPECT_EQ(proposed_manifest(scratch, torque, options).drive.kind(),
+              joint::EffortKind::joint_torque)
+        << name;
+    const std::string text = propose(scratch, torque, options).text;
+    EXPECT_NE(text.find("It is called a torque: the torque constant of 0.35"), std::string::npos)
+        << text;
+  }
 }
 
 TEST(ManifestProposal, AStatedKindIsConfirmedUnlessTheLogContradicts) {

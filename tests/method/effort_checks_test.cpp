@@ -1,5 +1,6 @@
 // Checks on where the effort comes from, with answers known beforehand.
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -215,9 +216,9 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
   };
   for (const Case& one :
        {Case{torque, 1.0, method::checks::CheckState::passed, ""},
-        Case{torque, 1.15, method::checks::CheckState::passed, ""},
-        Case{torque, 0.85, method::checks::CheckState::passed, ""},
-        Case{torque, 1.5, method::checks::CheckState::warns, "no common cause"},
+        Case{torque, 1.08, method::checks::CheckState::passed, ""},
+        Case{torque, 0.92, method::checks::CheckState::passed, ""},
+        Case{torque, 1.2, method::checks::CheckState::fails, "no common cause"},
         Case{torque, 100, method::checks::CheckState::fails,
              "joint's torque stated as the motor's"},
         Case{torque, 0.01, method::checks::CheckState::fails, "one over the gear ratio"},
@@ -229,7 +230,6 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
              "torque constant of the joint's side"},
         Case{current, 0.11, method::checks::CheckState::fails,
              "a torque in N·m taken for a current"},
-        Case{current, 1.42, method::checks::CheckState::warns, "RMS value"},
         Case{torque, 3, method::checks::CheckState::fails, "a current in A taken for a torque"}}) {
     const method::checks::DataCheck check = method::checks::check_static_torque(
         with_known_gravity(one.drive), found_with_factor(one.drive, one.factor));
@@ -239,6 +239,57 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
     EXPECT_EQ(check.consequence.empty(), one.state == method::checks::CheckState::passed);
     EXPECT_NEAR(check.measured.value(), one.factor, 1e-9 * one.factor);
   }
+}
+
+TEST(StaticTorque, NamesTheConventionsOfTorqueConstants) {
+  const joint::Drive torque(100, joint::EffortKind::motor_torque, joint::Side::motor);
+  const joint::Drive current(160, joint::EffortKind::motor_current, joint::Side::motor, 0.11);
+  struct Convention {
+    double factor;
+    const char* code;
+  };
+  const std::array conventions{Convention{std::numbers::sqrt2, "cause.amplitude_for_effective"},
+                               Convention{1.5, "cause.dq_convention"},
+                               Convention{std::numbers::sqrt3, "cause.line_for_phase"},
+                               Convention{2, "cause.two_phases_for_one"}};
+  for (const joint::Drive& drive : {torque, current}) {
+    for (const Convention& one : conventions) {
+      for (const double factor : {one.factor, 1 / one.factor}) {
+        const method::checks::DataCheck check = method::checks::check_static_torque(
+            with_known_gravity(drive), found_with_factor(drive, factor));
+        EXPECT_EQ(check.state, method::checks::CheckState::fails) << factor;
+        EXPECT_NE(as_code(check.found).find(one.code), std::string::npos)
+            << factor << ": " << wording::words(check.found);
+      }
+    }
+  }
+  // Between two of them no other is named.
+  const method::checks::DataCheck between = method::checks::check_static_torque(
+      with_known_gravity(current), found_with_factor(current, 1.6));
+  EXPECT_EQ(wording::words(between.found).find("RMS"), std::string::npos);
+  EXPECT_EQ(wording::words(between.found).find("two phases"), std::string::npos);
+}
+
+TEST(StaticTorque, IsAsNearAsTheStatedGravityIsKnown) {
+  const joint::Drive drive(100, joint::EffortKind::motor_torque, joint::Side::motor);
+  const auto state_at = [&](double percent, double factor) {
+    joint::Manifest m;
+    m.drive = drive;
+    m.known_gravity.emplace(400.0, 0.5, percent);
+    return method::checks::check_static_torque(m, found_with_factor(drive, factor)).state;
+  };
+  using enum method::checks::CheckState;
+  EXPECT_EQ(joint::StatedGravity(400, 0.5).percent(), 10);
+  // What is found is known to 1 % itself.
+  EXPECT_EQ(state_at(10, 1.10), passed);
+  EXPECT_EQ(state_at(10, 1.13), fails);
+  EXPECT_EQ(state_at(10, 0.90), passed);
+  EXPECT_EQ(state_at(10, 0.87), fails);
+  EXPECT_EQ(state_at(2, 1.05), fails);
+  EXPECT_EQ(state_at(2, 0.95), fails);
+  EXPECT_EQ(state_at(30, 1.25), passed);
+  EXPECT_EQ(state_at(30, 0.75), passed);
+  EXPECT_EQ(state_at(30, 1.35), fails);
 }
 
 TEST(StaticTorque, HalfATurnAwayHasTheOtherSign) {

@@ -47,6 +47,45 @@ TEST(TorqueOutliers, SpikesAreReplacedByTheLineBetweenTheirNeighboursAndCounted)
   }
 }
 
+// Bytes that were read wrongly: no motion makes such torques, so none excuses them.
+TEST(TorqueOutliers, ImpossibleSpikesAreReplacedAtEndsAndReversalsToo) {
+  const joint::Recording clean = loop(0.01);
+  const std::size_t last = clean.size() - 1;
+  // Its usual range is 2.3 N·m; at 125 and 375 it turns round.
+  for (const double spike_Nm : {50.0, -1e4}) {
+    std::vector<joint::Recording> spiked{clean};
+    const std::vector<std::size_t> places{0, 1, 125, 375, 900, last - 1, last};
+    for (const std::size_t i : places) spiked[0].torque_Nm[i] += spike_Nm;
+    EXPECT_EQ(method::motion::torque_outliers(spiked[0]), places);
+    const auto found = method::motion::replace_torque_outliers(spiked);
+    EXPECT_EQ(found.replaced, places.size());
+    EXPECT_NEAR(found.largest_Nm, std::abs(spike_Nm), 1.2);
+    for (std::size_t i = 0; i < clean.size(); ++i) {
+      // Beside a step of friction the line between the neighbours is half of it off.
+      EXPECT_NEAR(spiked[0].torque_Nm[i], clean.torque_Nm[i], i == 125 || i == 375 ? 2.1 : 0.06)
+          << i;
+    }
+    EXPECT_EQ(spiked[0].torque_Nm[0], clean.torque_Nm[2]) << "one neighbour alone";
+    EXPECT_EQ(spiked[0].torque_Nm[last], clean.torque_Nm[last - 2]);
+  }
+}
+
+TEST(TorqueOutliers, ASpikeThatAMotionMayMakeStandsAtARecordingsEnd) {
+  joint::Recording r = loop(0.01);
+  r.torque_Nm.back() += 3;
+  EXPECT_TRUE(method::motion::torque_outliers(r).empty());
+}
+
+TEST(TorqueOutliers, ImpossibleSpikesAreFoundInShortRecordings) {
+  joint::Recording r = loop(0.01);
+  for (std::vector<double>* v : {&r.t_s, &r.q_rad, &r.torque_Nm}) v->resize(40);
+  EXPECT_TRUE(method::motion::torque_outliers(r).empty());
+  r.torque_Nm[39] += 40;
+  EXPECT_EQ(method::motion::torque_outliers(r), std::vector<std::size_t>{39});
+  for (const std::size_t i : {3UL, 11UL, 19UL, 27UL, 35UL}) r.torque_Nm[i] += 40;
+  EXPECT_TRUE(method::motion::torque_outliers(r).empty()) << "more than one in ten are none";
+}
+
 TEST(TorqueOutliers, SpikesAreFoundInASteadyMotionWhoseAnglesAreRounded) {
   constexpr double step = 1e-4;
   joint::Recording r = loop(0.01);

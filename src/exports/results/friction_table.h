@@ -19,8 +19,9 @@ struct FrictionTable {
   std::string source;             ///< In words; or why there is no curve.
 };
 
-/// The runs at constant speed, the mean of both directions; at rest what the slowest one shows.
-/// Without such runs the straight line of Coulomb and viscous friction.
+/// The runs at constant speed, half the difference between the directions; of a speed in one
+/// direction alone the torque less the offset that the others show. At rest what the slowest one
+/// shows. Without such runs the straight line of Coulomb and viscous friction.
 FrictionTable friction_table(const ArchivedJoint& joint);
 
 /// At the joint: speeds / n, torques × n.

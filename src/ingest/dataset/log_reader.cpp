@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,9 +14,9 @@
 #include "ingest/arrays/array_readers.h"
 #include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
+#include "ingest/dataset/found_joints.h"
 #include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
-#include "ingest/layout/log_layout.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
 #include "ingest/measurement/measurement_readers.h"
@@ -204,52 +203,6 @@ void set_others_apart(const std::vector<log::WantedColumn>& columns,
   }
 }
 
-/// Angles of other joints than the entry's, by the names of a log's columns.
-std::vector<joint::OtherJoint> other_joints_in(const std::vector<log::ColumnHeader>& header,
-                                               const manifest::RecordingEntry& entry) {
-  std::vector<joint::OtherJoint> others;
-  if (!entry.columns.angle) return others;
-  const manifest::ColumnEntry& own = *entry.columns.angle;
-  const layout::LogLayout layout = layout::guess_layout(header);
-  const auto is_own = [&](const layout::ColumnMeaning& meaning) {
-    const log::ColumnHeader& of = header[meaning.column];
-    return of.full == own.name || of.name == own.name || own.name.ends_with("/" + of.full);
-  };
-  const auto tested = std::find_if(layout.columns.begin(), layout.columns.end(), is_own);
-  if (tested == layout.columns.end()) return others;
-  for (const layout::ColumnMeaning& meaning : layout.columns) {
-    const bool is_one = meaning.quantity == log::Quantity::angle && !meaning.is_target &&
-                        meaning.joint != tested->joint && !meaning.joint.empty();
-    const auto is_same = [&](const joint::OtherJoint& one) { return one.name == meaning.joint; };
-    if (!is_one || std::any_of(others.begin(), others.end(), is_same)) continue;
-    joint::OtherJoint& other = others.emplace_back();
-    other.name = meaning.joint;
-    other.angle = header[meaning.column].full;
-    other.radian_per_unit = std::abs(own.si_factor);  // as the tested joint's
-    other.stated_at = entry.file;
-  }
-  return others;
-}
-
-std::vector<log::ColumnHeader> headers_of(const log::LogTable& table) {
-  std::vector<log::ColumnHeader> headers;
-  for (const log::LogColumn& column : table.columns) headers.push_back(column.header);
-  return headers;
-}
-
-/// The names of a text log's columns, by its first rows; none where these do not tell.
-std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
-                                               const text::TextLogRules& rules) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 16;
-  std::string start = start_of_log(path, most_bytes);
-  start.resize(start.rfind('\n') + 1);  // whole rows; none: no such log
-  try {
-    return headers_of(text::read_csv(start, path, {}, rules));
-  } catch (const InputError&) {
-    return {};  // told of the whole log, where the columns that are stated are read
-  }
-}
-
 /// Of the table that has the recording's columns.
 std::vector<log::ColumnHeader> headers_of_tables(const std::vector<log::LogTable>& tables,
                                                  const std::vector<log::WantedColumn>& columns) {
@@ -263,7 +216,7 @@ std::vector<log::ColumnHeader> headers_of_tables(const std::vector<log::LogTable
 void want_others(const std::vector<log::ColumnHeader>& header,
                  const manifest::RecordingEntry& entry, std::vector<log::WantedColumn>& columns,
                  std::vector<std::string>& others, ReadLog& read) {
-  for (joint::OtherJoint& other : other_joints_in(header, entry)) {
+  for (joint::OtherJoint& other : joints_in_columns(header, entry)) {
     const auto is_wanted = [&](const log::WantedColumn& one) { return one.name == other.angle; };
     if (std::any_of(columns.begin(), columns.end(), is_wanted)) continue;
     columns.push_back({other.angle, "", log::ColumnReading::number, true});
@@ -367,39 +320,6 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
     RecordingNotes(entry.file, notes).add({"reading.clock_set_back", {{"times", back}}});
 }
 
-/// Of a log in which each row is one joint's: the angles of the others at the rows of this one,
-/// each as it was told last.
-void find_others_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& told_by,
-                         const ReadLog& whole, ReadLog& part) {
-  constexpr std::size_t most_joints = 64;
-  const manifest::ColumnEntry& own = present(entry.columns.angle);
-  const auto angle = std::find_if(
-      whole.table.columns.begin(), whole.table.columns.end(),
-      [&](const log::LogColumn& column) { return is_named(column, whole.table, own.name); });
-  if (angle == whole.table.columns.end() || told_by.words.size() > most_joints) return;
-  const std::string& value = present(entry.columns.rows).value;
-  std::vector<std::vector<double>> angles(told_by.words.size());
-  std::vector<double> last(told_by.words.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t row = 0; row < whole.table.rows; ++row) {
-    if (std::isnan(told_by.values[row])) continue;
-    const auto word = static_cast<std::size_t>(told_by.values[row]);
-    last[word] = angle->values[row];
-    if (told_by.words[word] != value) continue;
-    for (std::size_t k = 0; k < angles.size(); ++k) angles[k].push_back(last[k]);
-  }
-  for (std::size_t k = 0; k < angles.size(); ++k) {
-    if (told_by.words[k] == value) continue;
-    joint::OtherJoint& other = part.found_others.emplace_back();
-    other.name = other.angle = told_by.words[k];
-    other.radian_per_unit = std::abs(own.si_factor);
-    other.stated_at = entry.file;
-    log::LogColumn column;
-    column.header.full = column.header.name = other.angle;
-    column.values = std::move(angles[k]);
-    part.others.emplace(other.angle, std::move(column));
-  }
-}
-
 /// The rows of the joint, or of the recording, that is stated; the others are counted.
 /// @param whole the column that tells them is its last one, and is left out.
 ReadLog rows_of(const manifest::RecordingEntry& entry, const ReadLog& whole) {
@@ -418,7 +338,12 @@ ReadLog rows_of(const manifest::RecordingEntry& entry, const ReadLog& whole) {
     part.others.emplace(name, log::with_rows(column, rows));
   }
   const bool numbers_recordings = wanted.name.starts_with("episode");
-  if (!numbers_recordings) find_others_in_rows(entry, told_by, whole, part);
+  if (numbers_recordings || !entry.columns.angle) return part;
+  const auto angles = std::find_if(
+      whole.table.columns.begin(), whole.table.columns.end(), [&](const log::LogColumn& column) {
+        return is_named(column, whole.table, entry.columns.angle->name);
+      });
+  if (angles != whole.table.columns.end()) add_joints_in_rows(entry, told_by, *angles, part);
   return part;
 }
 

@@ -75,15 +75,21 @@ class RowChooser {
     }
   }
 
-  /// Whether the rows of several writers make an even clock when they are sorted.
+  /// Whether the rows of several writers, who alternate, make an even clock when they are sorted.
   [[nodiscard]] bool fit_between_each_other() {
     constexpr double least_step = 0.5;  // of the median
     constexpr double most_short = 0.02;
+    constexpr std::size_t fewest_turns = 4;  // fewer: logs one behind the other
     if (fits_) return *fits_;
     std::vector<double> times;
+    std::size_t turns = 0;
     for (std::size_t row = 0; row < table_.rows; ++row) {
-      if (!std::isnan(time_s(row))) times.push_back(time_s(row));
+      if (std::isnan(time_s(row))) continue;
+      turns += !times.empty() && times.back() - time_s(row) > largest_step_back_s ? 1 : 0;
+      times.push_back(time_s(row));
     }
+    fits_ = false;
+    if (turns < fewest_turns) return false;
     std::sort(times.begin(), times.end());
     const double usual = log::median_clock_step(times);
     std::size_t shorter = 0;

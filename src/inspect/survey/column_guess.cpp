@@ -125,7 +125,7 @@ std::optional<double> speed_by_slope(const std::vector<double>& t_s,
                                      const std::vector<double>& angle,
                                      const std::vector<double>& speed) {
   const SlopeFit fit = fit_slope(t_s, angle, speed);
-  return fit.correlation > least_correlation ? std::optional(fit.ratio) : std::nullopt;
+  return std::abs(fit.correlation) > least_correlation ? std::optional(fit.ratio) : std::nullopt;
 }
 
 bool looks_like_degrees(const std::vector<double>& angles, double gear_ratio) {

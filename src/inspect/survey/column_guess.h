@@ -43,7 +43,8 @@ GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
 bool looks_like_counter(const std::vector<double>& values);
 
 /// Speed over the slope of an angle, where they go together: 1 in the same units, pi/180 for a
-/// speed in rad/s of an angle in degrees. Nothing where they do not, or either stands still.
+/// speed in rad/s of an angle in degrees; negative where the speed counts the other way. Nothing
+/// where they do not, or either stands still.
 /// @param t_s the clock, of the length of `angle` and `speed`.
 std::optional<double> speed_by_slope(const std::vector<double>& t_s,
                                      const std::vector<double>& angle,

@@ -80,18 +80,21 @@ const NamedFactor* unit_with(const Units& units, double factor, double within = 
   return it == units.end() ? nullptr : &*it;
 }
 
-/// Whether an angle's step is a turn over a number of counts that encoders have: a power of two, or
-/// a few thousands.
-bool divides_a_turn(double step, double turn) {
+/// The number of counts in a turn that encoders have, a power of two or a few thousands, of which
+/// an angle's step is one; nothing where it is none.
+std::optional<double> counts_of_a_turn(double step, double turn) {
   constexpr double precise = 1e-3;  // logs print few decimals
   constexpr double fewest = 400;
-  if (!(step > 0) || turn / step < fewest) return false;
+  if (!(step > 0) || turn / step < fewest) return std::nullopt;
   const double counts = turn / step;
   const auto is = [&](double encoder) { return std::abs(counts / encoder - 1) < precise; };
-  if (is(std::exp2(std::round(std::log2(counts))))) return true;
+  const double power = std::exp2(std::round(std::log2(counts)));
+  if (is(power)) return power;
   const double decade = std::pow(10, std::floor(std::log10(counts)));
-  constexpr std::array usual{1.0, 2.0, 4.0, 5.0, 8.0, 10.0};
-  return std::any_of(usual.begin(), usual.end(), [&](double times) { return is(times * decade); });
+  for (const double times : {1.0, 2.0, 4.0, 5.0, 8.0, 10.0}) {
+    if (is(times * decade)) return times * decade;
+  }
+  return std::nullopt;
 }
 
 /// Whether an angle wraps round as radians do: by their turn, or by the field of +-12.5 rad that
@@ -186,10 +189,10 @@ class UnitsBySlope {
       if (is_near(factor, unit->factor, clock_tolerance)) prove_clock(reason);
       return true;
     }
-    if (!knows_clock || !divides_a_turn(factor, 2 * pi)) return false;
-    const double counts = std::round(2 * pi / factor);
-    prove(angle_, fmt::format("{} turn", 1 / counts),
-          fmt::format("{:.0f} counts a turn: {}", counts, reason));
+    const auto counts = knows_clock ? counts_of_a_turn(factor, 2 * pi) : std::nullopt;
+    if (!counts) return false;
+    prove(angle_, fmt::format("{} turn", 1 / *counts),
+          fmt::format("{:.0f} counts a turn: {}", *counts, reason));
     return true;
   }
 
@@ -239,7 +242,7 @@ void guess_angle_unit(const ingest::log::LogTable& data, TableSurvey& table, std
   if (!column.unit_by.empty()) return;  // a logger's usual unit
   const bool is_large = looks_like_degrees(data.columns[k].values, column.gear_ratio);
   if (!is_large || wraps_in_radians(data, table, k)) return;
-  if (divides_a_turn(column.step, 2 * pi)) {
+  if (counts_of_a_turn(column.step, 2 * pi)) {
     column.unit_by = "its steps are those of an encoder's turn of 2π";
     return;
   }

@@ -11,10 +11,10 @@ namespace tribolog::method::checks {
 // log_checks.cpp, drive_checks.cpp
 DataCheck check_effort_provenance(const CheckedDataset& data);
 DataCheck check_effort_column(const CheckedDataset& data);
+DataCheck check_link_side_torque(const CheckedDataset& data);
 // unit_provenance.cpp
 DataCheck check_angle_provenance(const CheckedDataset& data);
 DataCheck check_speed_provenance(const CheckedDataset& data);
-DataCheck check_link_side_torque(const CheckedDataset& data);
 // motion_checks.cpp
 /// Does the sweeps' torque follow the cosine of the angle as read, over at least this range [rad]?
 /// In a wrong unit it does not: over what is taken for many turns the torque bends once.

@@ -67,6 +67,8 @@ bool torque_follows_the_cosine(const CheckedDataset& data, double least_range_ra
     return squares - b.dot(statistics::least_squares(n, b).col(0));
   };
   const double by_levels = left_by(normal.topLeftCorner<2, 2>(), right.head<2>());
+  constexpr double rounding = 1e-9;  // of the torque's square: friction alone leaves no more
+  if (by_levels <= rounding * squares) return false;
   return left_by(normal, right) <= (1 - least_share) * by_levels;
 }
 

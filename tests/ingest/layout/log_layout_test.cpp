@@ -77,6 +77,51 @@ TEST(LogLayout, KnowsUrsRealTimeLog) {
   EXPECT_EQ(l.columns.size(), 8U);
 }
 
+// Of PolyScope 5.21 and later; beside the current itself, whose name is the start of this one.
+TEST(LogLayout, KnowsUrsCurrentAsTorqueFromWhichGravityIsTaken) {
+  const ingest::layout::LogLayout l =
+      layout_of({"timestamp", "actual_q_0", "actual_current_0", "actual_current_as_torque_0"});
+  EXPECT_EQ(l.logger, "UR RTDE");
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"0"});
+  const ingest::layout::ColumnMeaning* torque = l.find(ingest::log::Quantity::torque, "0");
+  ASSERT_NE(torque, nullptr);
+  EXPECT_EQ(torque->column, 3U);
+  EXPECT_EQ(torque->effort.kind, joint::EffortKind::joint_torque);
+  EXPECT_TRUE(torque->effort.is_without_gravity);
+  const ingest::layout::ColumnMeaning* current = l.find(ingest::log::Quantity::current, "0");
+  ASSERT_NE(current, nullptr);
+  EXPECT_EQ(current->column, 2U);
+  EXPECT_FALSE(current->effort.is_without_gravity);
+}
+
+TEST(LogLayout, KnowsOdrivesPropertiesByTheirPaths) {
+  using enum ingest::log::Quantity;
+  const std::vector<std::vector<std::string>> logs{
+      {"time", "axis0.encoder.pos_estimate", "axis0.encoder.vel_estimate",
+       "axis0.motor.current_control.Iq_measured"},
+      {"time", "axis0.pos_estimate", "axis0.vel_estimate", "axis0.iq_measured"},
+      {"time", "pos_estimate", "vel_estimate", "iq_measured"}};
+  for (const std::vector<std::string>& names : logs) {
+    const ingest::layout::LogLayout l = layout_of(names);
+    const std::string joint = names[1] == "pos_estimate" ? "" : "axis0";
+    EXPECT_EQ(l.logger, "ODrive") << names[1];
+    ASSERT_NE(l.find(angle, joint), nullptr) << names[1];
+    EXPECT_EQ(l.find(angle, joint)->unit, "turn");
+    EXPECT_FALSE(l.find(angle, joint)->unit_is_stated) << "older firmware counts";
+    ASSERT_NE(l.find(angular_speed, joint), nullptr) << names[2];
+    EXPECT_EQ(l.find(angular_speed, joint)->unit, "turn/s");
+    ASSERT_NE(l.find(current, joint), nullptr) << names[3];
+    EXPECT_EQ(l.find(current, joint)->effort.kind, joint::EffortKind::motor_current);
+  }
+}
+
+TEST(LogLayout, UnitsOfLeRobotAreUsualOnes) {
+  const ingest::layout::LogLayout l = layout_of({"timestamp", "elbow.pos", "elbow.torque"});
+  EXPECT_EQ(l.logger, "LeRobot");
+  ASSERT_NE(l.find(ingest::log::Quantity::angle, "elbow"), nullptr);
+  EXPECT_FALSE(l.find(ingest::log::Quantity::angle, "elbow")->unit_is_stated);
+}
+
 TEST(LogLayout, KnowsThatFrankaMeasuresBehindTheGearAndCountsMilliseconds) {
   const ingest::layout::LogLayout l =
       layout_of({"time", "success_rate", "state.q[0]", "state.q_d[0]", "state.dq[0]",

@@ -105,6 +105,17 @@ TEST(StatedGravity, IsReadAndRefused) {
   ASSERT_TRUE(d.manifest.known_gravity);
   EXPECT_EQ(d.manifest.known_gravity->amplitude_Nm(), 38.465);
   EXPECT_NEAR(d.manifest.known_gravity->q_peak_rad(), std::numbers::pi / 2, 1e-15);
+  EXPECT_EQ(d.manifest.known_gravity->percent(), 10);
+  const joint::Dataset known = ingest::dataset::read_dataset(
+      with("amplitude_Nm = 38.465\nq_peak_deg = 90\npercent = 2.5\n"));
+  EXPECT_EQ(known.manifest.known_gravity->percent(), 2.5);
+  for (const char* percent : {"-1", "51", "nan", "\"10\""}) {
+    const std::string path =
+        with(fmt::format("amplitude_Nm = 38\nq_peak_deg = 90\npercent = {}\n", percent));
+    EXPECT_THROW((void)ingest::dataset::read_dataset(path), InputError) << percent;
+  }
+  EXPECT_THROW((void)joint::StatedGravity(1, 1, -1), std::invalid_argument);
+  EXPECT_THROW((void)joint::StatedGravity(1, 1, NAN), std::invalid_argument);
   const std::string negative = with("amplitude_Nm = -1\nq_peak_deg = 90\n");
   EXPECT_THROW((void)ingest::dataset::read_dataset(negative), InputError);
   EXPECT_THROW((void)joint::StatedGravity(1, NAN), std::invalid_argument);

@@ -458,6 +458,37 @@ TEST(ManifestEffort, MayBeOnlyProposed) {
             std::string::npos);
 }
 
+TEST(ManifestEffort, MayBeWhatAControllerLeftWhenItTookGravityOff) {
+  EXPECT_FALSE(
+      ingest::manifest::parse_manifest(with("", ""), "m.toml").manifest.gravity_is_removed);
+  const std::string removed = with("side = \"motor\"", "side = \"motor\"\ngravity_removed = true");
+  const joint::Manifest m = ingest::manifest::parse_manifest(removed, "m.toml").manifest;
+  EXPECT_TRUE(m.gravity_is_removed);
+  ASSERT_TRUE(m.known_gravity);
+  EXPECT_EQ(m.known_gravity->amplitude_Nm(), 0);
+  const std::string both = removed + "[known_gravity]\namplitude_Nm = 10\nq_peak_deg = 0\n";
+  EXPECT_NE(refusal(both).find("'effort.gravity_removed': contradicts [known_gravity]"),
+            std::string::npos)
+      << refusal(both);
+}
+
+TEST(ManifestColumns, MayHaveUnitsThatAreOnlyProposed) {
+  const auto columns_of = [](const std::string& text) {
+    return ingest::manifest::parse_manifest(text, "m.toml").recordings.at(0).columns;
+  };
+  EXPECT_FALSE(columns_of(with("", "")).time->is_proposed);
+  EXPECT_FALSE(columns_of(with("", "")).angle->is_proposed);
+  EXPECT_TRUE(
+      columns_of(with("unit = \"s\"", "unit = \"s\", confirmed = false")).time->is_proposed);
+  EXPECT_TRUE(
+      columns_of(with("unit = \"rad\"", "unit = \"rad\", confirmed = false")).angle->is_proposed);
+  EXPECT_FALSE(
+      columns_of(with("unit = \"rad\"", "unit = \"rad\", confirmed = true")).angle->is_proposed);
+  EXPECT_NE(refusal(with("unit = \"Nm\"", "unit = \"Nm\", confirmed = false")).find("unknown key"),
+            std::string::npos)
+      << "an effort is confirmed under [effort]";
+}
+
 TEST(ManifestEffort, OfAModelIsATorqueOnTheSideStated) {
   const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
       with("kind = \"motor_torque\"", "kind = \"target_torque\""), "m.toml");
