@@ -370,6 +370,10 @@ calibration::Judgement judge(const calibration::Calibration& c) {
       q.experiment = {};
     }
   }
+  // No mass follows from amperes.
+  if (c.manifest.torque_is_in_amperes) {
+    verdict_on(Quantity::surrogate_mass, out.quantities).decides = false;
+  }
   if (has_points_alone(c)) {
     for (const Quantity quantity : {Quantity::break_away_torque, Quantity::bristle_stiffness}) {
       verdict_on(quantity, out.quantities).decides = false;
@@ -383,7 +387,9 @@ calibration::Judgement judge(const calibration::Calibration& c) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;
   };
   const bool has_angle = is_known(Quantity::cog_angle);
-  const bool has_mass = is_known(Quantity::gravity_torque) && is_known(Quantity::surrogate_mass);
+  const bool has_mass =
+      is_known(Quantity::gravity_torque) &&
+      (is_known(Quantity::surrogate_mass) || c.manifest.torque_is_in_amperes);
   bool limit_broken = false;
   out.verdict = calibration::Verdict::usable;
   for (const calibration::QuantityVerdict& quantity : out.quantities) {

@@ -8,8 +8,8 @@
 namespace tribolog::wording {
 
 std::string in_amperes(std::string text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> units = {
-      {{"N·m", "A"}, {"kg·m²", "A·s²/rad"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> units = {
+      {{"N·m", "A"}, {"kg·m²", "A·s²/rad"}, {"g·m²", "mA·s²/rad"}}};
   for (const auto& [torque, current] : units) {
     for (std::size_t at = text.find(torque); at != std::string::npos;
          at = text.find(torque, at + current.size())) {
