@@ -116,7 +116,9 @@ CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
 CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
   add_dataset(command, report.dataset);
-  command.add_option("-o,--output", report.output, "report (HTML) to write")->required();
+  command.add_option("-o,--output", report.output, "report (HTML) to write")
+      ->required()
+      ->check(page_file());
   command.add_option("--calibration", report.calibration,
                      "where to write the numbers (JSON); default: next to the report");
   command.add_flag_callback(
