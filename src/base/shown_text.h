@@ -27,4 +27,7 @@ std::string lines_for_terminal(std::string_view text);
 /// @param json what a JSON writer made: such characters stand in texts only.
 std::string json_without_hidden(std::string json);
 
+/// One word for a shell: as it is where that is safe, else in single quotes.
+std::string quoted_for_shell(const std::string& word);
+
 }  // namespace tribolog

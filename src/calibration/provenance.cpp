@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "base/shown_text.h"
 #include "git_revision.h"
 
 #ifndef TRIBOLOG_VERSION
@@ -59,15 +60,6 @@ std::string without_directories(const std::string& argument) {
   return argument.substr(0, equals + 1) + last_part(argument.substr(equals + 1));
 }
 
-std::string quoted(const std::string& argument) {
-  const char* const plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./,:+@%";
-  if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
-  std::string text = "'";
-  for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 }  // namespace
 
 std::string creation_time_utc(const char* source_date_epoch) {
@@ -93,7 +85,7 @@ std::string command_line_text(const std::vector<std::string>& arguments) {
   std::string line;
   for (const std::string& argument : arguments) {
     if (!line.empty()) line += ' ';
-    line += quoted(without_directories(argument));
+    line += quoted_for_shell(without_directories(argument));
   }
   return line;
 }

@@ -17,6 +17,7 @@
 #include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
+#include "cli/shared_options.h"
 #include "report/embedded_json.h"
 #include "report/sign_off.h"
 
@@ -67,7 +68,7 @@ Run add_report(CLI::App& archive) {
   CLI::App& command =
       *archive.add_subcommand("report", "the report of one calibration, as it was made");
   command.add_option("ID", options->id, "the first digits of its id")->required();
-  command.add_option("-o,--output", options->output, "report (HTML) to write");
+  command.add_option("-o,--output", options->output, "report (HTML) to write")->check(page_file());
   command.add_option("--calibration", options->calibration, "calibration (JSON) to write");
   command.add_flag("--original", options->original,
                    "byte for byte, without the decisions of reviewers");
@@ -161,8 +162,10 @@ std::function<Run()> add_review(CLI::App& app) {
   command.add_flag("--reject", options->reject, "it is not")->excludes(approve);
   command.add_option("--reviewer", options->reviewer, "who decides")->required();
   command.add_option("--note", options->note, "reason or condition");
-  command.add_option("-o,--output", options->output,
-                     "report with the decision (HTML) to write; default: the report itself");
+  command
+      .add_option("-o,--output", options->output,
+                  "report with the decision (HTML) to write; default: the report itself")
+      ->check(page_file());
   const auto where = add_archive_options(command);
   command.footer(
       "\nThe decision is kept in the archive with reviewer and time, after earlier ones; none "

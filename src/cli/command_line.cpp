@@ -1,5 +1,6 @@
 #include "cli/command_line.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -10,7 +11,12 @@
 #include "base/standard_output.h"
 #include "calibration/provenance.h"
 #include "cli/archive_commands.h"
+#include "cli/command_tree.h"
 #include "cli/commands.h"
+#include "cli/given_files.h"
+#include "cli/guide_commands.h"
+#include "cli/typed_arguments.h"
+#include "cli/usage_refusal.h"
 #include "render/workers/renderer.h"
 #include "wording/words.h"
 
@@ -36,17 +42,6 @@ which are kept); 5 a figure could not be drawn (the numbers are kept); 6 the
 archive is damaged, locked or from a newer program; 70 internal error, or out of
 memory; 128 + n: ended by signal n (130: SIGINT, 143: SIGTERM).)";
 
-/// An unset variable of a script is not meant to be the user's own archive, which `--archive` alone
-/// means.
-void refuse_empty_location(const std::vector<std::string>& arguments) {
-  for (std::size_t k = 0; k < arguments.size(); ++k) {
-    const bool is_next =
-        arguments[k] == "--archive" && k + 1 < arguments.size() && arguments[k + 1].empty();
-    if (is_next || arguments[k] == "--archive=")
-      throw UsageError("--archive: the location is empty");
-  }
-}
-
 /// From version 2.6 on CLI11 would break our lines anew, and take their indents away.
 template <class Formatter>
 void keep_lines_as_written(Formatter& formatter) {
@@ -54,6 +49,46 @@ void keep_lines_as_written(Formatter& formatter) {
     formatter.enable_description_formatting(false);
     formatter.enable_footer_formatting(false);
   }
+}
+
+/// @throw CLI::ParseError
+void parse(CLI::App& app, std::vector<std::string> arguments) {
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  app.parse(arguments);
+}
+
+/// A file that is no value of `--archive` may still be one argument too many: it is then refused
+/// as the value, as which it was typed.
+/// @throw CLI::ParseError
+void parse_values_told_apart(CLI::App& app, const std::vector<std::string>& arguments) {
+  const std::vector<std::string> told_apart = with_values_told_apart(app, arguments);
+  try {
+    parse(app, told_apart);
+  } catch (const CLI::ExtrasError&) {
+    if (told_apart == arguments) throw;
+    parse(app, arguments);
+  }
+}
+
+/// @return whether there is something to run; else help was asked for, and given.
+/// @throw UsageError, or InputError for a file that another command reads.
+bool is_parsed(CLI::App& app, const std::vector<std::string>& typed) {
+  try {
+    const auto first = typed.begin() + (typed.empty() ? 0 : 1);  // behind the program's name
+    parse_values_told_apart(app, arguments_to_parse(app, {first, typed.end()}));
+  } catch (const CLI::CallForHelp& call) {
+    std::ostringstream help;
+    app.exit(call, help, help);
+    print(help.str());
+    return false;
+  } catch (const CLI::RequiredError& error) {
+    if (app.remaining(true).empty()) check_given_files(chosen_command(app));
+    throw refusal_of(app, error);
+  } catch (const CLI::ParseError& error) {
+    throw refusal_of(app, error);
+  }
+  check_given_files(chosen_command(app));
+  return true;
 }
 
 /// @param verbose loads what draws, and names it as it runs
@@ -87,7 +122,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   bool version = false;
   bool verbose = false;
   app.add_flag("-q,--quiet", quiet, "print warnings and errors only");
-  app.add_flag("--version", version,
+  app.add_flag("-V,--version", version,
                "print the versions of the program and of the libraries it uses");
   app.add_flag("--verbose", verbose, "with --version: start the graphics stack and name it too");
   app.fallthrough();
@@ -117,21 +152,17 @@ ExitStatus run_command_line(int argc, char** argv) {
   const auto chosen_of_archive = add_archive(app);
   const auto chosen_review = add_review(app);
   const auto chosen_export = add_export_of_file(app);
-  refuse_empty_location({argv, argv + argc});
+  const auto chosen_help = add_help(app);
+  const CLI::App& version_command =
+      *app.add_subcommand("version", "the versions of the program and of the libraries it uses");
+  const auto chosen_completion = add_completion(app);
+  const auto chosen_manual = add_manual(app);
+  take_one_value_each(app);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& call) {
-    std::ostringstream help;
-    app.exit(call, help, help);
-    print(help.str());
-    return ExitStatus::done;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see tribolog --help");
-  }
-  Console console(quiet);
   const std::vector<std::string> arguments(argv, argv + argc);
-  if (version) return run_version(verbose, console);
+  if (!is_parsed(app, arguments)) return ExitStatus::done;
+  Console console(quiet);
+  if (version || version_command) return run_version(verbose, console);
   if (inspect_command) return run_inspect(inspect, console);
   if (init_command) return run_init(init, console);
   if (simulate_command) return run_simulate(simulate, console);
@@ -145,6 +176,9 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (const Run run = chosen_of_archive()) return run({arguments, console});
   if (const Run run = chosen_review()) return run({arguments, console});
   if (const Run run = chosen_export()) return run({arguments, console});
+  for (const auto& chosen : {chosen_help, chosen_completion, chosen_manual}) {
+    if (const Run run = chosen()) return run({arguments, console});
+  }
   if (study_command) return run_study_command(study, arguments, console);
   print(app.help());
   return ExitStatus::usage;

@@ -89,7 +89,7 @@ Run add_diff(CLI::App& archive) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App& command = *archive.add_subcommand("diff", "two calibrations: what changed");
   command.add_option("ID", options->ids, "the first digits of both ids")->required()->expected(2);
-  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_option("-o,--output", options->output, "page (HTML) to write")->check(page_file());
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command
       .add_option("--allowed-kelvin", options->allowed.temperature_K,

@@ -53,15 +53,15 @@ void add_options(CLI::App& command, ExportOptions& options) {
       .add_option("--format", options.format,
                   "csv, json, mat, latex, dcc, urdf, sdf, mjcf, modelica or ros2")
       ->required()
-      ->check(CLI::IsMember(
-          {"csv", "json", "mat", "latex", "dcc", "urdf", "sdf", "mjcf", "modelica", "ros2"}));
+      ->check(one_of(std::vector<std::string>{"csv", "json", "mat", "latex", "dcc", "urdf", "sdf",
+                                              "mjcf", "modelica", "ros2"}));
   command.add_option("-o,--output", options.output, "file to write; default: standard output");
   command.add_flag("--doubtful-too", options.simulator.doubtful_too,
                    "urdf, sdf, mjcf, modelica, ros2: also numbers whose verdict is not usable");
   command
       .add_option("--side", options.side,
                   "modelica: side of the gear on which the bearing is; default: joint")
-      ->check(CLI::IsMember({"joint", "motor"}));
+      ->check(one_of(std::vector<std::string>{"joint", "motor"}));
   command
       .add_option("--arm-inertia", options.simulator.arm_inertia_kgm2,
                   "mjcf: inertia of all that the joint moves, about its axis (kg·m²), as in the "

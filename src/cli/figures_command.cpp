@@ -35,6 +35,21 @@ std::string listed_formats(const std::vector<FigureFormat>& formats) {
   return out;
 }
 
+/// The stages by their names in the calibration.
+std::string stage_in_words(const std::string& name) {
+  static const std::map<std::string, std::string> words{
+      {"cog_rough", "centre of gravity, rough sweep"},
+      {"cog_precise", "centre of gravity, precise sweep"},
+      {"hysteresis", "friction hysteresis"},
+      {"surrogate_masses", "surrogate masses"},
+      {"viscous_curves", "viscous curves"},
+      {"quality_errors", "quality errors"},
+      {"break_away", "break-away ramps"},
+      {"friction_parameters", "friction parameters"}};
+  const auto found = words.find(name);
+  return found == words.end() ? name : found->second;
+}
+
 }  // namespace
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
@@ -60,7 +75,7 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
                           listed_formats(options.formats)));
   for (const Stage& stage : calibration.stages()) {
     if (stage.state != Stage::State::done) {
-      console.say(fmt::format("  {}: {}", stage.name, stage.reason.words));
+      console.say(fmt::format("  {}: {}", stage_in_words(stage.name), stage.reason.words));
     }
   }
   return tell_failures(figures.outcomes, console) > 0 ? ExitStatus::figure_failed
@@ -84,15 +99,14 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
           },
           "png (the default), svg, pdf: one or more, separated by commas")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(figure_formats))
+      ->check(one_of(figure_formats))
       ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
           "--style",
           [&figures](const std::string& name) { figures.style = figure_styles.at(name); },
           "report (the default): 160 mm wide; paper: 84 or 174 mm, for a journal's columns")
-      ->check(CLI::IsMember(figure_styles))
+      ->check(one_of(figure_styles))
       ->type_name("STYLE");
   add_truth_runs(command, figures.truth_runs);
   add_processes(command, figures.processes);

@@ -156,7 +156,7 @@ Run add_fleet(CLI::App& archive) {
   const auto options = std::make_shared<FleetOptions>();
   CLI::App& command =
       *archive.add_subcommand("fleet", "all robots and joints on one page, outliers first");
-  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_option("-o,--output", options->output, "page (HTML) to write")->check(page_file());
   command.add_option("--reports", options->reports,
                      "directory for the report of each joint's latest calibration; the page links "
                      "to them");

@@ -1,7 +1,6 @@
 #include "cli/given_data.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -12,7 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/encodings.h"
 #include "base/error.h"
-#include "ingest/manifest/manifest_file.h"
+#include "inspect/files/file_kind.h"
 
 namespace tribolog::cli {
 
@@ -34,13 +33,8 @@ std::string start_of(const std::string& path) {
 
 /// By its ending where that is a manifest's or a log's, else by what it starts with.
 bool is_manifest(const std::string& path) {
-  constexpr std::array of_logs = {".csv", ".txt", ".log", ".dat", ".tsv", ".lvm"};
-  const std::string ending = fs::path(path).extension().string();
-  if (ending == ".toml") return true;
-  std::error_code error;
-  const bool is_log = std::find(of_logs.begin(), of_logs.end(), ending) != of_logs.end();
-  if (is_log || !fs::is_regular_file(path, error)) return false;
-  return ingest::manifest::may_be_manifest(start_of(path));
+  return fs::path(path).extension() == ".toml" ||
+         inspect::files::kind_of_file(path) == inspect::files::FileKind::manifest;
 }
 
 std::string sealed(const std::string& text) {

@@ -238,9 +238,12 @@ void add_unit(CLI::App& command, const std::string& option, std::optional<std::s
 }  // namespace
 
 void add_known_of_logs(CLI::App& command, InspectedLogs& logs) {
-  command.add_option("--gear-ratio", logs.of_joints.gear_ratios, "motor angle / joint angle")
+  command
+      .add_option("--gear-ratio", logs.of_joints.gear_ratios,
+                  "motor angle / joint angle: 101 or 101:1")
       ->delimiter(',')
-      ->check(number_between(1e-3, 1e6));
+      ->check(number_between(1e-3, 1e6))
+      ->transform(gear_ratio());
   command
       .add_option("--torque-constant", logs.of_joints.torque_constants_Nm_A,
                   "N·m per ampere, for a motor current; an effort of unknown kind counts as one")
@@ -251,14 +254,14 @@ void add_known_of_logs(CLI::App& command, InspectedLogs& logs) {
           "--effort-kind",
           [&logs](const std::string& word) { logs.known.effort_kind = kinds.at(word); },
           "what the effort is, confirmed: motor_current, motor_torque, joint_torque, target_torque")
-      ->check(CLI::IsMember(kinds))
+      ->check(one_of(kinds))
       ->type_name("KIND");
   command
       .add_option_function<std::string>(
           "--effort-side",
           [&logs](const std::string& word) { logs.known.effort_side = sides.at(word); },
           "side of the gear on which the effort acts: motor, joint")
-      ->check(CLI::IsMember(sides))
+      ->check(one_of(sides))
       ->type_name("SIDE");
   command
       .add_option_function<std::vector<std::string>>(
@@ -286,7 +289,7 @@ void add_known_of_logs(CLI::App& command, InspectedLogs& logs) {
           "--angle-side",
           [&columns](const std::string& word) { columns.angle_side = sides.at(word); },
           "side of the gear whose angle is logged: motor, joint")
-      ->check(CLI::IsMember(sides))
+      ->check(one_of(sides))
       ->type_name("SIDE");
   command
       .add_option("--rate", logs.known.columns.rate_Hz,

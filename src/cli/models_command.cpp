@@ -107,7 +107,8 @@ CLI::App& add_models(CLI::App& app, ModelsOptions& models) {
   CLI::App& command =
       *app.add_subcommand("models", "list the friction models, or compare them in one page");
   command.add_flag("--compare", models.compare, "draw all of them side by side");
-  command.add_option("-o,--output", models.output, "page (HTML) to write, with --compare");
+  command.add_option("-o,--output", models.output, "page (HTML) to write, with --compare")
+      ->check(page_file());
   add_processes(command, models.processes);
   add_language(command, models.language);
   return command;

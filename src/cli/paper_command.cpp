@@ -89,7 +89,9 @@ CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
       *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
   command.add_option("SCENARIO", paper.scenario,
                      "another joint (TOML): what of the paper's argument holds there");
-  command.add_option("-o,--output", paper.output, "page (HTML) to write")->required();
+  command.add_option("-o,--output", paper.output, "page (HTML) to write")
+      ->required()
+      ->check(page_file());
   command
       .add_flag("--wrong-joints", paper.wrong_joints,
                 "make the checks of print on wrong joints as well, and list which fail them")

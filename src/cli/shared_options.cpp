@@ -1,14 +1,25 @@
 #include "cli/shared_options.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "base/closest_match.h"
+#include "ingest/manifest/gear_ratio.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -57,12 +68,83 @@ CLI::Validator whole_number() {
           "WHOLE NUMBER"};
 }
 
+CLI::Validator one_of(std::vector<std::string> words) {
+  std::string listed = fmt::format("{}", fmt::join(words, ","));
+  return {[words = std::move(words)](const std::string& text) {
+            if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+            const std::string meant = did_you_mean(text, words);
+            return fmt::format("{} is not usable, expected one of {}{}", in_quotes(text),
+                               fmt::join(words, ", "), meant.empty() ? "" : "; " + meant);
+          },
+          "{" + std::move(listed) + "}"};
+}
+
+CLI::Validator gear_ratio() {
+  return {[](std::string& text) {
+            if (text.find(':') == std::string::npos) return std::string();
+            try {
+              text = fmt::format("{}", ingest::manifest::parse_gear_ratio(text));
+            } catch (const std::invalid_argument& refused) {
+              return std::string(refused.what());
+            }
+            return std::string();
+          },
+          "", "gear ratio"};
+}
+
+namespace {
+
+/// Endings that say another format than HTML, and how that is come by.
+std::string way_to(std::string_view ending) {
+  constexpr std::array pictures{"png", "svg", "jpg", "jpeg", "gif", "tif", "tiff", "webp", "eps"};
+  constexpr std::array documents{"docx", "doc", "odt", "rtf", "tex", "md", "ppt", "pptx", "odp"};
+  constexpr std::array tables{"csv", "tsv", "xlsx", "xls", "ods", "mat", "xml"};
+  constexpr std::array files{"json", "toml", "yaml", "db", "sqlite", "tribolog", "zip"};
+  const auto is_among = [&](const auto& endings) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  };
+  if (ending == "pdf") {
+    return "print it from a browser for a PDF; tribolog figures --format pdf gives the figures "
+           "as PDF";
+  }
+  if (is_among(pictures)) return "tribolog figures --format png (or svg, pdf) gives the figures";
+  if (is_among(documents)) {
+    return "word processors open it; tribolog figures gives the figures, tribolog export --format "
+           "latex a table";
+  }
+  if (is_among(tables)) return "tribolog export --format csv (or mat, dcc) gives the numbers";
+  return is_among(files) ? "tribolog identify -o FILE.json gives the numbers" : "";
+}
+
+std::string lower_ending_of(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return ending;
+}
+
+}  // namespace
+
+CLI::Validator page_file() {
+  return {[](const std::string& file) {
+            std::error_code ignored;
+            const std::string way = way_to(lower_ending_of(file));
+            if (way.empty() || std::filesystem::is_directory(file, ignored)) return std::string();
+            const std::string stem = std::filesystem::path(file).stem().string();
+            return fmt::format("{} is not usable, the page is HTML: write it to {}; {}",
+                               in_quotes(file), in_quotes(stem + ".html"), way);
+          },
+          ""};
+}
+
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
   command
       .add_option_function<std::string>(
           "--fail-on", [&fail_on](const std::string& word) { fail_on = verdicts.at(word); },
           "exit with status 1 at this verdict or a worse one: doubtful, not-identifiable")
-      ->check(CLI::IsMember(verdicts))
+      ->check(one_of(verdicts))
       ->type_name("VERDICT");
 }
 
@@ -135,7 +217,7 @@ void add_language(CLI::App& command, wording::Language& language) {
           "--language", language.code,
           fmt::format("language of the texts: {}; numbers, units and JSON are the same in each",
                       codes_in_words()))
-      ->check(CLI::IsMember(language_codes()))
+      ->check(one_of(language_codes()))
       ->type_name("CODE");
 }
 

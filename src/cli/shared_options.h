@@ -2,7 +2,11 @@
 // Options that several commands have, each with the same words.
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +22,23 @@ namespace tribolog::cli {
 CLI::Validator number_between(double lowest, double highest);
 /// Digits alone: "-5" would become a huge number.
 CLI::Validator whole_number();
+
+/// One of the words, in the order given; a refusal names the closest.
+CLI::Validator one_of(std::vector<std::string> words);
+
+/// Of a map its keys.
+template <class Value>
+CLI::Validator one_of(const std::map<std::string, Value>& named) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : named) words.push_back(word);
+  return one_of(std::move(words));
+}
+
+/// "101" or "101:1"; the value is the number then.
+CLI::Validator gear_ratio();
+
+/// Where a page (HTML) is written: not to a file whose name ends in that of another format.
+CLI::Validator page_file();
 
 /// `--fail-on VERDICT`
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);

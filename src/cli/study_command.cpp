@@ -235,12 +235,13 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   constexpr std::size_t most = 1'000'000;
   command.add_option("SCENARIO", study.scenario,
                      "scenario file (TOML); default: the paper's joint with realistic noise");
-  command.add_option("-o,--output", study.output, "page (HTML) to write");
+  command.add_option("-o,--output", study.output, "page (HTML) to write")->check(page_file());
   command.add_option("--json", study.json, "file for all numbers (JSON)");
   command
       .add_option("--factor", study.factors, "study only this one (may be repeated); default: all")
-      ->check(CLI::IsMember({"torque_noise", "torque_step", "encoder", "ripple_one_position",
-                             "ripple_eight_positions", "amplitude", "cycles"}));
+      ->check(one_of(std::vector<std::string>{"torque_noise", "torque_step", "encoder",
+                                              "ripple_one_position", "ripple_eight_positions",
+                                              "amplitude", "cycles"}));
   command.add_flag("--misfit", study.misfit,
                    "joints and logs that the method's model does not describe");
   command.add_flag("--sound", study.sound,

@@ -74,7 +74,7 @@ Run add_trend(CLI::App& archive) {
   CLI::App& command =
       *archive.add_subcommand("trend", "joints over time: what changed, and since when");
   add_filter(command, options->filter);
-  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_option("-o,--output", options->output, "page (HTML) to write")->check(page_file());
   command.add_flag("--json", options->json, "as JSON, to standard output");
   CLI::Option* const count =
       command

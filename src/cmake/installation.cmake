@@ -8,7 +8,27 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMIS
         PATTERN run.sh EXCLUDE)  # which builds
 install(FILES templates/calibration.schema.json templates/export.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/tribolog)
-install(FILES src/cli/tribolog.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+# Manual and completion are made from the program's own options, and are never older than they are.
+set(guides ${PROJECT_BINARY_DIR}/guides)
+set(guide_files ${guides}/man1/tribolog.1 ${guides}/tribolog.bash ${guides}/_tribolog
+    ${guides}/tribolog.fish)
+add_custom_command(
+  OUTPUT ${guide_files}
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${guides}
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${guides}
+  COMMAND tribolog manual ${guides}/man1
+  COMMAND tribolog completion bash >${guides}/tribolog.bash
+  COMMAND tribolog completion zsh >${guides}/_tribolog
+  COMMAND tribolog completion fish >${guides}/tribolog.fish
+  DEPENDS tribolog
+  COMMENT "Writing manual and completion")
+add_custom_target(guides ALL DEPENDS ${guide_files})
+install(DIRECTORY ${guides}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${guides}/tribolog.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME tribolog)
+install(FILES ${guides}/_tribolog DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${guides}/tribolog.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

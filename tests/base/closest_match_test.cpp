@@ -15,6 +15,13 @@ TEST(ClosestMatch, FindsSlipsCaseAndParts) {
   EXPECT_EQ(closest_match("tau_Nm_motor", names), "tau_Nm");
 }
 
+TEST(ClosestMatch, CountsSwappedNeighboursAsOneSlip) {
+  EXPECT_EQ(closest_match("cvs", {"csv", "json"}), "csv");
+  EXPECT_EQ(closest_match("dge", {"rad", "deg", "turn"}), "deg");
+  EXPECT_EQ(closest_match("reprot", {"repair", "report"}), "report");
+  EXPECT_EQ(closest_match("svc", {"csv"}), "");
+}
+
 TEST(ClosestMatch, IsEmptyWhereNothingIsClose) {
   EXPECT_EQ(closest_match("temperature", {"t_s", "q_rad"}), "");
   EXPECT_EQ(closest_match("x", {}), "");

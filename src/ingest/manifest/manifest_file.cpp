@@ -326,10 +326,6 @@ void add_others(std::vector<joint::OtherJoint> of_robot, std::vector<joint::Othe
 
 }  // namespace
 
-bool may_be_manifest(std::string_view first_bytes) {
-  return first_row_of(first_bytes).may_be_manifest;
-}
-
 std::vector<std::string> joints_in_manifest(std::string_view text, const std::string& file) {
   return joint_names(document_in(text, file), file);
 }

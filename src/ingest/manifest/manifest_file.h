@@ -98,9 +98,6 @@ inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
 /// whatever size.
 std::string read_manifest_text(const std::string& path);
 
-/// Whether a file that starts so may be a manifest: its first row has a key or a table's name.
-bool may_be_manifest(std::string_view first_bytes);
-
 /// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
 bool is_impossible_time(const std::string& text);
 

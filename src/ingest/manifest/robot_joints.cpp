@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "ingest/log/units.h"
+#include "ingest/manifest/gear_ratio.h"
 
 namespace tribolog::ingest::manifest {
 namespace {
@@ -55,6 +58,17 @@ std::optional<double> number_in(const TomlNode* table, std::string_view key) {
   return std::nullopt;
 }
 
+/// A number, or a text such as "101:1".
+std::optional<double> gear_ratio_in(const TomlNode* joint) {
+  const auto* text = value_in<std::string>(joint, "gear_ratio");
+  if (text == nullptr || text->find(':') == text->npos) return number_in(joint, "gear_ratio");
+  try {
+    return parse_gear_ratio(*text);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 /// The table of the angle's column, in the manifest of one joint.
 const TomlNode* angle_column_in(const TomlNode& manifest) {
   const TomlNode* columns = manifest.member("columns");
@@ -67,7 +81,7 @@ std::optional<joint::OtherJoint> other_joint_in(const TomlNode& manifest) {
   const auto* column = value_in<std::string>(angle, "name");
   const auto* unit = value_in<std::string>(angle, "unit");
   const TomlNode* table = manifest.member("joint");
-  const std::optional<double> gear_ratio = number_in(table, "gear_ratio");
+  const std::optional<double> gear_ratio = gear_ratio_in(table);
   const bool is_in_own_file = angle != nullptr && angle->member("file") != nullptr;
   if (column == nullptr || column->empty() || unit == nullptr || is_in_own_file) {
     return std::nullopt;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "ingest/manifest/gear_ratio.h"
 #include "ingest/manifest/toml_document.h"
 
 namespace tribolog::ingest::manifest {
@@ -151,8 +152,25 @@ std::string TomlTable::text(const std::string& key, const std::string& hint) con
   return *text;
 }
 
+namespace {
+
+/// "101:1"
+double ratio_at(const TomlTable& table, const std::string& key, const std::string& text) {
+  const double ratio = guarded(table, key, [&] { return parse_gear_ratio(text); });
+  const KeyRange range = range_of_key(key);
+  if (!range.holds(ratio)) {
+    table.refuse(key, {"not usable", in_quotes(text), range.in_words(), ""});
+  }
+  return ratio;
+}
+
+}  // namespace
+
 double TomlTable::number(const std::string& key, Sign sign, const std::string& hint) const {
   const TomlNode& node = view_->need(*this, key, hint);
+  const auto* text = node.as<std::string>();
+  const bool is_ratio = text != nullptr && key == "gear_ratio" && text->find(':') != text->npos;
+  if (is_ratio) return ratio_at(*this, key, *text);
   if (const auto problem = problem_of(node, sign, key)) refuse(key, *problem);
   return *any_number_in(node);
 }

@@ -34,6 +34,7 @@ class TomlTable {
 
   // Required keys. @throw InputError if missing (with the hint) or of another type or range.
   [[nodiscard]] std::string text(const std::string& key, const std::string& hint = {}) const;
+  /// `gear_ratio` also as a text, "101:1".
   [[nodiscard]] double number(const std::string& key, Sign sign = Sign::any,
                               const std::string& hint = {}) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, Sign sign = Sign::any) const;

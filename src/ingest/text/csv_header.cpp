@@ -152,7 +152,8 @@ void refuse_other_encodings(const std::vector<Field>& header, const Location& li
     refuse(line, field.column + *broken,
            {"column name is not UTF-8",
             fmt::format("byte 0x{:02X}", static_cast<unsigned char>(field.text[*broken])), "",
-            "Latin-1? state it: [log] encoding = \"latin1\""});
+            "Latin-1? --latin1 of inspect and init reads it; in a manifest [log] encoding = "
+            "\"latin1\""});
   }
 }
 

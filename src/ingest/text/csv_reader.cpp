@@ -181,7 +181,7 @@ std::string line_with(const std::string& name, RowCursor cursor, const CsvTable&
       } catch (const InputError&) {
         continue;
       }
-      return fmt::format("line {} has it: state [log] header_line = {}", cursor.line(),
+      return fmt::format("line {0} has it: state [log] header_line = {0} (--header-line {0})",
                          cursor.line());
     }
   }

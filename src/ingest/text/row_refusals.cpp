@@ -37,6 +37,12 @@ std::string likely_cause(const RefusedRow& row, const std::string& field,
     return "decimal comma? state it: [log] decimal_comma = true, --decimal-comma of inspect and "
            "init";
   }
+  const bool has_point_first = field.find('.') < field.find(',') && field.find(',') != field.npos;
+  if (mark == DecimalMark::point && has_point_first &&
+      looks_like_thousands(field, DecimalMark::comma)) {
+    return "thousands points and a decimal comma? write numbers without the points, and state the "
+           "comma: [log] decimal_comma = true, --decimal-comma of inspect and init";
+  }
   if (looks_like_thousands(field, mark)) return "thousands separators? write numbers without";
   for (const log::ColumnReading time :
        {log::ColumnReading::iso_time, log::ColumnReading::time_of_day, log::ColumnReading::date}) {
@@ -114,8 +120,8 @@ void refuse_ragged_row(const RefusedRow& row, std::size_t found) {
       {"row has another number of fields than the header", fmt::format("{}", found),
        fmt::format("{}", expected),
        joined(comma_suspect ? "decimal or thousands commas? write numbers with a point"
-              : is_first    ? "lines in front of the header? [log] header_line states the line of "
-                              "the columns' names"
+              : is_first    ? "lines in front of the header? [log] header_line (--header-line) "
+                              "states the line of the columns' names"
                             : "",
               way_out(row))});
 }

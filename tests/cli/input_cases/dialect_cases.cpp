@@ -157,7 +157,7 @@ std::vector<InputCase> dialect_cases() {
       in_counts_and_per_mille(),
       refused("26d", "LinesInFrontOfTheHeader", preamble + case_log(),
               "log.csv:1: column 't' is missing, found 'Scope export'; hint: line 5 has it: state "
-              "[log] header_line = 5"),
+              "[log] header_line = 5 (--header-line 5)"),
       with_manifest(accepted("26e", "LinesInFrontOfTheHeaderAsStated", preamble + case_log(),
                              "log.csv: 4 lines in front of the header are not read"),
                     with_log_table("header_line = 5")),

@@ -111,8 +111,8 @@ std::vector<InputCase> file_cases() {
       refused("5b", "Utf16BigEndian", utf16(clean, false), iconv),
       refused("5c", "Utf16WithoutMark", utf16(clean, true).substr(2), iconv),
       refused("6a", "Latin1", replaced(clean, "q,tau", "\xe4ngle [\xb0],tau"),
-              "log.csv:1:3: column name is not UTF-8, found byte 0xE4; hint: Latin-1? state it: "
-              "[log] encoding = \"latin1\""),
+              "log.csv:1:3: column name is not UTF-8, found byte 0xE4; hint: Latin-1? --latin1 of "
+              "inspect and init reads it; in a manifest [log] encoding = \"latin1\""),
       latin1,
       accepted("7a", "CrLf", cr_lf),
       accepted("7b", "LoneCr", lone_cr),

@@ -69,9 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NulByte", "t,tau\n0,1\n\0,2\n"sv,
              "run.csv: binary data at byte 10, expected a text file of columns"},
         Case{"Latin1", "t,tau,\xb5\n0,1,2\n",
-             "run.csv:1:7: column name is not UTF-8, found byte 0xB5; hint: Latin-1? state it: "
-             "[log] "
-             "encoding = \"latin1\""},
+             "run.csv:1:7: column name is not UTF-8, found byte 0xB5; hint: Latin-1? "
+             "--latin1 of inspect and init reads it; in a manifest [log] encoding = \"latin1\""},
         Case{"NoHeader", "0,1\n1,2\n",
              "run.csv:1:1: no column names: the first row holds numbers; hint: put a first line "
              "with the columns' names, without '#', or ask for columns by their position: "
