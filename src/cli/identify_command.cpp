@@ -126,8 +126,7 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
   add_given_data(command, report.given);
   command
-      .add_option("-o,--output", report.output,
-                  "report (HTML) to write; default: beside the input")
+      .add_option("-o,--output", report.output, "report (HTML) to write; default: beside the input")
       ->check(page_file());
   command.add_option("--calibration", report.calibration,
                      "where to write the numbers (JSON); default: next to the report");

@@ -153,7 +153,7 @@ TEST(Commands, TheKnownTruthCheckCanBeLeftOut) {
 
 TEST(Commands, WrongUsageIsStatus2) {
   for (const char* arguments :
-       {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {
+       {"", "nonsense", "report", "figures x.toml", "identify --fail-on never x -o y"}) {
     const ProgramRun run = run_shell(program + arguments);
     EXPECT_EQ(run.status, 2) << arguments << run.err;
   }

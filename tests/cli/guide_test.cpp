@@ -39,6 +39,8 @@ Help help_of(const std::string& path) {
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     if (upper == "OPTIONS:" || upper == "SUBCOMMANDS:") {  // by the version of CLI11
       part = upper;
+    } else if (line == "Of logs:") {  // a group of options
+      part = "OPTIONS:";
     } else if (line.empty()) {
       part.clear();
     } else if (is_entry && part == "OPTIONS:") {

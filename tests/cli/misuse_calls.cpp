@@ -21,16 +21,17 @@ const std::vector<Call>& calls() {
        "report: r2.html"},
       {"identify --archive dataset.toml -o c1.json --truth-runs 0", 0, "calibration: c1.json"},
       {"identify --archive --truth-runs 0 dataset.toml -o c2.json", 0, "calibration: c2.json"},
-      {"identify dataset.toml -o c3.json --truth-runs 0 --archive report.html", 6,
-       "report.html: is no archive (no SQLite file); it is left as it is"},
+      {"identify dataset.toml -o c3.json --truth-runs 0 --archive report.html", 3,
+       "report.html: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
+       "report.html"},
       {"identify dataset.toml -o c4.json --truth-runs 0 --archive=report.html", 6,
        "report.html: is no archive (no SQLite file); it is left as it is"},
       {"help", 0, "Usage: tribolog [OPTIONS] [SUBCOMMAND]"},
-      {"help report", 0, "Usage: tribolog report [OPTIONS] DATASET"},
+      {"help report", 0, "Usage: tribolog report [OPTIONS] DATA..."},
       {"help archive diff", 0, "Usage: tribolog archive diff [OPTIONS] ID(2x)"},
-      {"report help", 0, "Usage: tribolog report [OPTIONS] DATASET"},
+      {"report help", 0, "Usage: tribolog report [OPTIONS] DATA..."},
       {"archive diff help", 0, "Usage: tribolog archive diff [OPTIONS] ID(2x)"},
-      {"report -h", 0, "Usage: tribolog report [OPTIONS] DATASET"},
+      {"report -h", 0, "Usage: tribolog report [OPTIONS] DATA..."},
       {"version", 0, "tribolog 0.1.0"},
       {"-V", 0, "tribolog 0.1.0"},
       {"help reprot", 2,
@@ -78,9 +79,11 @@ const std::vector<Call>& calls() {
        "figures, "
        "report, show, models, paper, plan, study, archive, review, export, help, version; see "
        "tribolog --help"},
-      {"report dataset.toml extra -o r.html", 2,
-       "'extra' is one argument too many: tribolog report takes DATASET; see tribolog report "
+      {"figures dataset.toml extra -o f", 2,
+       "'extra' is one argument too many: tribolog figures takes DATASET; see tribolog figures "
        "--help"},
+      {"report dataset.toml log.csv -o r.html", 2,
+       "dataset.toml is a manifest: one alone, or logs"},
       {"models now", 2,
        "'now' is not expected: tribolog models takes options alone; see tribolog models --help"},
       {"init log.csv --gear-ration 101 -o i.toml", 2,
@@ -92,19 +95,24 @@ const std::vector<Call>& calls() {
       {"report dataset.toml -output r.html", 2,
        "'-output': a long name has two dashes: --output; see tribolog report --help"},
       {"report dataset.toml --gear-ratio 101 -o r.html", 2,
-       "'--gear-ratio' is no option of tribolog report, but of: inspect, init; see tribolog report "
-       "--help"},
+       "--gear-ratio is for logs; beside a manifest, dataset.toml, state it there"},
+      {"figures dataset.toml --gear-ratio 101 -o f", 2,
+       "'--gear-ratio' is no option of tribolog figures, but of: inspect, init, identify, report; "
+       "see tribolog figures --help"},
       {"report dataset.toml -x -o r.html", 2,
        "'-x' is no option of tribolog report; see tribolog report --help"},
       {"--gear-ratio 101 init log.csv -o i.toml", 2,
        "--gear-ratio is an option of tribolog init and stands behind it; see tribolog init --help"},
       {"report dataset.toml -o", 2,
-       "--output: the value is missing: report (HTML) to write; see tribolog report --help"},
+       "--output: the value is missing: report (HTML) to write; default: beside the input; see "
+       "tribolog report --help"},
       {"report dataset.toml -o a.html -o b.html", 2,
        "--output is given 2 times, and can be given once; see tribolog report --help"},
-      {"report", 2, "DATASET is required: dataset manifest (TOML); see tribolog report --help"},
-      {"report dataset.toml", 2,
-       "-o, --output is required: report (HTML) to write; see tribolog report --help"},
+      {"report", 2,
+       "DATA is required: dataset manifest (TOML); or logs of any format, or folders of them; see "
+       "tribolog report --help"},
+      {"figures dataset.toml", 2,
+       "-o, --output is required: directory to write into; see tribolog figures --help"},
       {"init --robot= log.csv -o i.toml", 2,
        "--robot: the value is empty; state one, or leave the option out; see tribolog init --help"},
       {"report dataset.toml -o r.html --archive ''", 2,
@@ -206,38 +214,45 @@ const std::vector<Call>& calls() {
        "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
        "tribolog review --help"},
       {"identify report.html", 3,
-       "report.html: is a report, expected a dataset manifest (TOML); hint: tribolog show "
+       "report.html: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
        "report.html"},
       {"identify report.html -o c.json", 3,
-       "report.html: is a report, expected a dataset manifest (TOML); hint: tribolog show "
+       "report.html: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
        "report.html"},
       {"identify renamed.csv -o c.json", 3,
-       "renamed.csv: is a report, expected a dataset manifest (TOML); hint: tribolog show "
+       "renamed.csv: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
        "renamed.csv"},
       {"identify report.calibration.json -o c.json", 3,
-       "report.calibration.json: is a calibration, expected a dataset manifest (TOML); hint: "
+       "report.calibration.json: is a calibration, expected a dataset manifest (TOML) or logs; "
+       "hint: "
        "tribolog show report.calibration.json"},
       {"report report.calibration.json -o r.html", 3,
-       "report.calibration.json: is a calibration, expected a dataset manifest (TOML); hint: "
+       "report.calibration.json: is a calibration, expected a dataset manifest (TOML) or logs; "
+       "hint: "
        "tribolog show report.calibration.json"},
       {"report archive.db -o r.html", 3,
-       "archive.db: is an archive, expected a dataset manifest (TOML); hint: tribolog archive list "
+       "archive.db: is an archive, expected a dataset manifest (TOML) or logs; hint: tribolog "
+       "archive list "
        "--archive archive.db"},
       {"report scenario.toml -o r.html", 3,
-       "scenario.toml: is a scenario, expected a dataset manifest (TOML); hint: tribolog simulate "
+       "scenario.toml: is a scenario, expected a dataset manifest (TOML) or logs; hint: tribolog "
+       "simulate "
        "scenario.toml -o DIRECTORY"},
       {"report joint.toml -o r.html", 3,
-       "joint.toml: is the file of a joint to plan for, expected a dataset manifest (TOML); hint: "
+       "joint.toml: is the file of a joint to plan for, expected a dataset manifest (TOML) or "
+       "logs; hint: "
        "tribolog plan joint.toml -o DIRECTORY"},
       {"report am100ib.toml -o r.html", 3,
-       "am100ib.toml: is the description of an arm, expected a dataset manifest (TOML); hint: a "
+       "am100ib.toml: is the description of an arm, expected a dataset manifest (TOML) or logs; "
+       "hint: a "
        "manifest names it: [robot] description = \"am100ib.toml\""},
       {"report plan.json -o r.html", 3,
-       "plan.json: holds the numbers of a plan, expected a dataset manifest (TOML); hint: "
+       "plan.json: holds the numbers of a plan, expected a dataset manifest (TOML) or logs; hint: "
        "plan.html "
        "beside it shows them"},
       {"report truth.json -o r.html", 3,
-       "truth.json: holds the true values of a simulation, expected a dataset manifest (TOML); "
+       "truth.json: holds the true values of a simulation, expected a dataset manifest (TOML) or "
+       "logs; "
        "hint: "
        "dataset.toml beside it is the manifest"},
       {"figures report.html -o f", 3,
@@ -245,7 +260,7 @@ const std::vector<Call>& calls() {
        "report.html"},
       {"show dataset.toml", 3,
        "dataset.toml: is a manifest, expected a report (HTML) or a calibration (JSON); hint: "
-       "tribolog report dataset.toml -o report.html"},
+       "tribolog report dataset.toml"},
       {"show log.csv", 3,
        "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog "
        "inspect "
@@ -259,19 +274,17 @@ const std::vector<Call>& calls() {
        "tribolog simulate scenario.toml -o DIRECTORY"},
       {"simulate dataset.toml -o s", 3,
        "dataset.toml: is a manifest, expected a scenario (TOML); hint: tribolog report "
-       "dataset.toml "
-       "-o report.html"},
+       "dataset.toml"},
       {"simulate log.csv -o s", 3,
        "log.csv: is a log, expected a scenario (TOML); hint: tribolog report log.csv"},
       {"study report.html -o s.html", 3,
        "report.html: is a report, expected a scenario (TOML); hint: tribolog show report.html"},
       {"paper dataset.toml -o p.html", 3,
        "dataset.toml: is a manifest, expected a scenario (TOML); hint: tribolog report "
-       "dataset.toml "
-       "-o report.html"},
+       "dataset.toml"},
       {"export dataset.toml --format csv", 3,
        "dataset.toml: is a manifest, expected a report (HTML) or a calibration (JSON); hint: "
-       "tribolog report dataset.toml -o report.html"},
+       "tribolog report dataset.toml"},
       {"export log.csv --format csv", 3,
        "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog "
        "inspect "
@@ -282,7 +295,7 @@ const std::vector<Call>& calls() {
        "archive list --archive archive.db"},
       {"plan dataset.toml -o p", 3,
        "dataset.toml: is a manifest, expected the file of a joint or of a robot's joints (TOML); "
-       "hint: tribolog report dataset.toml -o report.html"},
+       "hint: tribolog report dataset.toml"},
       {"plan scenario.toml -o p", 3,
        "scenario.toml: is a scenario, expected the file of a joint or of a robot's joints (TOML); "
        "hint: tribolog simulate scenario.toml -o DIRECTORY"},
@@ -306,7 +319,7 @@ const std::vector<Call>& calls() {
        "report.html: is a report, expected a calibration (JSON); hint: tribolog show report.html"},
       {"archive add dataset.toml --archive archive.db", 3,
        "dataset.toml: is a manifest, expected a calibration (JSON); hint: tribolog report "
-       "dataset.toml -o report.html"},
+       "dataset.toml"},
       {"archive add report.calibration.json --report dataset.toml --archive archive.db", 3,
        "dataset.toml: is a manifest, expected a report (HTML); hint: tribolog report dataset.toml "
        "-o "
@@ -323,7 +336,7 @@ const std::vector<Call>& calls() {
        "list shows; hint: tribolog show report.html"},
       {"archive remove dataset.toml --archive archive.db", 3,
        "dataset.toml: is a manifest, expected the id of an archived calibration, which tribolog "
-       "archive list shows; hint: tribolog report dataset.toml -o report.html"},
+       "archive list shows; hint: tribolog report dataset.toml"},
       {"identify gone.toml -o c.json", 3, "gone.toml: cannot open: No such file or directory"},
       {"models --compare -o scenario.csv", 2,
        "--output: 'scenario.csv' is not usable, the page is HTML: write it to 'scenario.html'; "

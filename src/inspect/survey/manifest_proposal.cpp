@@ -455,8 +455,8 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
   if (!clock.is_certain()) open.push_back("--time-unit " + clock.unit);
   if (!options.gear_ratio) open.emplace_back("--gear-ratio RATIO");
   const auto& recordings = proposal.roles.recordings;
-  const bool has_runs_alone = std::all_of(
-      recordings.begin(), recordings.end(), [](const ProposedRecording& recording) {
+  const bool has_runs_alone =
+      std::all_of(recordings.begin(), recordings.end(), [](const ProposedRecording& recording) {
         return recording.role == joint::Role::constant_speed;
       });
   if (has_runs_alone && !options.has_no_gravity) open.emplace_back("[--no-gravity]");
