@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/encodings.h"
 #include "base/error.h"
+#include "base/shown_text.h"
 #include "inspect/files/file_kind.h"
 
 namespace tribolog::cli {
@@ -142,11 +143,14 @@ std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const Give
   return found.is_of_logs && !is_stated ? std::min(stated, of_a_first_look) : stated;
 }
 
-void tell_what_is_open(const FoundData& found, const std::string& command, const GivenData& given,
+void tell_what_is_open(const FoundData& found, const std::vector<std::string>& arguments,
                        Console& console) {
   if (found.open.empty()) return;
-  std::string line = "tribolog " + command;
-  for (const std::string& path : given.paths) line += " " + printable(path, 200);
+  constexpr std::size_t longest_word = 400;
+  std::string line = "tribolog";
+  for (std::size_t k = 1; k < arguments.size(); ++k) {
+    line += " " + printable(quoted_for_shell(arguments[k]), longest_word);
+  }
   for (const std::string& open : found.open) line += " " + open;
   console.say("the log does not tell these; with what you know of them:\n  " + line);
 }

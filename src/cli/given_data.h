@@ -48,8 +48,9 @@ std::string output_or_beside(const std::string& stated, const FoundData& found,
 /// first answer is wanted soon.
 std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const GivenData& given);
 
-/// The line to type for what is not known yet; nothing where all is.
-void tell_what_is_open(const FoundData& found, const std::string& command, const GivenData& given,
+/// The line to type for what is not known yet: the one that was typed, with what it lacks; nothing
+/// where all is known.
+void tell_what_is_open(const FoundData& found, const std::vector<std::string>& arguments,
                        Console& console);
 
 /// Paths, --joint, and every option of logs.

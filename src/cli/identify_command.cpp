@@ -38,7 +38,7 @@ ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::
   files.commit();
   tell_outcome(calibration, console, found.is_in_amperes);
   console.say("calibration: " + printable(options.output, longest_path));
-  tell_what_is_open(found, "identify", stated.given, console);
+  tell_what_is_open(found, arguments, console);
   return status_of(calibration, options.fail_on);
 }
 

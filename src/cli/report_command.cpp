@@ -81,7 +81,7 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
   tell_outcome(calibration, console, found.is_in_amperes);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));
-  tell_what_is_open(found, "report", stated.given, console);
+  tell_what_is_open(found, arguments, console);
   if (tell_failures(report.figures, console) > 0) return ExitStatus::figure_failed;
   return status_of(calibration, options.fail_on);
 }

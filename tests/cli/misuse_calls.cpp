@@ -65,9 +65,8 @@ const std::vector<Call>& calls() {
       {"plot dataset.toml", 2,
        "'plot' is no command of tribolog; did you mean 'tribolog figures'?; see tribolog --help"},
       {"dataset.toml", 2,
-       "'dataset.toml' is no command of tribolog; it is a manifest: tribolog report dataset.toml "
-       "-o "
-       "report.html; see tribolog --help"},
+       "'dataset.toml' is no command of tribolog; it is a manifest: tribolog report dataset.toml; "
+       "see tribolog --help"},
       {"log.csv", 2,
        "'log.csv' is no command of tribolog; it is a log: tribolog report log.csv; see tribolog "
        "--help"},
@@ -76,9 +75,8 @@ const std::vector<Call>& calls() {
        "tribolog --help"},
       {"nonsense", 2,
        "'nonsense' is no command of tribolog; commands: inspect, init, simulate, identify, "
-       "figures, "
-       "report, show, models, paper, plan, study, archive, review, export, help, version; see "
-       "tribolog --help"},
+       "figures, report, show, models, paper, plan, study, archive, review, export, help, version; "
+       "see tribolog --help"},
       {"figures dataset.toml extra -o f", 2,
        "'extra' is one argument too many: tribolog figures takes DATASET; see tribolog figures "
        "--help"},
@@ -112,7 +110,7 @@ const std::vector<Call>& calls() {
        "DATA is required: dataset manifest (TOML); or logs of any format, or folders of them; see "
        "tribolog report --help"},
       {"figures dataset.toml", 2,
-       "-o, --output is required: directory to write into; see tribolog figures --help"},
+       "-o, --output is required: directory to write to; see tribolog figures --help"},
       {"init --robot= log.csv -o i.toml", 2,
        "--robot: the value is empty; state one, or leave the option out; see tribolog init --help"},
       {"report dataset.toml -o r.html --archive ''", 2,
@@ -130,8 +128,7 @@ const std::vector<Call>& calls() {
        "--angle-unit 'dge': one of rad, mrad, deg, turn, or a multiple such as '0.018 deg'"},
       {"init log.csv --gear-ratio 1:101 -o i.toml", 2,
        "--gear-ratio: '1:101' would make the joint turn faster than the motor, expected turns of "
-       "the "
-       "motor first: did you mean '101:1'? A gear that speeds up is stated as one number, "
+       "the motor first: did you mean '101:1'? A gear that speeds up is stated as one number, "
        "0.00990099; see tribolog init --help"},
       {"init log.csv --gear-ratio 101:x -o i.toml", 2,
        "--gear-ratio: '101:x' is no gear ratio, expected motor angle / joint angle: 101 or 101:1; "
@@ -152,19 +149,16 @@ const std::vector<Call>& calls() {
        "mean 'doubtful'?; see tribolog report --help"},
       {"export report.html --format cvs", 2,
        "--format: 'cvs' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, "
-       "modelica, ros2; did you mean 'csv'?; see tribolog export --help"},
+       "mjcf, modelica, ros2; did you mean 'csv'?; see tribolog export --help"},
       {"study -o s.html --factor cycle", 2,
        "--factor: 'cycle' is not usable, expected one of torque_noise, torque_step, encoder, "
        "ripple_one_position, ripple_eight_positions, amplitude, cycles; did you mean 'cycles'?; "
-       "see "
-       "tribolog study --help"},
+       "see tribolog study --help"},
       {"report dataset.toml -o r.html --processes many", 2,
        "--processes: Value many not in range 1 to 64; see tribolog report --help"},
       {"report dataset.toml -o report.pdf", 2,
        "--output: 'report.pdf' is not usable, the page is HTML: write it to 'report.html'; print "
-       "it "
-       "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
+       "it from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
        "tribolog report --help"},
       {"report dataset.toml -o report.docx", 2,
        "--output: 'report.docx' is not usable, the page is HTML: write it to 'report.html'; word "
@@ -172,12 +166,10 @@ const std::vector<Call>& calls() {
        "table; see tribolog report --help"},
       {"report dataset.toml -o report.csv", 2,
        "--output: 'report.csv' is not usable, the page is HTML: write it to 'report.html'; "
-       "tribolog "
-       "export --format csv (or mat, dcc) gives the numbers; see tribolog report --help"},
+       "tribolog export --format csv (or mat, dcc) gives the numbers; see tribolog report --help"},
       {"report dataset.toml -o report.PNG", 2,
        "--output: 'report.PNG' is not usable, the page is HTML: write it to 'report.html'; "
-       "tribolog "
-       "figures --format png (or svg, pdf) gives the figures; see tribolog report --help"},
+       "tribolog figures --format png (or svg, pdf) gives the figures; see tribolog report --help"},
       {"paper -o paper.pdf", 2,
        "--output: 'paper.pdf' is not usable, the page is HTML: write it to 'paper.html'; print it "
        "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
@@ -188,8 +180,7 @@ const std::vector<Call>& calls() {
        "tribolog study --help"},
       {"models --compare -o models.pdf", 2,
        "--output: 'models.pdf' is not usable, the page is HTML: write it to 'models.html'; print "
-       "it "
-       "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
+       "it from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
        "tribolog models --help"},
       {"archive fleet -o fleet.pdf", 2,
        "--output: 'fleet.pdf' is not usable, the page is HTML: write it to 'fleet.html'; print it "
@@ -200,18 +191,15 @@ const std::vector<Call>& calls() {
        "identify -o FILE.json gives the numbers; see tribolog archive trend --help"},
       {"archive diff 01 23 -o diff.pdf", 2,
        "--output: 'diff.pdf' is not usable, the page is HTML: write it to 'diff.html'; print it "
-       "from "
-       "a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see tribolog "
-       "archive diff --help"},
+       "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
+       "tribolog archive diff --help"},
       {"archive report 01 -o report.pdf", 2,
        "--output: 'report.pdf' is not usable, the page is HTML: write it to 'report.html'; print "
-       "it "
-       "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
+       "it from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
        "tribolog archive report --help"},
       {"review 01 --approve --reviewer me -o report.pdf", 2,
        "--output: 'report.pdf' is not usable, the page is HTML: write it to 'report.html'; print "
-       "it "
-       "from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
+       "it from a browser for a PDF; tribolog figures --format pdf gives the figures as PDF; see "
        "tribolog review --help"},
       {"identify report.html", 3,
        "report.html: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
@@ -224,37 +212,28 @@ const std::vector<Call>& calls() {
        "renamed.csv"},
       {"identify report.calibration.json -o c.json", 3,
        "report.calibration.json: is a calibration, expected a dataset manifest (TOML) or logs; "
-       "hint: "
-       "tribolog show report.calibration.json"},
+       "hint: tribolog show report.calibration.json"},
       {"report report.calibration.json -o r.html", 3,
        "report.calibration.json: is a calibration, expected a dataset manifest (TOML) or logs; "
-       "hint: "
-       "tribolog show report.calibration.json"},
+       "hint: tribolog show report.calibration.json"},
       {"report archive.db -o r.html", 3,
        "archive.db: is an archive, expected a dataset manifest (TOML) or logs; hint: tribolog "
-       "archive list "
-       "--archive archive.db"},
+       "archive list --archive archive.db"},
       {"report scenario.toml -o r.html", 3,
        "scenario.toml: is a scenario, expected a dataset manifest (TOML) or logs; hint: tribolog "
-       "simulate "
-       "scenario.toml -o DIRECTORY"},
+       "simulate scenario.toml -o DIRECTORY"},
       {"report joint.toml -o r.html", 3,
        "joint.toml: is the file of a joint to plan for, expected a dataset manifest (TOML) or "
-       "logs; hint: "
-       "tribolog plan joint.toml -o DIRECTORY"},
+       "logs; hint: tribolog plan joint.toml -o DIRECTORY"},
       {"report am100ib.toml -o r.html", 3,
        "am100ib.toml: is the description of an arm, expected a dataset manifest (TOML) or logs; "
-       "hint: a "
-       "manifest names it: [robot] description = \"am100ib.toml\""},
+       "hint: a manifest names it: [robot] description = \"am100ib.toml\""},
       {"report plan.json -o r.html", 3,
        "plan.json: holds the numbers of a plan, expected a dataset manifest (TOML) or logs; hint: "
-       "plan.html "
-       "beside it shows them"},
+       "plan.html beside it shows them"},
       {"report truth.json -o r.html", 3,
        "truth.json: holds the true values of a simulation, expected a dataset manifest (TOML) or "
-       "logs; "
-       "hint: "
-       "dataset.toml beside it is the manifest"},
+       "logs; hint: dataset.toml beside it is the manifest"},
       {"figures report.html -o f", 3,
        "report.html: is a report, expected a dataset manifest (TOML); hint: tribolog show "
        "report.html"},
@@ -262,13 +241,11 @@ const std::vector<Call>& calls() {
        "dataset.toml: is a manifest, expected a report (HTML) or a calibration (JSON); hint: "
        "tribolog report dataset.toml"},
       {"show log.csv", 3,
-       "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog "
-       "inspect "
+       "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog report "
        "log.csv"},
       {"show archive.db", 3,
        "archive.db: is an archive, expected a report (HTML) or a calibration (JSON); hint: "
-       "tribolog "
-       "archive list --archive archive.db"},
+       "tribolog archive list --archive archive.db"},
       {"show scenario.toml", 3,
        "scenario.toml: is a scenario, expected a report (HTML) or a calibration (JSON); hint: "
        "tribolog simulate scenario.toml -o DIRECTORY"},
@@ -286,13 +263,11 @@ const std::vector<Call>& calls() {
        "dataset.toml: is a manifest, expected a report (HTML) or a calibration (JSON); hint: "
        "tribolog report dataset.toml"},
       {"export log.csv --format csv", 3,
-       "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog "
-       "inspect "
+       "log.csv: is a log, expected a report (HTML) or a calibration (JSON); hint: tribolog report "
        "log.csv"},
       {"export archive.db --format csv", 3,
        "archive.db: is an archive, expected a report (HTML) or a calibration (JSON); hint: "
-       "tribolog "
-       "archive list --archive archive.db"},
+       "tribolog archive list --archive archive.db"},
       {"plan dataset.toml -o p", 3,
        "dataset.toml: is a manifest, expected the file of a joint or of a robot's joints (TOML); "
        "hint: tribolog report dataset.toml"},
@@ -302,8 +277,7 @@ const std::vector<Call>& calls() {
       {"plan joint.toml --calibration report.html -o p", 3,
        "report.html: is a report, expected a calibration (JSON); hint: tribolog show report.html"},
       {"init dataset.toml -o i.toml", 3,
-       "dataset.toml: is a manifest, expected a log; hint: tribolog report dataset.toml -o "
-       "report.html"},
+       "dataset.toml: is a manifest, expected a log; hint: tribolog report dataset.toml"},
       {"init report.html -o i.toml", 3,
        "report.html: is a report, expected a log; hint: tribolog show report.html"},
       {"inspect archive.db", 3,
@@ -312,28 +286,21 @@ const std::vector<Call>& calls() {
       {"inspect fleet.html", 3,
        "fleet.html: is a page of tribolog without numbers to read, expected a log"},
       {"review dataset.toml --approve --reviewer me", 3,
-       "dataset.toml: is a manifest, expected a report (HTML); hint: tribolog report dataset.toml "
-       "-o "
-       "report.html"},
+       "dataset.toml: is a manifest, expected a report (HTML); hint: tribolog report dataset.toml"},
       {"archive add report.html --archive archive.db", 3,
        "report.html: is a report, expected a calibration (JSON); hint: tribolog show report.html"},
       {"archive add dataset.toml --archive archive.db", 3,
        "dataset.toml: is a manifest, expected a calibration (JSON); hint: tribolog report "
        "dataset.toml"},
       {"archive add report.calibration.json --report dataset.toml --archive archive.db", 3,
-       "dataset.toml: is a manifest, expected a report (HTML); hint: tribolog report dataset.toml "
-       "-o "
-       "report.html"},
+       "dataset.toml: is a manifest, expected a report (HTML); hint: tribolog report dataset.toml"},
       {"archive diff report.calibration.json report.calibration.json --archive archive.db", 3,
        "report.calibration.json: is a calibration, expected the id of an archived calibration, "
-       "which "
-       "tribolog archive list shows; hint: tribolog archive add report.calibration.json keeps it "
-       "and "
-       "prints its id"},
+       "which tribolog archive list shows; hint: tribolog archive add report.calibration.json "
+       "keeps it and prints its id"},
       {"archive show report.html --archive archive.db", 3,
        "report.html: is a report, expected the id of an archived calibration, which tribolog "
-       "archive "
-       "list shows; hint: tribolog show report.html"},
+       "archive list shows; hint: tribolog show report.html"},
       {"archive remove dataset.toml --archive archive.db", 3,
        "dataset.toml: is a manifest, expected the id of an archived calibration, which tribolog "
        "archive list shows; hint: tribolog report dataset.toml"},
@@ -346,12 +313,10 @@ const std::vector<Call>& calls() {
        "calibration (JSON)"},
       {"export report.html --format jsno", 2,
        "--format: 'jsno' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, "
-       "modelica, ros2; did you mean 'json'?; see tribolog export --help"},
+       "mjcf, modelica, ros2; did you mean 'json'?; see tribolog export --help"},
       {"archive list --archive=", 2,
        "--archive: the value is empty; state one, or leave the option out; see tribolog archive "
-       "list "
-       "--help"},
+       "list --help"},
       {"archive list --archive report.html", 6,
        "report.html: is no archive (no SQLite file); it is left as it is"},
       {"init log.csv -o i.toml --column", 2,
