@@ -187,7 +187,8 @@ TEST(InitRoundTrip, RampsOfABareServoThatSpinAwayNeedNoEdit) {
                 "effort='#2' --effort-kind motor_torque --no-gravity -o d.toml");
   ASSERT_EQ(init.status, 0) << init.err;
   const std::string manifest = read_text(scratch.file("d.toml"));
-  EXPECT_NE(manifest.find("unit = \"rad\" }  # unit guessed, the log states none: its steps"),
+  EXPECT_NE(manifest.find("unit = \"rad\", confirmed = false }  # unit guessed, the log states "
+                          "none: its steps"),
             std::string::npos)
       << manifest;
   EXPECT_NE(manifest.find("gravity = \"none\""), std::string::npos);

@@ -537,11 +537,8 @@ TEST(BrokenDatasets, AnAngleThatIsOnlyProposedLeavesTorquesWhereThereIsNoGravity
   joint::Dataset d = simulate::simulated_dataset(s);
   d.manifest.known_gravity = joint::StatedGravity(0, 0);
   const calibration::Calibration stated = identified(d);
-  for (const joint::Quantity torque :
-       {joint::Quantity::coulomb_torque, joint::Quantity::break_away_torque}) {
-    ASSERT_EQ(stated.judgement.find(torque)->verdict, calibration::Verdict::usable)
-        << to_string(torque);
-  }
+  ASSERT_EQ(stated.judgement.find(joint::Quantity::break_away_torque)->verdict,
+            calibration::Verdict::usable);
   std::vector<joint::Quantity> touched = per_speed;
   touched.push_back(joint::Quantity::bristle_stiffness);
   expect_doubtful(touched, stated,
@@ -564,7 +561,7 @@ TEST(BrokenDatasets, GravityThatTheControllerTookOffIsNotLookedForAndThatIsSaid)
     ASSERT_FALSE(q.reasons.empty());
     EXPECT_TRUE(q.reasons.front().is("cause.gravity_removed")) << as_code(q.reasons.front());
   }
-  EXPECT_EQ(c.judgement.find(joint::Quantity::coulomb_torque)->verdict,
+  EXPECT_EQ(c.judgement.find(joint::Quantity::break_away_torque)->verdict,
             calibration::Verdict::usable);
 }
 

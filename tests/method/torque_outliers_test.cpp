@@ -76,6 +76,21 @@ TEST(TorqueOutliers, ASpikeThatAMotionMayMakeStandsAtARecordingsEnd) {
   EXPECT_TRUE(method::motion::torque_outliers(r).empty());
 }
 
+/// A run's torque hardly varies; where it starts, all of it is new, where it reverses, twice.
+TEST(TorqueOutliers, StartAndEndOfARunAtConstantSpeedAreNone) {
+  for (const std::size_t samples : {40UL, 2000UL}) {
+    joint::Recording r = loop(0);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      r.q_rad[i] = 0.5 * r.t_s[i];
+      r.torque_Nm[i] = 1.2 + 0.001 * std::sin(40 * r.t_s[i]);
+    }
+    for (std::vector<double>* v : {&r.t_s, &r.q_rad, &r.torque_Nm}) v->resize(samples);
+    r.torque_Nm.front() = 0;
+    r.torque_Nm.back() = -1.2;
+    EXPECT_TRUE(method::motion::torque_outliers(r).empty()) << samples;
+  }
+}
+
 TEST(TorqueOutliers, ImpossibleSpikesAreFoundInShortRecordings) {
   joint::Recording r = loop(0.01);
   for (std::vector<double>* v : {&r.t_s, &r.q_rad, &r.torque_Nm}) v->resize(40);

@@ -162,15 +162,18 @@ void read_rows_above(const std::vector<Row>& above, std::size_t columns, Decimal
   if (found.units.empty()) read_units_of_labview(above, columns, found);
 }
 
-/// Whether the log is read as it is: the first row names the columns, units may stand below.
+/// Whether the log is read as it is: the first row names the columns, units may stand below. What
+/// is wrong with either is told there.
 bool is_plain(const std::vector<Row>& rows, std::size_t first, DecimalMark mark) {
   if (first == 0) return true;
+  const bool is_sentence = rows.front().fields.size() == 1;
+  if (first == 1 && !is_sentence) return true;  // names of other columns, or an open quote
   if (!are_alike(rows.front().fields, rows[first].fields)) return false;
   // Cells that are no numbers are told of where they stand.
   const bool has_numbers =
       std::any_of(rows.begin() + 1, rows.begin() + static_cast<std::ptrdiff_t>(first),
                   [&](const Row& row) { return !is_of_words(row.fields, mark); });
-  return first == 1 || has_numbers || (first == 2 && holds_units(rows[1].fields, mark));
+  return first == 1 || has_numbers || (first == 2 && are_alike(rows[1].fields, rows[first].fields));
 }
 
 }  // namespace

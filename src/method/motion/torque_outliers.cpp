@@ -68,25 +68,35 @@ class RareMotion {
   double rare_{};
 };
 
-/// From the 5th to the 95th percentile.
-double usual_range(std::vector<double> y) {
+struct UsualTorque {
+  double low_Nm;   ///< 5th percentile,
+  double high_Nm;  ///< and 95th.
+  [[nodiscard]] double range_Nm() const { return high_Nm - low_Nm; }
+  /// Of a run at constant speed the range is small: a start from rest changes the torque by all of
+  /// it, a reversal by twice of that.
+  [[nodiscard]] double size_Nm() const {
+    return std::max({range_Nm(), std::abs(low_Nm), std::abs(high_Nm)});
+  }
+};
+
+UsualTorque usual_torque(std::vector<double> y) {
   const auto at = [&](double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(y.size() - 1));
     std::nth_element(y.begin(), y.begin() + k, y.end());
     return y[static_cast<std::size_t>(k)];
   };
   const double high = at(0.95);
-  return high - at(0.05);
+  return {at(0.05), high};
 }
 
 /// Samples that no motion makes, wherever they are: as of bytes that were read wrongly.
-std::vector<std::size_t> impossible_samples(const std::vector<double>& y, double range) {
-  constexpr double beyond = 4;  // times the recording's usual range
+std::vector<std::size_t> impossible_samples(const std::vector<double>& y, double size_Nm) {
+  constexpr double beyond = 4;  // times the recording's usual torque
   std::vector<std::size_t> found;
-  if (y.size() < 2 * beside + 1 || !(range > 0)) return found;
+  if (y.size() < 2 * beside + 1 || !(size_Nm > 0)) return found;
   for (std::size_t i = 0; i < y.size(); ++i) {
     const std::size_t about = std::clamp(i, beside, y.size() - 1 - beside);
-    if (std::abs(y[i] - median_about(y, about, beside)) > beyond * range) found.push_back(i);
+    if (std::abs(y[i] - median_about(y, about, beside)) > beyond * size_Nm) found.push_back(i);
   }
   return found;
 }
@@ -100,8 +110,8 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   constexpr std::size_t fewest_samples = 50;
   const std::vector<double>& y = recording.torque_Nm;
   if (y.empty() || y.size() != recording.size()) return {};
-  const double range = usual_range(y);
-  std::vector<std::size_t> out = impossible_samples(y, range);
+  const UsualTorque usual = usual_torque(y);
+  std::vector<std::size_t> out = impossible_samples(y, usual.size_Nm());
   const auto are_few = [&] {
     return static_cast<double>(out.size()) <= most_share * static_cast<double>(y.size());
   };
@@ -110,7 +120,7 @@ std::vector<std::size_t> torque_outliers(const joint::Recording& recording) {
   const std::vector<std::size_t> impossible = out;
   const double noise = statistics::white_sd_beside_jumps(statistics::third_differences(y));
   out.clear();
-  const double least = std::max(far_off * noise, least_share * range);
+  const double least = std::max(far_off * noise, least_share * usual.range_Nm());
   // Four of six neighbours lie beyond the median: of any three one does.
   const auto may_be_one = [&](std::size_t i) {
     return std::abs(y[i] - y[i - 3]) > least || std::abs(y[i] - y[i - 1]) > least ||

@@ -5,8 +5,9 @@
 // Hampel's filter: a sample is compared with the median of the seven about it, in units of the
 // median absolute deviation of a wider window or of the recording's white noise, whichever is
 // larger. A step of friction at a reversal agrees with one side and is kept; so is a sample near
-// which the joint accelerates or decelerates unusually. A sample beyond four times the torque's
-// usual range is none of the joint's, wherever it is.
+// which the joint accelerates or decelerates unusually. A sample that is off by
+// more than four times the torque's usual range, and its usual size, is none of the joint's,
+// wherever it is.
 //
 // It fails where the log is too coarse for the joint: spikes may then be its motion. A recording
 // of which more than a tenth would be replaced is left as it is.

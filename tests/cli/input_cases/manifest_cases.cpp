@@ -43,8 +43,8 @@ std::vector<InputCase> manifest_cases() {
       named("47a", "RobotNamedAsAStatement", "'; DROP TABLE cal;--"),
       named("47b", "RobotWithANul", "a\\u0000b"),
       manifest("48a", "UnknownKey", case_manifest("side =", "colour = \"red\"\nside ="),
-               ":9:10: unknown key 'effort.colour'; hint: known here: 'confirmed', 'kind', "
-               "'side', 'sign', 'torque_constant_Nm_A'"),
+               ":9:10: unknown key 'effort.colour'; hint: known here: 'confirmed', "
+               "'gravity_removed', 'kind', 'side', 'sign', 'torque_constant_Nm_A'"),
       manifest("48b", "MisspeltKey", case_manifest("gear_ratio", "gear_ration"),
                ":4:1: key 'joint.gear_ratio' is missing; hint: is 'gear_ration' meant to be it?"),
       manifest("48c", "WrongType", gear_ratio("\"100\""),
@@ -84,8 +84,8 @@ std::vector<InputCase> manifest_cases() {
                ":13:33: key 'columns.effort.unit': contradicts effort.kind, found 'A', a current, "
                "expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated rightly?"),
       manifest(
-          "48o", "UnknownUnit", case_manifest("\"rad\"", "\"grad\""),
-          ":12:30: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg, turn; "
+          "48o", "UnknownUnit", case_manifest("\"rad\"", "\"radd\""),
+          ":12:30: unknown unit of an angle, found 'radd', expected one of rad, mrad, deg, turn; "
           "hint: did you mean 'rad'?"),
       manifest("48p", "UnknownRole", case_manifest("rough_sweep", "ruff_sweep"),
                ":15:8: key 'recording.role': not known, found 'ruff_sweep', expected one of "

@@ -148,6 +148,19 @@ TEST(Preamble, OfAPlainLogIsNone) {
   }
 }
 
+/// What is wrong with a header is told, not passed over as words in front of a table.
+TEST(Preamble, OfAHeaderThatDoesNotFitIsNone) {
+  for (const char* header : {"t,q,tau,more\n", "t,\"q,tau\n", "t,q,tau\nticks,deg,percent\n"}) {
+    std::string text = header;
+    for (int i = 0; i < rows; ++i) {
+      text += fmt::format("{},{},{}\n", 4 * i, angle_deg(i), torque_Nm(i));
+    }
+    const std::string refused =
+        test::refusal_of<InputError>([&] { read(text, {{"t"}, {"q"}, {"tau"}}); });
+    EXPECT_TRUE(refused.starts_with("run.csv:1") || refused.starts_with("run.csv:2")) << refused;
+  }
+}
+
 TEST(Remarks, BetweenRowsAreLeftOutAndCounted) {
   std::string text = "t,q,tau\n";
   for (int i = 0; i < rows; ++i) {
