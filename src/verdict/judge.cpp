@@ -387,9 +387,8 @@ calibration::Judgement judge(const calibration::Calibration& c) {
     return verdict_on(quantity, out.quantities).verdict != calibration::Verdict::not_identifiable;
   };
   const bool has_angle = is_known(Quantity::cog_angle);
-  const bool has_mass =
-      is_known(Quantity::gravity_torque) &&
-      (is_known(Quantity::surrogate_mass) || c.manifest.torque_is_in_amperes);
+  const bool has_mass = is_known(Quantity::gravity_torque) &&
+                        (is_known(Quantity::surrogate_mass) || c.manifest.torque_is_in_amperes);
   bool limit_broken = false;
   out.verdict = calibration::Verdict::usable;
   for (const calibration::QuantityVerdict& quantity : out.quantities) {

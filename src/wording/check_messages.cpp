@@ -141,7 +141,8 @@ const Messages& check_messages() {
       {"effort.is_target_proposed",
        text("the effort is a target torque from a controller or its model, not a measurement; "
             "that, too, is proposed, not confirmed")},
-      {"effort.constant_unknown", text("the torque constant is not known: the effort is a current")},
+      {"effort.constant_unknown",
+       text("the torque constant is not known: the effort is a current")},
       {"effort.is_of_amperes",
        text("every torque is a number of amperes: times the torque constant it is one of N·m")},
       {"effort.state_constant",

@@ -68,7 +68,7 @@ TEST_F(OneCommand, NamesWhatToTypeForWhatTheLogDoesNotTell) {
   EXPECT_NE(run.out.find("proposed, not confirmed: the angle's unit, rad (--angle-unit)"),
             std::string::npos)
       << run.out;
-  EXPECT_NE(run.out.find("tribolog report joint.csv --angle-unit rad --time-unit s --gear-ratio "
+  EXPECT_NE(run.out.find("joint.csv --angle-unit rad --time-unit s --gear-ratio "
                          "RATIO --effort-kind joint_torque --effort-unit Nm"),
             std::string::npos)
       << run.out;
