@@ -1,7 +1,10 @@
 // Manual and completion name every command, and of each all options that its help names.
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>

@@ -1,6 +1,7 @@
 #include "ingest/log/register.h"
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
