@@ -92,6 +92,15 @@ bool has_no_value(const CLI::App& command, const std::string& argument, const st
          !may_be_archive(next);
 }
 
+/// What the command reads stands in front already: the next word is then a value.
+bool is_given_data(const std::vector<std::string>& words, std::size_t count) {
+  return std::any_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count),
+                     [](const std::string& word) {
+                       const FileKind kind = inspect::files::kind_of_file(word);
+                       return kind == FileKind::manifest || kind == FileKind::log;
+                     });
+}
+
 }  // namespace
 
 std::vector<std::string> arguments_to_parse(const CLI::App& program,
@@ -112,6 +121,7 @@ std::vector<std::string> with_values_told_apart(const CLI::App& program,
   std::vector<std::string> told_apart = arguments;
   for (std::size_t k = 0; k + 1 < told_apart.size() && told_apart[k] != "--"; ++k) {
     if (!has_no_value(command, told_apart[k], told_apart[k + 1])) continue;
+    if (is_given_data(told_apart, k)) continue;
     while (k + 1 < told_apart.size() && !looks_like_option(told_apart[k + 1])) {
       std::swap(told_apart[k], told_apart[k + 1]);
       ++k;

@@ -21,9 +21,8 @@ const std::vector<Call>& calls() {
        "report: r2.html"},
       {"identify --archive dataset.toml -o c1.json --truth-runs 0", 0, "calibration: c1.json"},
       {"identify --archive --truth-runs 0 dataset.toml -o c2.json", 0, "calibration: c2.json"},
-      {"identify dataset.toml -o c3.json --truth-runs 0 --archive report.html", 3,
-       "report.html: is a report, expected a dataset manifest (TOML) or logs; hint: tribolog show "
-       "report.html"},
+      {"identify dataset.toml -o c3.json --truth-runs 0 --archive report.html", 6,
+       "report.html: is no archive (no SQLite file); it is left as it is"},
       {"identify dataset.toml -o c4.json --truth-runs 0 --archive=report.html", 6,
        "report.html: is no archive (no SQLite file); it is left as it is"},
       {"help", 0, "Usage: tribolog [OPTIONS] [SUBCOMMAND]"},

@@ -282,7 +282,7 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
             "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', "
             "'confirmed', 'name', "
             "'plus', "
-            "'rate_Hz', 'unit'");
+            "'rate_Hz', 'register', 'unit'");
   EXPECT_EQ(
       refusal(with("name = \"t\", unit = \"s\"", "rate_Hz = 1000, unit = \"s\"")).substr(0, 55),
       "m.toml:11:32: unknown key 'columns.time.unit'; hint: kn");
