@@ -107,7 +107,8 @@ Joint joint_of(const joint::Manifest& m) {
           m.payload_kg,
           m.payload_distance_m,
           m.temperature_C,
-          m.drive.gear_ratio()};
+          m.drive.gear_ratio(),
+          m.torque_is_in_amperes};
 }
 
 Outcome outcome_of(const calibration::Calibration& c) {

@@ -126,7 +126,7 @@ std::vector<Said> list_said_by(const ReadJson& object, const std::string& key) {
 
 Joint joint_of(const calibration::Facts& f) {
   return {f.of.robot, f.of.serial,  f.of.joint,           f.measured_on,   f.operator_name, f.note,
-          f.payload,  f.payload_kg, f.payload_distance_m, f.temperature_C, f.gear_ratio};
+          f.payload,  f.payload_kg, f.payload_distance_m, f.temperature_C, f.gear_ratio,    false};
 }
 
 JudgedQuantity judged(const calibration::Quantity& read, const ReadJson& object,
@@ -223,6 +223,8 @@ Outcome read_outcome(const std::string& json, const std::string& file) {
   const wording::WordsIn english({});
   Outcome made;
   made.joint = joint_of(read.facts);
+  const ReadJson& in_amperes = member(member(top, "drive"), "torque_is_in_amperes");
+  made.joint.torque_is_in_amperes = in_amperes.is_boolean() && in_amperes.get<bool>();
   made.verdict = verdict_of(read.facts.verdict);
   const ReadJson& verdict = member(top, "verdict");
   made.sentence = said_by(verdict, "sentence");

@@ -36,7 +36,6 @@
 
 namespace tribolog::calibration {
 
-/// What figures draw besides the numbers: samples and fitted curves, no results.
 /// The joint's way through one recording, thinned for a picture.
 struct LogTrace {
   std::string recording;
@@ -45,6 +44,7 @@ struct LogTrace {
   std::vector<double> q_rad;
 };
 
+/// What figures draw besides the numbers: samples and fitted curves, no results.
 struct Curves {
   method::gravity::SweepCurves rough;
   method::gravity::SweepCurves precise;

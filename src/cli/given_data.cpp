@@ -33,7 +33,7 @@ std::string start_of(const std::string& path) {
   return start;
 }
 
-/// By its ending where that is a manifest's or a log's, else by what it starts with.
+/// By its ending, else by what it holds.
 bool is_manifest(const std::string& path) {
   return fs::path(path).extension() == ".toml" ||
          inspect::files::kind_of_file(path) == inspect::files::FileKind::manifest;
@@ -116,8 +116,6 @@ FoundData find_data(const GivenData& given, const std::string& output, Console& 
   write_file_atomically(found.dataset.manifest, sealed(proposed.text));
   console.say("manifest: " + printable(found.dataset.manifest, 400));
   found.open = proposed.open;
-  found.is_in_amperes =
-      proposed.text.find("torque_constant_Nm_A = \"unknown\"") != std::string::npos;
   found.dataset.joint.clear();  // the manifest's only one
   return found;
 }
@@ -171,11 +169,10 @@ void add_given_data(CLI::App& command, GivenData& given) {
       ->excludes("--joint");
   command.add_flag("--force", given.force, "of logs: replace a manifest that was edited");
   const std::set<const CLI::Option*> known(before.begin(), before.end());
-  for (const CLI::Option* const option : command.get_options()) {
-    if (!known.contains(option)) given.of_logs.push_back(option);
-  }
   for (CLI::Option* const option : command.get_options()) {
-    if (!known.contains(option)) option->group("Of logs");
+    if (known.contains(option)) continue;
+    given.of_logs.push_back(option);
+    option->group("Of logs");
   }
 }
 

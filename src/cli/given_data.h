@@ -27,7 +27,6 @@ struct FoundData {
   DatasetChoice dataset;
   std::string stem;  ///< Of the outputs' names that are not stated: "runs/j3" of "runs/j3.csv".
   bool is_of_logs{};
-  bool is_in_amperes{};  ///< The torque constant is not known: torques are numbers of amperes.
   std::vector<std::string> open;  ///< Options that would state what is not known.
 };
 

@@ -160,7 +160,8 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
   return identify_joint(dataset, options);
 }
 
-void tell_outcome(const Calibration& calibration, Console& to, bool in_amperes) {
+void tell_outcome(const Calibration& calibration, Console& to) {
+  const bool in_amperes = calibration.joint().torque_is_in_amperes;
   const auto tell = [&](const std::string& line) {
     to.say(in_amperes ? wording::in_amperes(line) : line);
   };

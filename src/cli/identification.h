@@ -47,8 +47,7 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
                                Console& console);
 
 /// A few lines for the terminal: verdict, angle, mass, friction, and rows left out.
-/// @param in_amperes the torque constant is not known.
-void tell_outcome(const Calibration& calibration, Console& to, bool in_amperes = false);
+void tell_outcome(const Calibration& calibration, Console& to);
 
 /// 1 if the verdict is the given one or worse.
 ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on);

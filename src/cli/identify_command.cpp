@@ -36,7 +36,7 @@ ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::
   archiving.keep_numbers({calibration.to_json(), options.output}, options.dataset.manifest,
                          console);
   files.commit();
-  tell_outcome(calibration, console, found.is_in_amperes);
+  tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));
   tell_what_is_open(found, arguments, console);
   return status_of(calibration, options.fail_on);

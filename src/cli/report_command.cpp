@@ -78,7 +78,7 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
   files.add(options.output, report.html);
   archiving.keep_report(id, report.html, console);
   files.commit();
-  tell_outcome(calibration, console, found.is_in_amperes);
+  tell_outcome(calibration, console);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));
   tell_what_is_open(found, arguments, console);

@@ -81,6 +81,9 @@ TEST_F(OneCommand, GivesTheNumbersOfACurrentInAmperes) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("gravity torque at the joint"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("N·m"), std::string::npos) << run.out;
+  const ProgramRun again = report("joint.toml");
+  EXPECT_NE(again.out.find(" A (95 %"), std::string::npos) << again.out;
+  EXPECT_EQ(again.out.find("N·m"), std::string::npos) << again.out;
   EXPECT_NE(run.out.find("--torque-constant NM_PER_A"), std::string::npos) << run.out;
   const nlohmann::json all = numbers("joint.calibration.json");
   EXPECT_EQ(all["drive"]["torque_is_in_amperes"], true);

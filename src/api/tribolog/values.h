@@ -108,6 +108,8 @@ struct Joint {
   std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint axis.
   std::optional<double> temperature_C;
   double gear_ratio{1};  ///< Motor angle / joint angle; may be negative.
+  /// The torque constant is not known: what is called a torque is a current, in A.
+  bool torque_is_in_amperes{};
 };
 
 /// Called in the caller's thread with the next step, in English, and the steps (done, all). Must
