@@ -101,6 +101,19 @@ std::string read_file(const std::string& path, std::uint64_t largest_bytes) {
   }
 }
 
+std::string read_start(const std::string& path, std::size_t most_bytes) {
+  InputFileSource file(path);
+  std::string start(most_bytes, '\0');
+  std::size_t filled = 0;
+  while (filled < start.size()) {
+    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
+    if (got == 0) break;
+    filled += got;
+  }
+  start.resize(filled);
+  return start;
+}
+
 std::size_t MemorySource::read(char* to, std::size_t most) {
   const std::size_t bytes = std::min(most, rest_.size());
   std::memcpy(to, rest_.data(), bytes);

@@ -21,6 +21,10 @@ inline constexpr std::uint64_t largest_input_bytes = std::uint64_t{8} << 30;
 ///        bound; or it becomes shorter while it is read.
 std::string read_file(const std::string& path, std::uint64_t largest_bytes = largest_input_bytes);
 
+/// The first bytes of a file; all of a shorter one.
+/// @throw InputError as read_file() does.
+std::string read_start(const std::string& path, std::size_t most_bytes);
+
 /// Size of a regular file in bytes, for a library that opens it by its name.
 /// @throw InputError as read_file().
 std::uint64_t size_of_file(const std::string& path,

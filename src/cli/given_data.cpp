@@ -24,19 +24,25 @@ namespace {
 constexpr std::string_view seal = "# Unedited as long as this is its digest: ";
 constexpr std::size_t digits_of_seal = 16;
 
-std::string start_of(const std::string& path) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 16;
-  std::ifstream file(path, std::ios::binary);
-  std::string start(most_bytes, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-  return start;
-}
-
 /// By its ending, else by what it holds.
 bool is_manifest(const std::string& path) {
   return fs::path(path).extension() == ".toml" ||
          inspect::files::kind_of_file(path) == inspect::files::FileKind::manifest;
+}
+
+/// A page or numbers that this program wrote.
+bool is_output(const std::string& path) {
+  using inspect::files::FileKind;
+  switch (inspect::files::kind_of_file(path)) {
+    case FileKind::report:
+    case FileKind::robot_page:
+    case FileKind::other_page:
+    case FileKind::bare_page:
+    case FileKind::calibration:
+      return true;
+    default:
+      return false;
+  }
 }
 
 std::string sealed(const std::string& text) {
@@ -125,10 +131,9 @@ std::string output_or_beside(const std::string& stated, const FoundData& found,
   if (!stated.empty()) return stated;
   const std::string path = found.stem + ending;
   std::error_code error;
-  const bool is_foreign = ending.empty() ? fs::exists(path, error) && !fs::is_directory(path, error)
-                                         : fs::exists(path, error) &&
-                                               start_of(path).find("tribolog") == std::string::npos;
-  if (is_foreign) {
+  const bool is_there = fs::exists(path, error);
+  const bool is_own = ending.empty() ? fs::is_directory(path, error) : is_output(path);
+  if (is_there && !is_own) {
     throw OutputError(printable(path, 400) +
                       ": exists, is no file of tribolog's and was left unchanged; -o FILE names "
                       "another");

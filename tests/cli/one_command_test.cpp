@@ -141,6 +141,15 @@ TEST_F(OneCommand, OptionsOfLogsAreRefusedBesideAManifest) {
   EXPECT_NE(run.err.find("--gear-ratio is for logs"), std::string::npos) << run.err;
 }
 
+TEST_F(OneCommand, LeavesAPageAloneThatOnlySpeaksOfTheProgram) {
+  const std::string notes = "<html><body>Notes on tribolog</body></html>\n";
+  scratch_.write("joint.csv", sweep("t_s,q_rad,tau_Nm"));
+  scratch_.write("joint.html", notes);
+  const ProgramRun run = report("joint.csv --gear-ratio 50");
+  EXPECT_EQ(run.status, 4) << run.err;
+  EXPECT_EQ(read_text(scratch_.file("joint.html")), notes);
+}
+
 TEST_F(OneCommand, FrictionPointsNeedNoClock) {
   std::string csv = "velocity [rad/s],friction torque [Nm]\n";
   std::mt19937 random(1);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/units.h"
@@ -24,7 +25,7 @@ std::vector<log::ColumnHeader> headers_of(const log::LogTable& table) {
 std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
                                                const text::TextLogRules& rules) {
   constexpr std::size_t most_bytes = std::size_t{1} << 16;
-  std::string start = start_of_log(path, most_bytes);
+  std::string start = read_start(path, most_bytes);
   start.resize(start.rfind('\n') + 1);  // whole rows; none: no such log
   try {
     return headers_of(text::read_csv(start, path, {}, rules));

@@ -16,7 +16,7 @@ namespace tribolog::ingest::dataset {
 std::vector<log::ColumnHeader> headers_of(const log::LogTable& table);
 
 /// Those of a text log, by its first rows; none where these do not tell.
-/// @throw InputError as start_of_log() does.
+/// @throw InputError as read_start() does.
 std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
                                                const text::TextLogRules& rules);
 

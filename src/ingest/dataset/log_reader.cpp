@@ -77,21 +77,8 @@ std::vector<std::string> names_of(const log::LogTable& table) {
 
 }  // namespace
 
-std::string start_of_log(const std::string& path, std::size_t most_bytes) {
-  InputFileSource file(path);
-  std::string start(most_bytes, '\0');
-  std::size_t filled = 0;
-  while (filled < start.size()) {
-    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
-    if (got == 0) break;
-    filled += got;
-  }
-  start.resize(filled);
-  return start;
-}
-
 log::LogFormat format_of_log(const std::string& path) {
-  return log::detect_log_format(start_of_log(path, log::log_format_bytes), path);
+  return log::detect_log_format(read_start(path, log::log_format_bytes), path);
 }
 
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format) {

@@ -17,10 +17,6 @@
 
 namespace tribolog::ingest::dataset {
 
-/// As much of a log as there is, from its start on.
-/// @throw InputError as read_file() does.
-std::string start_of_log(const std::string& path, std::size_t most_bytes);
-
 /// What a log is, by its first bytes. Text is read as a stream; all else goes through
 /// read_tables().
 /// @throw InputError as read_file() does.

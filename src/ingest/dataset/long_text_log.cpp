@@ -56,7 +56,7 @@ bool shows_long_format(const std::string& path, const std::vector<log::WantedCol
                        const text::TextLogRules& rules) {
   constexpr std::size_t enough_bytes = std::size_t{1} << 15;
   try {
-    const std::string start = start_of_log(path, enough_bytes);
+    const std::string start = read_start(path, enough_bytes);
     text::CsvTable table = text::read_csv(std::string_view(start), path, {}, rules);
     const bool stands_alone = has_all(table, wanted);
     return !stands_alone && spread(std::move(table)).has_value();

@@ -23,19 +23,6 @@ using ingest::log::LogFormat;
 constexpr std::size_t start_bytes = std::size_t{1} << 16;
 constexpr std::uint64_t largest_page_bytes = std::uint64_t{1} << 30;
 
-std::string start_of(const std::string& path) {
-  InputFileSource file(path);
-  std::string start(start_bytes, '\0');
-  std::size_t filled = 0;
-  while (filled < start.size()) {
-    const std::size_t read = file.read(start.data() + filled, start.size() - filled);
-    if (read == 0) break;
-    filled += read;
-  }
-  start.resize(filled);
-  return start;
-}
-
 std::string_view without_blanks_before(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -173,7 +160,7 @@ FileKind kind_of_file(const std::string& path) {
   if (fs::is_directory(status)) return FileKind::folder;
   if (!fs::is_regular_file(status)) return FileKind::unknown;
   try {
-    const std::string start = start_of(path);
+    const std::string start = read_start(path, start_bytes);
     return start.empty() ? FileKind::empty : kind_of_start(path, start);
   } catch (const InputError&) {
     return FileKind::missing;
