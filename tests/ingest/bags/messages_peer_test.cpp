@@ -53,17 +53,23 @@ TEST(MessagesPeer, WritesMcapWithMessagesOfEveryEncoding) {
   EXPECT_EQ(wording::words(test::table_of(tables, "/json_flat").notes), left_out);
 }
 
-class BagPeer : public testing::TestWithParam<const char*> {};
+class BagPeer : public testing::TestWithParam<const char*> {
+ protected:
+  /// And its topics as CSV beside it.
+  static void write_bag(const test::ScratchDirectory& scratch, const std::string& path) {
+    const test::ProgramRun run = test::run_shell(
+        quoted(python_packages + "/bin/python") + " " + quoted(peer + "/write_bag.py") + " " +
+        quoted(path) + " " + GetParam() + " " + quoted(scratch.file("")));
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+};
 
 TEST_P(BagPeer, WritesBagsThatAreReadInFull) {
   const std::string why = missing("python_packages.sh", python_packages, "requirements.txt");
   if (!why.empty()) GTEST_SKIP() << "no peer: " << why;
   const test::ScratchDirectory scratch;
   const std::string path = scratch.file("peer.bag");
-  const test::ProgramRun run = test::run_shell(quoted(python_packages + "/bin/python") + " " +
-                                               quoted(peer + "/write_bag.py") + " " + quoted(path) +
-                                               " " + GetParam() + " " + quoted(scratch.file("")));
-  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_NO_FATAL_FAILURE(write_bag(scratch, path));
 
   EXPECT_EQ(ingest::log::detect_log_format(read_file(path).substr(0, 64), path),
             ingest::log::LogFormat::rosbag);
@@ -80,10 +86,7 @@ TEST_P(BagPeer, GivesOfACutBagWhatStandsBeforeTheCut) {
   if (!why.empty()) GTEST_SKIP() << "no peer: " << why;
   const test::ScratchDirectory scratch;
   const std::string path = scratch.file("peer.bag");
-  const test::ProgramRun run = test::run_shell(quoted(python_packages + "/bin/python") + " " +
-                                               quoted(peer + "/write_bag.py") + " " + quoted(path) +
-                                               " " + GetParam() + " " + quoted(scratch.file("")));
-  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_NO_FATAL_FAILURE(write_bag(scratch, path));
   const std::string bytes = read_file(path);
   const std::vector<ingest::log::LogTable> whole = ingest::bags::read_rosbag(path);
   std::size_t rows_before = 0;
