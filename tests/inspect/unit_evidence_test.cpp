@@ -104,8 +104,8 @@ TEST(UnitEvidence, OfAStatedSpeedTheAnglesUnitFollows) {
 }
 
 TEST(UnitEvidence, OfTwoUnitsThatAreNotEqualTheRatioTellsBoth) {
-  for (const std::string& angle : {"rad", "deg", "turn"}) {
-    for (const std::string& speed : {"rad/s", "deg/s", "rpm", "turn/s"}) {
+  for (const char* const angle : {"rad", "deg", "turn"}) {
+    for (const char* const speed : {"rad/s", "deg/s", "rpm", "turn/s"}) {
       const FoundUnits found = found_in(log_in({angle, speed}, {false, false, true}));
       const bool are_equal = speed == std::string(angle) + "/s";
       EXPECT_EQ(found.angle.unit_is_proven, !are_equal) << pair_of(angle, speed);
