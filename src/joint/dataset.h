@@ -125,6 +125,9 @@ struct Manifest {
   bool effort_is_confirmed{true};
   /// A current whose torque constant is not known: its numbers stand for torques.
   bool torque_is_in_amperes{};
+  [[nodiscard]] TorqueUnit torque_unit() const {
+    return torque_is_in_amperes ? TorqueUnit::ampere : TorqueUnit::newton_metre;
+  }
   /// The effort is what is left of the torque after the controller has taken gravity off: gravity
   /// is not looked for in it (known_gravity is 0).
   bool gravity_is_removed{};

@@ -159,7 +159,8 @@ std::string or_not_stated(const std::string& text) {
 /// Where the torque's scale comes from.
 std::string torque_scale_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
-  if (const auto constant = m.drive.torque_constant_Nm_A()) {
+  const auto constant = m.drive.torque_constant_Nm_A();
+  if (constant && !m.torque_is_in_amperes) {
     parts.push_back(tr("torque constant {constant}",
                        {{"constant", wording::with_unit(wording::as_stated(*constant), "N·m/A")}}));
   }
