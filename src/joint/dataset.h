@@ -110,6 +110,10 @@ struct StatedUncertainty {
 };
 
 /// What the user states about the measurement. Texts may be empty where not stated.
+/// Names in a manifest that was proposed for a log, for which nobody stated one.
+inline constexpr const char* unnamed_robot = "unnamed robot";
+inline constexpr const char* unnamed_joint = "joint";
+
 struct Manifest {
   std::string robot;
   std::string serial;

@@ -207,7 +207,10 @@ std::string robot_page(const std::vector<RobotJoint>& joints,
   TemplateValues values;
   fill_head(provenance, values, PageKind::robot);
   const joint::Manifest* manifest = manifest_of(joints);
-  values.set("TITLE", manifest == nullptr ? tr("Robot") : or_dash(manifest->robot));
+  const bool is_unnamed = manifest != nullptr && manifest->robot == joint::unnamed_robot;
+  values.set("TITLE", manifest == nullptr ? tr("Robot")
+                      : is_unnamed        ? tr("Robot not named")
+                                          : or_dash(manifest->robot));
   fill_facts(facts_of(joints), values);
   fill_verdict(joints, values);
   for (const RobotJoint& joint : joints) fill_joint(joint, values.add_section("JOINT"));
