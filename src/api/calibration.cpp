@@ -14,6 +14,7 @@
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
 #include "wording/language.h"
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::api {
@@ -33,11 +34,23 @@ Calibration Inside::made(Calibration::Contents contents) {
 
 namespace {
 
+/// While it lives, this thread's words are an outcome's.
+class WordsOf {
+ public:
+  WordsOf(const Outcome& outcome, const std::string& language)
+      : language_(language_of(language)), torques_(torque_unit_of(outcome.joint)) {}
+
+ private:
+  wording::WordsIn language_;
+  wording::TorquesIn torques_;
+};
+
 /// Each of them with its texts in that language.
 template <class Value, class Kept>
-std::vector<Value> all_worded(const std::vector<Kept>& all, const std::string& language) {
+std::vector<Value> all_worded(const Outcome& outcome, const std::vector<Kept>& all,
+                              const std::string& language) {
   return guarded([&] {
-    const wording::WordsIn words(language_of(language));
+    const WordsOf words(outcome, language);
     std::vector<Value> values;
     values.reserve(all.size());
     for (const Kept& one : all) values.push_back(worded(one));
@@ -98,26 +111,26 @@ Verdict Calibration::verdict() const { return contents_->outcome.verdict; }
 
 Message Calibration::sentence(const std::string& language) const {
   return api::guarded([&] {
-    const wording::WordsIn words(api::language_of(language));
+    const api::WordsOf words(contents_->outcome, language);
     return api::message_of(contents_->outcome.sentence);
   });
 }
 
 std::vector<Message> Calibration::findings(const std::string& language) const {
   return api::guarded([&] {
-    const wording::WordsIn words(api::language_of(language));
+    const api::WordsOf words(contents_->outcome, language);
     return api::messages_of(contents_->outcome.findings);
   });
 }
 
 std::vector<Quantity> Calibration::quantities(const std::string& language) const {
-  return api::all_worded<Quantity>(contents_->outcome.quantities, language);
+  return api::all_worded<Quantity>(contents_->outcome, contents_->outcome.quantities, language);
 }
 
 std::optional<Quantity> Calibration::quantity(const std::string& name,
                                               const std::string& language) const {
   return api::guarded([&]() -> std::optional<Quantity> {
-    const wording::WordsIn words(api::language_of(language));
+    const api::WordsOf words(contents_->outcome, language);
     const auto& all = contents_->outcome.quantities;
     const auto found = std::find_if(all.begin(), all.end(), [&](const api::JudgedQuantity& one) {
       return one.quantity.name == name;
@@ -132,15 +145,15 @@ std::string Calibration::estimator() const {
 }
 
 std::vector<Check> Calibration::checks(const std::string& language) const {
-  return api::all_worded<Check>(contents_->outcome.checks, language);
+  return api::all_worded<Check>(contents_->outcome, contents_->outcome.checks, language);
 }
 
 std::vector<Stage> Calibration::stages(const std::string& language) const {
-  return api::all_worded<Stage>(contents_->outcome.stages, language);
+  return api::all_worded<Stage>(contents_->outcome, contents_->outcome.stages, language);
 }
 
 std::vector<InputFile> Calibration::inputs(const std::string& language) const {
-  return api::all_worded<InputFile>(contents_->outcome.inputs, language);
+  return api::all_worded<InputFile>(contents_->outcome, contents_->outcome.inputs, language);
 }
 
 bool Calibration::has_recordings() const { return contents_->identified != nullptr; }

@@ -8,6 +8,7 @@
 #include "api/guard.h"
 #include "ingest/dataset/dataset_file.h"
 #include "wording/language.h"
+#include "wording/torques_in.h"
 
 namespace tribolog {
 
@@ -37,6 +38,7 @@ Joint Dataset::joint() const {
 std::vector<Message> Dataset::notes(const std::string& language) const {
   return api::guarded([&] {
     const wording::WordsIn words(api::language_of(language));
+    const wording::TorquesIn unit(contents_->dataset.manifest.torque_unit());
     std::vector<Message> notes;
     for (const Statement& note : contents_->dataset.notes) {
       notes.push_back(api::message_of(api::said(note)));

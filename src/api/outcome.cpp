@@ -4,6 +4,7 @@
 
 #include "calibration/archived_calibration.h"
 #include "wording/language.h"
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::api {
@@ -65,7 +66,7 @@ MadeCheck made_check(const method::checks::DataCheck& c) {
   made.check.measured = c.measured;
   made.check.at_least = c.at_least;
   made.check.at_most = c.at_most;
-  made.check.unit = c.unit;
+  made.check.unit = wording::shown_units(c.unit);
   made.found = said(c.found);
   made.consequence = said(c.consequence);
   made.experiment = said(c.experiment);
@@ -111,8 +112,13 @@ Joint joint_of(const joint::Manifest& m) {
           m.torque_is_in_amperes};
 }
 
+joint::TorqueUnit torque_unit_of(const Joint& joint) {
+  return joint.torque_is_in_amperes ? joint::TorqueUnit::ampere : joint::TorqueUnit::newton_metre;
+}
+
 Outcome outcome_of(const calibration::Calibration& c) {
   const wording::WordsIn english({});
+  const wording::TorquesIn unit(c.manifest.torque_unit());
   Outcome made;
   made.joint = joint_of(c.manifest);
   made.verdict = verdict_of(c.judgement.verdict);

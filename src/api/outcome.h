@@ -64,6 +64,8 @@ Outcome read_outcome(const std::string& json, const std::string& file);
 
 Said said(const Statement& statement);
 
+joint::TorqueUnit torque_unit_of(const Joint& joint);
+
 /// Sets the estimate on both sides of the gear.
 void set_estimate(Quantity& quantity, const statistics::Estimate& at_motor, double gear_ratio);
 

@@ -14,6 +14,7 @@
 #include "calibration/json_values.h"
 #include "calibration/read_calibration.h"
 #include "wording/language.h"
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::api {
@@ -225,6 +226,7 @@ Outcome read_outcome(const std::string& json, const std::string& file) {
   made.joint = joint_of(read.facts);
   const ReadJson& in_amperes = member(member(top, "drive"), "torque_is_in_amperes");
   made.joint.torque_is_in_amperes = in_amperes.is_boolean() && in_amperes.get<bool>();
+  const wording::TorquesIn unit(torque_unit_of(made.joint));
   made.verdict = verdict_of(read.facts.verdict);
   const ReadJson& verdict = member(top, "verdict");
   made.sentence = said_by(verdict, "sentence");

@@ -1,5 +1,6 @@
 #include "calibration/archived_calibration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -23,6 +24,16 @@ Review::Decision decision_of(const std::string& word) {
 std::string without_side(const std::string& words) {
   constexpr std::string_view side = " at the motor";
   return words.ends_with(side) ? words.substr(0, words.size() - side.size()) : words;
+}
+
+joint::TorqueUnit torque_unit_of(const std::vector<Quantity>& quantities) {
+  using enum joint::TorqueUnit;
+  const bool is_ampere = std::any_of(quantities.begin(), quantities.end(), [](const Quantity& q) {
+    const std::optional<joint::Quantity> known = joint::quantity_of(q.name);
+    return known && q.unit != joint::unit_of(*known, newton_metre) &&
+           q.unit == joint::unit_of(*known, ampere);
+  });
+  return is_ampere ? ampere : newton_metre;
 }
 
 std::optional<int> gear_power(const std::string& quantity) {

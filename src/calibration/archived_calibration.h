@@ -126,6 +126,9 @@ inline constexpr std::size_t shown_digits = 10;
 // torque at the joint = n times that at the motor; speed and angle 1/n; coefficients of torque per
 // angle, per speed and per acceleration (stiffness, damping, inertia) n².
 
+/// What the torques among the results are numbers of, by their units.
+joint::TorqueUnit torque_unit_of(const std::vector<Quantity>& quantities);
+
 /// A result on a stated side.
 struct SidedQuantity {
   Quantity quantity;

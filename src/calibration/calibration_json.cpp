@@ -6,6 +6,7 @@
 #include "calibration/parts.h"
 #include "joint/dataset.h"
 #include "wording/language.h"
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::calibration {
@@ -134,7 +135,7 @@ Json conversions(const std::vector<joint::InputFile>& inputs) {
                     {"unit_confirmed", !c.is_proposed},
                     {"steps", std::move(steps)},
                     {"factor", number(c.factor())},
-                    {"si_unit", c.si_unit},
+                    {"si_unit", wording::shown_units(c.si_unit)},
                     {"side", c.side ? Json(joint::to_string(*c.side)) : Json(nullptr)},
                     {"files", shared.files}});
   }
@@ -199,10 +200,11 @@ const char* const units =
 
 std::string calibration_json(const Calibration& c, const Provenance& provenance) {
   const wording::WordsIn english({});
+  const wording::TorquesIn unit(c.manifest.torque_unit());
   const double n = c.manifest.drive.gear_ratio();
   Json all;
   all["schema"] = "tribolog-calibration-1";
-  all["units"] = units;
+  all["units"] = wording::shown_units(units);
   all["robot"] = robot(c.manifest);
   all["certificate"] = certificate(c.manifest.certificate);
   all["drive"] = drive(c.manifest);

@@ -118,7 +118,7 @@ Json curve_model(const method::viscous::CurveModelChoice& c) {
         {{"name", p.name},
          {"words", wording::words(p.title)},
          {"words_code", code_of(p.title)},
-         {"unit", p.unit_as.empty() ? text_or_null(p.unit) : words_or_null(p.unit_as)},
+         {"unit", p.unit_as.empty() ? unit_or_null(p.unit) : words_or_null(p.unit_as)},
          {"motor", interval(p.estimate)}});
   }
   return {{"curve", text_or_null(to_string(c.curve))},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "calibration/parts.h"
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::calibration {
@@ -22,7 +23,7 @@ Json data_checks(const method::checks::DataChecksResult& result) {
          {"measured", number(check.measured)},
          {"at_least", number(check.at_least)},
          {"at_most", number(check.at_most)},
-         {"unit", text_or_null(check.unit)},
+         {"unit", unit_or_null(check.unit)},
          {"found", words_or_null(check.found)},
          {"found_code", code_of(check.found)},
          {"consequence", words_or_null(check.consequence)},
@@ -39,7 +40,7 @@ namespace {
 
 Json returned(const ReturnedQuantity& q) {
   return {{"name", to_string(q.name)},
-          {"unit", q.unit},
+          {"unit", wording::shown_units(q.unit)},
           {"put_in", number(q.put_in)},
           {"came_back", number(q.came_back)},
           {"scatter", number(q.scatter)},
@@ -54,14 +55,14 @@ Json what_if(const WhatIf& effect) {
   Json shifts = Json::array();
   for (const WhatIfShift& s : effect.shifts) {
     shifts.push_back({{"name", to_string(s.name)},
-                      {"unit", s.unit},
+                      {"unit", wording::shown_units(s.unit)},
                       {"without", number(s.without)},
                       {"shift", number(s.shift)},
                       {"half_width", number(s.half_width)}});
   }
   return {{"effect", to_string(effect.effect)},
           {"size", number(effect.size)},
-          {"unit", text_or_null(effect.unit)},
+          {"unit", unit_or_null(effect.unit)},
           {"shifts", std::move(shifts)}};
 }
 
@@ -122,7 +123,7 @@ Json rules(const std::vector<RuleOutcome>& outcomes) {
                    {"state", to_string(o.state)},
                    {"value", o.value ? number(*o.value) : Json(nullptr)},
                    {"threshold", number(o.threshold)},
-                   {"unit", text_or_null(o.unit)},
+                   {"unit", unit_or_null(o.unit)},
                    {"quantities", std::move(quantities)},
                    {"lowers_to", to_string(o.lowers_to)},
                    {"finding", words_or_null(o.finding)},
@@ -172,7 +173,7 @@ Json verdict(const Judgement& judgement) {
                           {"experiment", words_or_null(q.experiment)},
                           {"experiment_code", code_of(q.experiment)},
                           {"estimate", interval(q.estimate)},
-                          {"unit", text_or_null(q.unit)},
+                          {"unit", unit_or_null(q.unit)},
                           {"budget", budget(q.budget)},
                           {"limits", limits(q.limits)}});
   }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::calibration {
@@ -34,6 +35,8 @@ Json short_numbers(const std::vector<double>& values) {
 }
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json unit_or_null(const std::string& unit) { return text_or_null(wording::shown_units(unit)); }
 
 Json words_or_null(const Statement& statement) { return text_or_null(wording::words(statement)); }
 

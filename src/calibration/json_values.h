@@ -20,6 +20,8 @@ Json numbers(const std::vector<double>& values);
 /// Rounded to six significant digits: for long lists that are drawn, not computed with.
 Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
+/// As this thread's texts have it: torques may be numbers of amperes (wording/torques_in.h).
+Json unit_or_null(const std::string& unit);
 Json words_or_null(const Statement& statement);
 /// The machine-readable form beside the words: "topic.code", or {"code", "values"} where it has
 /// some.

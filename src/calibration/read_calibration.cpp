@@ -181,6 +181,11 @@ std::vector<StatedInfluence> influences_of(const ReadJson& quantity) {
   return influences;
 }
 
+joint::TorqueUnit torque_unit_of(const ReadJson& top) {
+  const bool is_ampere = member(member(top, "drive"), "torque_is_in_amperes") == true;
+  return is_ampere ? joint::TorqueUnit::ampere : joint::TorqueUnit::newton_metre;
+}
+
 std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
   std::vector<Quantity> quantities;
   for (const ReadJson& listed : verdict.list("quantities")) {
@@ -290,7 +295,8 @@ RecordedCurves curves_of(const ReadJson& top) {
   const ReadJson& fastest =
       member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
   return {friction_of(top),
-          fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top)};
+          fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top),
+          torque_unit_of(top)};
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct RecordedCurves {
   RecordedFriction friction;            ///< Empty where there are no runs.
   std::optional<double> fastest_rad_s;  ///< Fastest speed of the straight line's fit, motor side.
   std::vector<RecordedLoop> loops;      ///< Empty where none was recorded, or by an older program.
+  joint::TorqueUnit torque_unit{};      ///< Of all torques in them.
 };
 
 /// A calibration as read from its file.

@@ -46,7 +46,7 @@ void tell_added(const archive::store::Added& added, const std::string& what, Con
 
 void DoubtfulIdentities::add(const calibration::Facts& facts, const std::string& now_utc) {
   ++all_;
-  const bool has_name = facts.of.robot != inspect::survey::unnamed_robot;
+  const bool has_name = facts.of.robot != joint::unnamed_robot;
   unnamed_ += has_name ? 0 : 1;
   without_serial_ += has_name && facts.of.serial.empty() ? 1 : 0;
   ahead_ += facts.time_is_stated && facts.measured_at > now_utc ? 1 : 0;

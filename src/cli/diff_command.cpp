@@ -8,6 +8,7 @@
 #include "figures/figure_csv.h"
 #include "history/history_json.h"
 #include "report/comparison_page.h"
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 
 namespace tribolog::cli {
@@ -46,6 +47,11 @@ calibration::Measured measured(archive::store::CalibrationArchive& kept, const s
 /// Which curves cannot be laid over each other, and why.
 std::string missing_curves(const calibration::RecordedCurves& a,
                            const calibration::RecordedCurves& b) {
+  if (a.torque_unit != b.torque_unit) {
+    return wording::tr(
+        "The torques of one calibration are in newton metres and those of the other in amperes: "
+        "their curves cannot be laid over each other.");
+  }
   std::string words;
   if (a.friction.speed_rad_s.empty() || b.friction.speed_rad_s.empty()) {
     words = wording::tr("Not both calibrations hold a friction curve of constant-speed runs.");
@@ -60,8 +66,15 @@ std::string missing_curves(const calibration::RecordedCurves& a,
 }
 
 ExitStatus write_page(const DiffOptions& options, const history::Comparison& comparison,
-                      const calibration::RecordedCurves& first,
-                      const calibration::RecordedCurves& second, const Invocation& call) {
+                      calibration::RecordedCurves first, calibration::RecordedCurves second,
+                      const Invocation& call) {
+  if (first.torque_unit != second.torque_unit) {
+    for (calibration::RecordedCurves* const one : {&first, &second}) {
+      one->friction = {};
+      one->loops.clear();
+    }
+  }
+  const wording::TorquesIn unit(first.torque_unit);
   const auto figures = figures::figures_in(
       options.language, [&] { return figures::comparison_figures(comparison, first, second); });
   return write_history_page({options.output, options.processes, options.language}, figures, call,

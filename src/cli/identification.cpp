@@ -12,7 +12,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "joint/degrees.h"
-#include "wording/ampere_words.h"
 #include "wording/rounding.h"
 #include "wording/words.h"
 
@@ -161,43 +160,41 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
 }
 
 void tell_outcome(const Calibration& calibration, Console& to) {
-  const bool in_amperes = calibration.joint().torque_is_in_amperes;
-  const auto tell = [&](const std::string& line) {
-    to.say(in_amperes ? wording::in_amperes(line) : line);
-  };
-  tell(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
-                   calibration.sentence().words));
+  to.say(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
+                     calibration.sentence().words));
   for (const Check& check : calibration.checks()) {
     if (check.state != Check::State::fails) continue;
-    tell(printable(fmt::format("  check fails: {}: {}", check.words, check.found.words),
-                   longest_finding));
+    to.say(printable(fmt::format("  check fails: {}: {}", check.words, check.found.words),
+                     longest_finding));
   }
   for (const Quantity& quantity : calibration.quantities()) {
     if (quantity.verdict == Verdict::usable || !quantity.decides) continue;
-    tell(printable(fmt::format("  {}: {}: {}", code_of(quantity.verdict), quantity.words,
-                               quantity.reasons.front().words),
-                   longest_finding));
+    to.say(printable(fmt::format("  {}: {}: {}", code_of(quantity.verdict), quantity.words,
+                                 quantity.reasons.front().words),
+                     longest_finding));
   }
-  const auto say = [&](const char* quantity, const std::string& name, double factor,
-                       const char* unit) {
+  const auto say = [&](const char* quantity, const std::string& name) {
     const std::optional<Quantity> found = calibration.quantity(quantity);
     if (!found || !found->at_joint || found->verdict == Verdict::not_identifiable) return;
     const Estimate& e = *found->at_joint;
+    const bool is_angle = found->unit == "rad";
+    const double factor = is_angle ? joint::degrees_per_rad : 1;
     using wording::six_digits;
-    tell(fmt::format("  {:<34} {} {} (95 %: {} to {}){}", name, six_digits(factor * e.value), unit,
-                     six_digits(factor * e.low), six_digits(factor * e.high),
-                     found->verdict == Verdict::doubtful ? ", doubtful" : ""));
+    to.say(fmt::format("  {:<34} {} {} (95 %: {} to {}){}", name, six_digits(factor * e.value),
+                       is_angle ? "deg" : found->unit, six_digits(factor * e.low),
+                       six_digits(factor * e.high),
+                       found->verdict == Verdict::doubtful ? ", doubtful" : ""));
   };
-  say("cog_angle", "gravity peak at joint angle", joint::degrees_per_rad, "deg");
-  say("surrogate_mass", "surrogate mass, " + calibration.estimator(), 1, "kg");
-  say("gravity_torque", "gravity torque at the joint", 1, "N·m");
+  say("cog_angle", "gravity peak at joint angle");
+  say("surrogate_mass", "surrogate mass, " + calibration.estimator());
+  say("gravity_torque", "gravity torque at the joint");
   for (const Stage& stage : calibration.stages()) {
     const bool has_line = stage.state == Stage::State::done || stage.state == Stage::State::partial;
     if (stage.name == "friction_parameters" && has_line) {
-      say("coulomb_torque", "Coulomb torque at the joint", 1, "N·m");
+      say("coulomb_torque", "Coulomb torque at the joint");
     }
   }
-  for (const std::string& line : row_accounts(calibration.inputs())) tell(line);
+  for (const std::string& line : row_accounts(calibration.inputs())) to.say(line);
 }
 
 ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {

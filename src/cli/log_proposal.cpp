@@ -86,6 +86,10 @@ std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<Surv
   inspect::survey::StatedColumns stated = options.known.columns;
   const std::vector<double>& ratios = of_joints.gear_ratios;
   if (ratios.size() == 1) stated.gear_ratio = ratios.front();
+  // Who states a constant, or that it is a current, means the current of a log that has both.
+  const std::optional<joint::EffortKind>& kind = options.known.effort_kind;
+  stated.wants_current =
+      kind ? kind == joint::EffortKind::motor_current : !of_joints.torque_constants_Nm_A.empty();
   std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options, stated, console);
   bool is_at_motor = false;
   for (const inspect::survey::LogSurvey& log : logs) {

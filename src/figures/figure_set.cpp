@@ -19,33 +19,13 @@
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 #include "figures/torque_choice.h"
-#include "wording/ampere_words.h"
+#include "wording/torques_in.h"
 
 namespace tribolog::figures {
 
-namespace {
-
-void say_in_amperes(ReportFigure& one) {
-  using wording::in_amperes;
-  for (std::string* const text :
-       {&one.title, &one.caption, &one.how_to_read, &one.alt, &one.figure.title}) {
-    *text = in_amperes(*text);
-  }
-  for (render::figure::Panel& panel : one.figure.panels) {
-    panel.title = in_amperes(panel.title);
-    panel.x.title = in_amperes(panel.x.title);
-    panel.y.title = in_amperes(panel.y.title);
-    for (auto& series : panel.series) series.label = in_amperes(series.label);
-    for (auto& band : panel.bands) band.label = in_amperes(band.label);
-    for (auto& point : panel.point_labels) point.text = in_amperes(point.text);
-    for (auto& line : panel.reference_lines) line.text = in_amperes(line.text);
-  }
-}
-
-}  // namespace
-
 std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
                                      const calibration::Calibration& calibration) {
+  const wording::TorquesIn unit(calibration.manifest.torque_unit());
   std::vector<std::optional<ReportFigure>> candidates;
   candidates.push_back(sweep_motion_figure(dataset, calibration));
   candidates.push_back(rough_torque_figure(dataset, calibration));
@@ -72,7 +52,6 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
     if (!candidate) continue;
     candidate->figure.id = candidate->id;
     candidate->figure.title = candidate->title;
-    if (calibration.manifest.torque_is_in_amperes) say_in_amperes(*candidate);
     figures.push_back(std::move(*candidate));
   }
   return figures;

@@ -26,8 +26,10 @@ double day_of(const std::string& utc) {
 
 wording::AxisScale quantity_axis(const std::string& unit, double largest) {
   if (unit == "rad") return wording::degrees();
-  if (unit == "N·m" || unit == "N·m·s/rad" || unit == "N·m/rad")
-    return wording::prefixed(unit, largest);
+  for (const char* const small :
+       {"N·m", "N·m·s/rad", "N·m/rad", "A", "A·s/rad", "A/rad", "A·s²/rad"}) {
+    if (unit == small) return wording::prefixed(unit, largest);
+  }
   const wording::Scale scale = wording::quantity_scale(unit, largest);
   return {scale.factor, scale.unit};
 }

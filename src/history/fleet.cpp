@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "base/requirements.h"
 #include "calibration/read_calibration.h"
@@ -122,14 +123,14 @@ class Columns {
  public:
   std::optional<std::size_t> of(const calibration::Quantity& q) {
     if (!is_result(q)) return std::nullopt;
-    const auto [at, is_new] = places_.try_emplace(q.name, all.size());
+    const auto [at, is_new] = places_.try_emplace({q.name, q.unit}, all.size());
     if (is_new) all.push_back({q.name, q.words, q.unit});
     return at->second;
   }
   std::vector<FleetColumn> all;
 
  private:
-  std::map<std::string, std::size_t> places_;
+  std::map<std::pair<std::string, std::string>, std::size_t> places_;  // by name and unit
 };
 
 /// The joint measured from `first` up to before `end`.
@@ -150,7 +151,8 @@ FleetJoint joint_of(std::vector<calibration::Measured>::const_iterator first,
     const double time_s = calibration::seconds_of_utc(at->entry.facts.measured_at);
     for (FleetCell& cell : joint.cells) {
       for (const calibration::Quantity& q : at->quantities) {
-        if (!is_result(q) || q.name != columns.all[cell.column].name) continue;
+        const FleetColumn& column = columns.all[cell.column];
+        if (!is_result(q) || q.name != column.name || q.unit != column.unit) continue;
         cell.results.push_back({time_s, present(q.estimate)});
         break;
       }

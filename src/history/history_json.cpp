@@ -137,6 +137,7 @@ OrderedJson quantity(const QuantityTrend& q) {
     if (q.count(why) > 0) left_out[key_of(why)] = q.count(why);
   }
   if (q.without_estimate > 0) left_out["without an estimate"] = q.without_estimate;
+  if (q.in_another_unit > 0) left_out["in another unit"] = q.in_another_unit;
   OrderedJson made{{"name", q.name},
                    {"words", q.words},
                    {"unit", q.unit},

@@ -83,10 +83,11 @@ struct FoundApart {
 struct QuantityTrend {
   std::string name;
   std::string words;
-  std::string unit;
-  std::vector<HistoryPoint> points;  ///< In time; those with an estimate.
+  std::string unit;                  ///< Of the latest calibration with an estimate.
+  std::vector<HistoryPoint> points;  ///< In time; those with an estimate in this unit.
   std::size_t without_estimate{};
-  std::size_t learned{};  ///< Charted points that were only learned from.
+  std::size_t in_another_unit{};  ///< In amperes, where the latest is in N·m, or in N·m.
+  std::size_t learned{};          ///< Charted points that were only learned from.
   std::size_t judged{};
   TemperatureUse temperature{TemperatureUse::not_recorded};
   double limit{};
@@ -96,6 +97,10 @@ struct QuantityTrend {
   TrendState state{TrendState::too_few};
 
   [[nodiscard]] std::size_t count(LeftOut why) const;
+  /// All that have the quantity, with an estimate or without.
+  [[nodiscard]] std::size_t calibrations() const {
+    return points.size() + without_estimate + in_another_unit;
+  }
 };
 
 struct JointTrend {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "history/quantity_traits.h"
@@ -25,8 +26,24 @@ LeftOut left_out(const calibration::Quantity& q, const calibration::Facts& facts
   return LeftOut::none;
 }
 
+bool has_value(const calibration::Quantity& q) {
+  return q.estimate && std::isfinite(q.estimate->value);
+}
+
+/// The unit of each quantity in the latest calibration that has an estimate of it.
+std::map<std::string, std::string> latest_units(
+    const std::vector<calibration::Measured>& calibrations) {
+  std::map<std::string, std::string> units;
+  for (const calibration::Measured& m : calibrations) {
+    for (const calibration::Quantity& q : m.quantities) {
+      if (has_value(q)) units[q.name] = q.unit;
+    }
+  }
+  return units;
+}
+
 void add(const calibration::Quantity& q, const calibration::Entry& entry, LeftOut why,
-         std::vector<QuantityTrend>& all) {
+         const std::map<std::string, std::string>& units, std::vector<QuantityTrend>& all) {
   auto at = std::find_if(all.begin(), all.end(),
                          [&](const QuantityTrend& t) { return t.name == q.name; });
   if (at == all.end()) {
@@ -34,10 +51,15 @@ void add(const calibration::Quantity& q, const calibration::Entry& entry, LeftOu
     at = all.end() - 1;
     at->name = q.name;
     at->words = q.words;
-    at->unit = q.unit;
+    const auto unit = units.find(q.name);
+    at->unit = unit == units.end() ? q.unit : unit->second;
   }
-  if (!q.estimate || !std::isfinite(q.estimate->value) || q.unit != at->unit) {
+  if (!has_value(q)) {
     ++at->without_estimate;
+    return;
+  }
+  if (q.unit != at->unit) {
+    ++at->in_another_unit;
     return;
   }
   HistoryPoint point;
@@ -80,9 +102,10 @@ std::vector<QuantityTrend> quantity_series(const std::vector<calibration::Measur
                                            const std::string& from) {
   std::vector<QuantityTrend> all;
   const calibration::Facts& latest = calibrations.back().entry.facts;
+  const std::map<std::string, std::string> units = latest_units(calibrations);
   for (const calibration::Measured& m : calibrations) {
     for (const calibration::Quantity& q : m.quantities) {
-      add(q, m.entry, left_out(q, m.entry.facts, latest, from), all);
+      add(q, m.entry, left_out(q, m.entry.facts, latest, from), units, all);
     }
   }
   std::erase_if(all, [](const QuantityTrend& t) { return t.points.empty(); });

@@ -110,6 +110,10 @@ struct StatedUncertainty {
 };
 
 /// What the user states about the measurement. Texts may be empty where not stated.
+/// Names in a manifest that was proposed for a log, for which nobody stated one.
+inline constexpr const char* unnamed_robot = "unnamed robot";
+inline constexpr const char* unnamed_joint = "joint";
+
 struct Manifest {
   std::string robot;
   std::string serial;
@@ -125,6 +129,9 @@ struct Manifest {
   bool effort_is_confirmed{true};
   /// A current whose torque constant is not known: its numbers stand for torques.
   bool torque_is_in_amperes{};
+  [[nodiscard]] TorqueUnit torque_unit() const {
+    return torque_is_in_amperes ? TorqueUnit::ampere : TorqueUnit::newton_metre;
+  }
   /// The effort is what is left of the torque after the controller has taken gravity off: gravity
   /// is not looked for in it (known_gravity is 0).
   bool gravity_is_removed{};

@@ -159,7 +159,8 @@ std::string or_not_stated(const std::string& text) {
 /// Where the torque's scale comes from.
 std::string torque_scale_in_words(const joint::Manifest& m) {
   std::vector<std::string> parts;
-  if (const auto constant = m.drive.torque_constant_Nm_A()) {
+  const auto constant = m.drive.torque_constant_Nm_A();
+  if (constant && !m.torque_is_in_amperes) {
     parts.push_back(tr("torque constant {constant}",
                        {{"constant", wording::with_unit(wording::as_stated(*constant), "N·m/A")}}));
   }
@@ -261,12 +262,13 @@ std::vector<Fact> certificate_facts(const calibration::Calibration& c,
   StatedFacts facts;
   facts.add(tr("Laboratory"), with_address(stated.laboratory, stated.laboratory_address));
   facts.add(tr("Customer"), with_address(stated.customer, stated.customer_address));
-  facts.add(tr("Item"),
-            fmt::format("{}; {}; {}", or_not_stated(m.robot),
-                        tr("serial number {serial}", {{"serial", or_not_stated(m.serial)}}),
-                        tr("joint {joint}, gear ratio {gear_ratio}",
-                           {{"joint", or_not_stated(m.joint)},
-                            {"gear_ratio", wording::as_stated(m.drive.gear_ratio())}})));
+  facts.add(
+      tr("Item"),
+      fmt::format("{}; {}; {}", or_not_stated(m.robot == joint::unnamed_robot ? "" : m.robot),
+                  tr("serial number {serial}", {{"serial", or_not_stated(m.serial)}}),
+                  tr("joint {joint}, gear ratio {gear_ratio}",
+                     {{"joint", or_not_stated(m.joint == joint::unnamed_joint ? "" : m.joint)},
+                      {"gear_ratio", wording::as_stated(m.drive.gear_ratio())}})));
   facts.add(tr("Received"), stated.received_on);
   facts.add(tr("Measured"), m.measured_on);
   facts.add(tr("Place"), stated.place);

@@ -9,6 +9,7 @@
 #include "joint/dataset.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 
 namespace tribolog::report {
@@ -93,7 +94,8 @@ std::string roles_in_words(const std::vector<joint::Role>& roles) {
   return words.empty() ? tr("all") : words;
 }
 
-std::string at_the_side(const std::string& unit, joint::Side side) {
+std::string at_the_side(const std::string& si_unit, joint::Side side) {
+  const std::string unit = wording::shown_units(si_unit);
   return side == joint::Side::motor ? tr("{unit}, motor side", {{"unit", unit}})
                                     : tr("{unit}, joint side", {{"unit", unit}});
 }

@@ -8,6 +8,7 @@
 
 #include "base/encodings.h"
 #include "report/view_parts.h"
+#include "wording/torques_in.h"
 #include "wording/visible_text.h"
 
 namespace tribolog::report {
@@ -63,7 +64,7 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
     TemplateValues& heading = out.add_section("COLUMN");
     heading.set("HEADING", column.heading);
     heading.set("KIND", class_of(column));
-    heading.set_optional("UNIT", column.unit);
+    heading.set_optional("UNIT", wording::shown_units(column.unit));
   }
   for (const Row& row : table.rows) {
     TemplateValues& line = out.add_section("ROW");

@@ -7,7 +7,7 @@
 #include "report/report_view.h"
 #include "report/review_json.h"
 #include "report/template_engine.h"
-#include "wording/ampere_words.h"
+#include "wording/torques_in.h"
 
 namespace tribolog::report {
 namespace {
@@ -30,6 +30,7 @@ std::string html_report(const calibration::Calibration& calibration,
                         const std::optional<history::Comparison>& since_last,
                         wording::Language language, const std::string& id) {
   const wording::WordsIn words(language);
+  const wording::TorquesIn unit(calibration.manifest.torque_unit());
   const std::string result = calibration::calibration_json(calibration, provenance);
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last,
                                            id.empty() ? digest_of(calibration, provenance) : id);
@@ -43,8 +44,7 @@ std::string html_report(const calibration::Calibration& calibration,
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
   }
   values.set_checked_by_modifier("RESULT_JSON", result);
-  const std::string page = expand_template("report.tpl", values, language);
-  return calibration.manifest.torque_is_in_amperes ? wording::page_in_amperes(page) : page;
+  return expand_template("report.tpl", values, language);
 }
 
 calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info) {

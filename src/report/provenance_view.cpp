@@ -78,7 +78,9 @@ std::string effort_in_words(const joint::Drive& drive) {
 }
 
 std::string effort_in_words(const joint::Manifest& m) {
-  const std::string effort = effort_in_words(m.drive);
+  const std::string effort = m.torque_is_in_amperes
+                                 ? tr("motor current in A, torque constant not stated")
+                                 : effort_in_words(m.drive);
   return m.effort_is_confirmed ? effort
                                : tr("{effort}: proposed, not confirmed", {{"effort", effort}});
 }
@@ -135,13 +137,17 @@ Table manifest_table(const joint::Manifest& m) {
   Table table = two_columns("table-manifest", tr("What the manifest states"), tr("Fact"));
   add(table, tr("Gear ratio n"), wording::as_stated(m.drive.gear_ratio()));
   add(table, tr("Effort column"), effort_in_words(m));
-  if (const auto constant = m.drive.torque_constant_Nm_A()) {
+  if (m.torque_is_in_amperes) {
+    add(table, tr("Torque constant"), tr("not stated"));
+  } else if (const auto constant = m.drive.torque_constant_Nm_A()) {
     add(table, tr("Torque constant"), wording::with_unit(wording::as_stated(*constant), "N·m/A"));
   }
   if (m.drive.kind() != joint::EffortKind::none) {
     add(table, tr("Motor torque per unit of effort"),
-        wording::with_unit(wording::as_stated(m.drive.motor_torque_per_effort()),
-                           m.drive.kind() == joint::EffortKind::motor_current ? "N·m/A" : ""));
+        wording::with_unit(
+            wording::as_stated(m.drive.motor_torque_per_effort()),
+            m.drive.kind() == joint::EffortKind::motor_current && !m.torque_is_in_amperes ? "N·m/A"
+                                                                                          : ""));
   }
   add(table, tr("Payload"), payload_in_words(m));
   add(table, tr("Temperature"),

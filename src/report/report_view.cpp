@@ -1,6 +1,8 @@
 #include "report/report_view.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 
 #include "report/key_pictures.h"
 #include "report/log_picture.h"
@@ -125,10 +127,27 @@ void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
   view.verdict_word = verdict_heading(judgement.verdict);
 }
 
-std::string robot_and_joint(const joint::Manifest& m) {
-  const std::string robot = m.robot.empty() ? tr("Robot not named") : m.robot;
-  return m.joint.empty() ? robot
-                         : tr("{robot}, joint {joint}", {{"robot", robot}, {"joint", m.joint}});
+/// "sweep.csv", "run_1.csv and 2 more logs": they stand for a robot that nobody named.
+std::string logs_in_words(const std::vector<joint::InputFile>& inputs) {
+  std::vector<std::string> names;
+  for (const joint::InputFile& input : inputs) {
+    const bool is_new = std::find(names.begin(), names.end(), input.name) == names.end();
+    if (!input.conversions.empty() && is_new) names.push_back(input.name);
+  }
+  if (names.empty()) return tr("Robot not named");
+  const std::string first = std::filesystem::path(names.front()).filename().string();
+  const auto more = static_cast<std::int64_t>(names.size()) - 1;
+  return more == 0 ? first
+                   : tr_count(more, "{file} and {more} more log", "{file} and {more} more logs",
+                              {{"file", first}, {"more", more}});
+}
+
+std::string robot_and_joint(const calibration::Calibration& c) {
+  const joint::Manifest& m = c.manifest;
+  const bool has_robot = !m.robot.empty() && m.robot != joint::unnamed_robot;
+  const std::string robot = has_robot ? m.robot : logs_in_words(c.inputs);
+  const bool has_joint = !m.joint.empty() && m.joint != joint::unnamed_joint;
+  return has_joint ? tr("{robot}, joint {joint}", {{"robot", robot}, {"joint", m.joint}}) : robot;
 }
 
 }  // namespace
@@ -141,7 +160,7 @@ ReportView make_report_view(const calibration::Calibration& c,
                             const std::string& id) {
   ReportView view;
   const NumberedFindings findings(c.judgement);
-  view.title = robot_and_joint(c.manifest);
+  view.title = robot_and_joint(c);
   view.number = report_number(c.manifest, id);
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);

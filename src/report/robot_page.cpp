@@ -15,6 +15,7 @@
 #include "report/thumbnail.h"
 #include "report/view_parts.h"
 #include "wording/number_text.h"
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 #include "wording/words.h"
 
@@ -61,6 +62,7 @@ void fill_quantity(const QuantityRow& row, TemplateValues& values) {
 
 void fill_numbers(const RobotJoint& joint, TemplateValues& values) {
   const calibration::Calibration& c = *joint.calibration;
+  const wording::TorquesIn unit(c.manifest.torque_unit());
   if (c.judgement.verdict != calibration::Verdict::usable) {
     values.set_optional("SENTENCE", as_sentence(c.judgement.sentence));
   }
@@ -169,6 +171,7 @@ RobotJson joint_result_json(const RobotJoint& joint) {
                  {"report", text_or_null(joint.file)},
                  {"refusal", text_or_null(joint.refusal)}};
   if (joint.calibration == nullptr) return made;
+  const wording::TorquesIn unit(joint.calibration->manifest.torque_unit());
   const calibration::Judgement& judgement = joint.calibration->judgement;
   made["verdict"] = calibration::to_string(judgement.verdict);
   made["sentence"] = wording::words(judgement.sentence);
@@ -204,7 +207,10 @@ std::string robot_page(const std::vector<RobotJoint>& joints,
   TemplateValues values;
   fill_head(provenance, values, PageKind::robot);
   const joint::Manifest* manifest = manifest_of(joints);
-  values.set("TITLE", manifest == nullptr ? tr("Robot") : or_dash(manifest->robot));
+  const bool is_unnamed = manifest != nullptr && manifest->robot == joint::unnamed_robot;
+  values.set("TITLE", manifest == nullptr ? tr("Robot")
+                      : is_unnamed        ? tr("Robot not named")
+                                          : or_dash(manifest->robot));
   fill_facts(facts_of(joints), values);
   fill_verdict(joints, values);
   for (const RobotJoint& joint : joints) fill_joint(joint, values.add_section("JOINT"));

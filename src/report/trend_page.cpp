@@ -202,10 +202,14 @@ void add_left_out(const history::QuantityTrend& q, std::vector<std::string>& not
     parts.push_back(
         tr("{calibrations} (without an estimate)", {{"calibrations", q.without_estimate}}));
   }
+  if (q.in_another_unit > 0) {
+    parts.push_back(tr("{calibrations} (in another unit than the latest)",
+                       {{"calibrations", q.in_another_unit}}));
+  }
   if (parts.empty()) return;
   notes.push_back(as_sentence(tr("{quantity}: left out of {calibrations}: {left_out}",
                                  {{"quantity", name_of(q)},
-                                  {"calibrations", q.points.size() + q.without_estimate},
+                                  {"calibrations", q.calibrations()},
                                   {"left_out", wording::listed(parts)}})));
 }
 
@@ -323,8 +327,8 @@ Table trend_table(const history::JointTrend& t, const std::string& id) {
   for (const history::QuantityTrend& q : t.quantities) {
     table.rows.push_back(
         {{name_of(q),
-          tr("{used} of {calibrations}", {{"used", q.count(history::LeftOut::none)},
-                                          {"calibrations", q.points.size() + q.without_estimate}}),
+          tr("{used} of {calibrations}",
+             {{"used", q.count(history::LeftOut::none)}, {"calibrations", q.calibrations()}}),
           level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
          q.state == history::TrendState::warning});
   }

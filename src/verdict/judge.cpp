@@ -220,6 +220,9 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   for (const auto& room : {bristle_verdicts(c), curve_verdicts(c)}) {
     all.insert(all.end(), room.begin(), room.end());
   }
+  for (calibration::QuantityVerdict& one : all) {
+    one.unit = joint::unit_of(one.quantity, c.manifest.torque_unit());
+  }
   for (const Statement& finding : c.cross_checks.findings) {
     if (!c.cross_checks.doubtful) break;
     for (const Quantity quantity : mass) {
@@ -236,8 +239,9 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   apply_data_checks(c.data_checks, sources, all);
   doubt_masses_off_the_peak(c, all);
   if (c.manifest.torque_is_in_amperes) {
-    calibration::lower(verdict_on(Quantity::surrogate_mass, all),
-                       calibration::Verdict::not_identifiable, {"effort.constant_unknown"},
+    calibration::QuantityVerdict& q = verdict_on(Quantity::surrogate_mass, all);
+    q.estimate.reset();
+    calibration::lower(q, calibration::Verdict::not_identifiable, {"effort.constant_unknown"},
                        {"effort.state_constant"});
   }
   apply_truth_check(c.truth_check, c.selection.recommended, all);
@@ -415,13 +419,12 @@ calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
   return *it;
 }
 
-calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::string& unit,
+calibration::QuantityVerdict by_estimate(joint::Quantity quantity,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment) {
   constexpr double widest_usable = 0.3;
   calibration::QuantityVerdict q;
   q.quantity = quantity;
-  q.unit = unit;
   if (!estimate || !std::isfinite(estimate->value)) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_absent, experiment);
     return q;

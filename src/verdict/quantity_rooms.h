@@ -35,9 +35,10 @@ inline constexpr Code record_an_oscillation{"record.oscillation"};
 inline constexpr Code record_runs{"record.runs"};
 
 /// The verdict on a positive quantity by its estimate: not identifiable where that is absent or its
-/// interval reaches zero; doubtful where the interval is wider than 30 % of it.
+/// interval reaches zero; doubtful where the interval is wider than 30 % of it. judge() adds the
+/// unit.
 /// @param why_absent where there is no estimate.
-calibration::QuantityVerdict by_estimate(joint::Quantity quantity, const std::string& unit,
+calibration::QuantityVerdict by_estimate(joint::Quantity quantity,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment);
 

@@ -39,7 +39,6 @@ void lower_by_angle(double half_width_rad, calibration::QuantityVerdict& q) {
 calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   calibration::QuantityVerdict q;
   q.quantity = Quantity::cog_angle;
-  q.unit = "rad";
   if (!c.q_peak_rad) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_no_angle(c), record_a_sweep);
     return q;
@@ -76,8 +75,7 @@ void doubt_wide_intervals(std::vector<calibration::QuantityVerdict>& all) {
       lower_by_angle(whole.half_width(), q);
       continue;
     }
-    const calibration::QuantityVerdict by_width =
-        by_estimate(q.quantity, q.unit, whole, {}, q.experiment);
+    const calibration::QuantityVerdict by_width = by_estimate(q.quantity, whole, {}, q.experiment);
     for (const Statement& reason : by_width.reasons) {
       calibration::lower(q, by_width.verdict, reason, by_width.experiment);
     }
@@ -95,8 +93,8 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
     mass_kg = mass->mass_kg;
   }
   std::vector<calibration::QuantityVerdict> all{
-      angle(c), by_estimate(Quantity::gravity_torque, "N·m", gravity_Nm, why, both),
-      by_estimate(Quantity::surrogate_mass, "kg", mass_kg, why, both)};
+      angle(c), by_estimate(Quantity::gravity_torque, gravity_Nm, why, both),
+      by_estimate(Quantity::surrogate_mass, mass_kg, why, both)};
   // Each independent way to gravity has to be present, or the mass rests on one alone. Runs in both
   // directions can replace either.
   const bool no_sweep = c.rough.stage.state == statistics::StageState::skipped;
@@ -163,9 +161,9 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                         : one_direction ? one_direction
                                         : loop_level_Nm;
   const bool ramps_tell_why = !ramps.ramps.empty() && c.hysteresis.oscillations.empty();
-  calibration::QuantityVerdict q = by_estimate(
-      Quantity::break_away_torque, "N·m", estimate, ramps_tell_why ? ramps.stage.reason : why,
-      ramps_tell_why ? Statement{"record.ramps"} : record_an_oscillation);
+  calibration::QuantityVerdict q =
+      by_estimate(Quantity::break_away_torque, estimate, ramps_tell_why ? ramps.stage.reason : why,
+                  ramps_tell_why ? Statement{"record.ramps"} : record_an_oscillation);
   if (one_direction) {
     calibration::lower(q, calibration::Verdict::doubtful, {"verdict.ramps_of_one_direction"},
                        {"record.ramps"});
@@ -195,7 +193,7 @@ calibration::QuantityVerdict break_away(const calibration::Calibration& c,
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
   const auto& fit = c.lugre;
   // A parameter that the loops do not show states why, and what would show it.
-  const auto of_fit = [&](Quantity quantity, const std::string& unit, LuGreParameterName name,
+  const auto of_fit = [&](Quantity quantity, LuGreParameterName name,
                           const std::optional<statistics::Estimate>& instead) {
     Statement why = why_no_fit(c);
     Statement experiment = record_an_oscillation;
@@ -207,14 +205,14 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
       why = p.why_not;
       experiment = p.experiment;
     }
-    return by_estimate(quantity, unit, estimate, why, experiment);
+    return by_estimate(quantity, estimate, why, experiment);
   };
   std::vector<calibration::QuantityVerdict> all{
       break_away(c, fit ? fit->shown(LuGreParameterName::static_torque) : std::nullopt,
                  why_no_fit(c)),
-      of_fit(Quantity::bristle_stiffness, "N·m/rad", LuGreParameterName::bristle_stiffness, {}),
-      of_fit(Quantity::bristle_damping, "N·m·s/rad", LuGreParameterName::bristle_damping, {}),
-      of_fit(Quantity::inertia, "kg·m²", LuGreParameterName::inertia,
+      of_fit(Quantity::bristle_stiffness, LuGreParameterName::bristle_stiffness, {}),
+      of_fit(Quantity::bristle_damping, LuGreParameterName::bristle_damping, {}),
+      of_fit(Quantity::inertia, LuGreParameterName::inertia,
              calibration::inertia_headline(c).kgm2)};
   // The method does not rest on these two, and slow loops hardly show them.
   verdict_on(Quantity::bristle_damping, all).decides = false;
@@ -265,16 +263,15 @@ bool is_beyond_runs(const calibration::Calibration& c, double torque_Nm) {
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
   const calibration::CurveHeadline headline = calibration::curve_headline(c);
   // A number is there, or why there is none; a number of which something is not sure is doubtful.
-  const auto judged = [&](Quantity quantity, const std::string& unit,
-                          const method::viscous::SlidingQuantity& found,
+  const auto judged = [&](Quantity quantity, const method::viscous::SlidingQuantity& found,
                           const Statement& experiment) {
     const Statement& none = found.why_not.empty() ? c.friction.stage.reason : found.why_not;
     const bool is_beyond = quantity == Quantity::coulomb_torque && found.estimate &&
                            is_beyond_runs(c, found.estimate->value);
     if (is_beyond) {
-      return by_estimate(quantity, unit, std::nullopt, {"verdict.beyond_the_runs"}, experiment);
+      return by_estimate(quantity, std::nullopt, {"verdict.beyond_the_runs"}, experiment);
     }
-    calibration::QuantityVerdict q = by_estimate(quantity, unit, found.estimate, none, experiment);
+    calibration::QuantityVerdict q = by_estimate(quantity, found.estimate, none, experiment);
     if (found.estimate && !found.why_not.empty()) {
       calibration::lower(q, calibration::Verdict::doubtful, found.why_not, experiment);
     }
@@ -284,11 +281,11 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
   constexpr std::size_t both_directions_of_ten = 20;
   const bool has_runs = !c.viscous.from_sweep && c.viscous.runs.size() >= both_directions_of_ten;
   std::vector<calibration::QuantityVerdict> all{
-      judged(Quantity::coulomb_torque, "N·m", headline.coulomb_Nm,
+      judged(Quantity::coulomb_torque, headline.coulomb_Nm,
              has_runs ? Code{"record.slower_speeds"} : record_runs),
-      judged(Quantity::stribeck_speed, "rad/s", headline.stribeck_speed_rad_s,
+      judged(Quantity::stribeck_speed, headline.stribeck_speed_rad_s,
              {"record.speeds_about_the_dip"}),
-      judged(Quantity::viscous_coefficient, "N·m·s/rad", headline.viscous_Nms_rad,
+      judged(Quantity::viscous_coefficient, headline.viscous_Nms_rad,
              has_runs ? Code{"record.faster_speeds"} : record_runs),
       viscous_curve(c)};
   // Above the dip, says the definition; a sweep's speeds may lie within it.

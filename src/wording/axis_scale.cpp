@@ -6,6 +6,7 @@
 
 #include "joint/degrees.h"
 #include "wording/number_text.h"
+#include "wording/torques_in.h"
 
 namespace tribolog::wording {
 namespace {
@@ -52,12 +53,13 @@ Extent extent_of(const std::vector<double>& values) {
 }
 
 AxisScale prefixed(const std::string& si_unit, double largest) {
+  const std::string unit = shown_units(si_unit);
   const double magnitude = std::abs(largest);
-  if (!std::isfinite(magnitude) || magnitude == 0.0) return {1.0, si_unit};
+  if (!std::isfinite(magnitude) || magnitude == 0.0) return {1.0, unit};
   for (const Prefix& prefix : prefixes) {
-    if (magnitude * prefix.factor >= smallest_shown) return {prefix.factor, prefix.name + si_unit};
+    if (magnitude * prefix.factor >= smallest_shown) return {prefix.factor, prefix.name + unit};
   }
-  return {prefixes.back().factor, prefixes.back().name + si_unit};
+  return {prefixes.back().factor, prefixes.back().name + unit};
 }
 
 AxisScale degrees() { return {joint::degrees_per_rad, "°"}; }
@@ -77,9 +79,9 @@ std::string axis_title(const std::string& quantity_and_symbol, const AxisScale& 
   std::string title = quantity_and_symbol;
   if (scale.offset != 0.0) {
     title += scale.offset > 0.0 ? " − " : " + ";
-    title += level_text(scale) + " " + si_unit;
+    title += level_text(scale) + " " + shown_units(si_unit);
   }
-  return title + " [" + scale.unit + "]";
+  return title + " [" + shown_units(scale.unit) + "]";
 }
 
 }  // namespace tribolog::wording

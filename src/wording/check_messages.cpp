@@ -124,6 +124,9 @@ const Messages& check_messages() {
        text("the manifest states neither [known_gravity] nor a [payload] with mass_kg and "
             "distance_m")},
       {"not_applicable.no_gravity_to_compare", text("no gravity was found to compare with")},
+      {"not_applicable.torques_in_amperes",
+       text("the torques are numbers of amperes: without the torque constant none can be compared "
+            "with one of newton metres")},
       {"not_applicable.no_sweep_residual",
        text("no gravity was found in a rough sweep, the residual of which would show ripple")},
       {"not_applicable.sweep_too_short_for_ripple",
@@ -144,7 +147,8 @@ const Messages& check_messages() {
       {"effort.constant_unknown",
        text("the torque constant is not known: the effort is a current")},
       {"effort.is_of_amperes",
-       text("every torque is a number of amperes: times the torque constant it is one of N·m")},
+       text("every torque is a number of amperes: times the torque constant it is one "
+            "of newton metres")},
       {"effort.state_constant",
        text("state --torque-constant NM_PER_A, or torque_constant_Nm_A in the manifest")},
       {"effort.friction_of_model",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 
 namespace tribolog::wording {
@@ -34,7 +35,7 @@ bool worth_showing(double half, double value) {
 
 std::string joined(const std::string& number, const std::string& unit) {
   if (unit.empty() || unit == "°") return number + unit;
-  return number + " " + unit;
+  return number + " " + shown_units(unit);
 }
 
 }  // namespace

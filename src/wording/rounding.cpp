@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "joint/degrees.h"
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 
 namespace tribolog::wording {
@@ -99,7 +100,8 @@ bool is_below_resolution(double number, const std::string& unit) {
   constexpr double of_percent = 1e-6;
   const double size = std::abs(number);
   if (unit == "%") return size < of_percent;
-  const bool is_prefixed = unit.starts_with("µ") || unit.starts_with("nN") || unit == "nrad";
+  const bool is_prefixed =
+      unit.starts_with("µ") || unit.starts_with("nN") || unit.starts_with("nA") || unit == "nrad";
   return is_prefixed && size < of_prefixed;
 }
 
@@ -151,7 +153,7 @@ std::string RoundedEstimate::range() const { return low.empty() ? "" : low + " �
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   if (unit.empty()) return number;
-  return unit == "°" ? number + unit : number + "\u00a0" + unit;
+  return unit == "°" ? number + unit : number + "\u00a0" + shown_units(unit);
 }
 
 std::string in_words(const statistics::Estimate& estimate, const Scale& scale) {
@@ -178,44 +180,45 @@ std::string count(std::size_t value) {
 namespace {
 
 // The prefix changes a decade below 1 so that "0.88 N·m" stays "0.88 N·m".
-Scale prefixed(double size, double base_from, const char* unit) {
+Scale prefixed(double size, double base_from, const std::string& unit) {
   const double absolute = std::abs(size);
   if (!std::isfinite(absolute) || absolute == 0.0 || absolute >= base_from) return {1.0, unit};
-  if (absolute >= base_from * 1e-3) return {1e3, std::string("m") + unit};
-  return {1e6, std::string("µ") + unit};
+  if (absolute >= base_from * 1e-3) return {1e3, "m" + unit};
+  return {1e6, "µ" + unit};
+}
+
+Scale with_large_prefix(double size, const std::string& unit) {
+  const double absolute = std::abs(size);
+  if (absolute >= 1e7) return {1e-6, "M" + unit};
+  return absolute >= 1e4 ? Scale{1e-3, "k" + unit} : Scale{1.0, unit};
 }
 
 }  // namespace
 
-Scale torque_scale(double size_Nm) { return prefixed(size_Nm, 0.1, "N·m"); }
+Scale torque_scale(double size_Nm) { return quantity_scale("N·m", size_Nm); }
 Scale radian_scale(double size_rad) { return prefixed(size_rad, 0.01, "rad"); }
-Scale viscous_scale(double size_Nms_rad) { return prefixed(size_Nms_rad, 0.1, "N·m·s/rad"); }
-Scale stiffness_scale(double size_Nm_rad) {
-  const double absolute = std::abs(size_Nm_rad);
-  if (absolute >= 1e7) return {1e-6, "MN·m/rad"};
-  return absolute >= 1e4 ? Scale{1e-3, "kN·m/rad"} : Scale{1.0, "N·m/rad"};
-}
-
-Scale inertia_scale(double size_kgm2) {
-  constexpr double grams_per_kilogram = 1e3;
-  const double absolute = std::abs(size_kgm2);
-  if (!(absolute > 0 && absolute < 0.1)) return plain_scale("kg·m²");
-  Scale scale = prefixed(size_kgm2 * grams_per_kilogram, 0.1, "g·m²");
-  scale.factor *= grams_per_kilogram;
-  return scale;
-}
+Scale viscous_scale(double size_Nms_rad) { return quantity_scale("N·m·s/rad", size_Nms_rad); }
+Scale stiffness_scale(double size_Nm_rad) { return quantity_scale("N·m/rad", size_Nm_rad); }
+Scale inertia_scale(double size_kgm2) { return quantity_scale("kg·m²", size_kgm2); }
 
 Scale degree_scale() { return {joint::degrees_per_rad, "°"}; }
 Scale degree_per_second_scale() { return {joint::degrees_per_rad, "°/s"}; }
-Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
+Scale plain_scale(std::string unit) { return {1.0, shown_units(std::move(unit))}; }
 
 Scale quantity_scale(const std::string& unit, double size) {
-  if (unit == "rad") return degree_scale();
-  if (unit == "N·m") return torque_scale(size);
-  if (unit == "N·m/rad") return stiffness_scale(size);
-  if (unit == "N·m·s/rad") return viscous_scale(size);
-  if (unit == "kg·m²") return inertia_scale(size);
-  return plain_scale(unit);
+  constexpr double base_from = 0.1;
+  const std::string shown = shown_units(unit);
+  if (shown == "rad") return degree_scale();
+  if (shown == "N·m/rad" || shown == "A/rad") return with_large_prefix(size, shown);
+  for (const char* const with_small_prefix : {"N·m", "N·m·s/rad", "A", "A·s/rad", "A·s²/rad"}) {
+    if (shown == with_small_prefix) return prefixed(size, base_from, shown);
+  }
+  const double absolute = std::abs(size);
+  if (shown != "kg·m²" || !(absolute > 0 && absolute < base_from)) return {1.0, shown};
+  constexpr double grams_per_kilogram = 1e3;
+  Scale scale = prefixed(size * grams_per_kilogram, base_from, "g·m²");
+  scale.factor *= grams_per_kilogram;
+  return scale;
 }
 
 }  // namespace tribolog::wording

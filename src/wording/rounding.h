@@ -93,7 +93,8 @@ Scale degree_scale();                 ///< rad -> °
 Scale degree_per_second_scale();      ///< rad/s -> °/s
 Scale plain_scale(std::string unit);  ///< SI as it is.
 
-/// By the unit of a quantity of the verdict, for a value of about this size.
+/// By the unit of a quantity of the verdict, for a value of about this size; torques of N·m may be
+/// shown in amperes (torques_in.h), as by the scales above.
 Scale quantity_scale(const std::string& unit, double size);
 
 }  // namespace tribolog::wording

@@ -18,6 +18,7 @@
 #include "base/utf8.h"
 #include "wording/messages.h"
 #include "wording/rounding.h"
+#include "wording/torques_in.h"
 #include "wording/tr.h"
 #include "wording/translation.h"
 
@@ -129,7 +130,7 @@ std::string with_values(std::string_view message, std::span<const StatedValue> v
     }
   }
   try {
-    return fmt::vformat(message, arguments);
+    return fmt::vformat(shown_units(std::string(message)), arguments);
   } catch (const fmt::format_error& error) {
     throw std::logic_error(fmt::format("\"{}\": {}", message, error.what()));
   }

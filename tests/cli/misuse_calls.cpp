@@ -124,7 +124,8 @@ const std::vector<Call>& calls() {
        "--effort-side: 'moter' is not usable, expected one of joint, motor; did you mean 'motor'?; "
        "see tribolog init --help"},
       {"init log.csv --angle-unit dge -o i.toml", 2,
-       "--angle-unit 'dge': one of rad, mrad, deg, turn, or a multiple such as '0.018 deg'"},
+       "--angle-unit 'dge': one of rad, mrad, deg, turn, or a multiple such as '0.018 deg'; "
+       "did you mean 'deg'?"},
       {"init log.csv --gear-ratio 1:101 -o i.toml", 2,
        "--gear-ratio: '1:101' would make the joint turn faster than the motor, expected turns of "
        "the motor first: did you mean '101:1'? A gear that speeds up is stated as one number, "

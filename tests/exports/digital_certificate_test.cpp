@@ -158,6 +158,22 @@ TEST(DigitalCertificate, HasTheExpandedUncertaintyOfEachSide) {
   EXPECT_NE(joint.find("Not stated and not included: "), std::string::npos) << joint;
 }
 
+TEST(DigitalCertificate, SaysAmperesWhereTheTorqueConstantIsNotKnown) {
+  ArchivedJoint of_current = sample();
+  for (calibration::Quantity& q : of_current.quantities) q.unit = joint::in_amperes(q.unit);
+  const std::string document = digital_certificate(of_current);
+  const auto unit = [&](const std::string& quantity) {
+    return leaf(at("motor", document, quantity), "si:unit");
+  };
+  EXPECT_EQ(unit("coulomb_torque"), R"(\ampere)");
+  EXPECT_EQ(unit("bristle_stiffness"), R"(\ampere\per\radian)");
+  EXPECT_EQ(unit("viscous_coefficient"), R"(\ampere\second\per\radian)");
+  EXPECT_EQ(unit("inertia"), R"(\ampere\second\tothe{2}\per\radian)");
+  EXPECT_EQ(document.find("newton\\"), std::string::npos) << "the curve's";
+  EXPECT_NE(document.find("<si:unitXMLList>\\ampere<"), std::string::npos);
+  EXPECT_NE(document.find("The torque constant is not stated"), std::string::npos);
+}
+
 TEST(DigitalCertificate, HasBothEndsOfAnIntervalThatIsNotSymmetric) {
   const std::string document = digital_certificate(sample());
   const std::string motor = at("motor", document, "bristle_stiffness");

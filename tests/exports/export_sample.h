@@ -38,6 +38,13 @@ inline exports::results::ArchivedJoint export_sample() {
   return joint;
 }
 
+/// The same of a current whose torque constant is not known.
+inline exports::results::ArchivedJoint ampere_sample() {
+  exports::results::ArchivedJoint joint = export_sample();
+  for (calibration::Quantity& q : joint.quantities) q.unit = joint::in_amperes(q.unit);
+  return joint;
+}
+
 inline calibration::Quantity& quantity_of(exports::results::ArchivedJoint& joint,
                                           const std::string& name) {
   for (calibration::Quantity& q : joint.quantities) {

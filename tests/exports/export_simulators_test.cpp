@@ -48,6 +48,23 @@ TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
   }
 }
 
+// A simulator takes each number for one of newton metres: whatever the options, none of amperes.
+TEST(ExportForSimulators, RefuseAmperes) {
+  const exports::results::ArchivedJoint joint = test::ampere_sample();
+  for (auto* const make :
+       {exports::results::urdf_joint, exports::results::sdf_joint, exports::results::mjcf_joint,
+        exports::results::ros2_parameters, exports::results::modelica_friction}) {
+    for (const bool doubtful_too : {false, true}) {
+      exports::results::SimulatorOptions options;
+      options.doubtful_too = doubtful_too;
+      EXPECT_EQ(test::refusal_of<UsageError>([&] { return make(joint, options); }),
+                "aaaaaaaaaa: not exported: the torques are in amperes, since the torque constant "
+                "was not stated; expected N·m; identify the log again with --torque-constant "
+                "NM_PER_A (in a manifest: torque_constant_Nm_A)");
+    }
+  }
+}
+
 // What the format has no place for stands beside it.
 TEST(ExportForSimulators, SayTheSpeedsMeasuredAndTheBreakAwayTorque) {
   for (auto* const make :

@@ -56,6 +56,28 @@ TEST(CsvTable, HasEachQuantityOnEachSide) {
   EXPECT_EQ(csv.find("viscous_curve"), std::string::npos);
 }
 
+TEST(Tables, SayAmperesWhereTheTorqueConstantIsNotKnown) {
+  const exports::results::ArchivedJoint joint = test::ampere_sample();
+  const std::string csv = exports::results::csv_table(joint);
+  for (const char* const row :
+       {"\ncoulomb_torque,15.5,15,16,A,joint,", "\nbristle_stiffness,500,480,520,A/rad,motor,",
+        "\nviscous_coefficient,5,", ",A·s/rad,joint,", ",A·s²/rad,joint,"}) {
+    EXPECT_NE(csv.find(row), std::string::npos) << row << " in " << csv;
+  }
+  EXPECT_NE(csv.find("# Kept are SI units (rad, A, kg, s)"), std::string::npos) << csv;
+  const std::string latex = exports::results::latex_table(joint);
+  EXPECT_NE(latex.find("A\\ensuremath{\\cdot}s\\ensuremath{^2}/rad & motor"), std::string::npos)
+      << latex;
+  const std::string json = exports::results::json_document(joint);
+  EXPECT_NE(json.find("friction_A"), std::string::npos) << json;
+  for (const std::string& text : {csv, latex, json, exports::results::matlab_file(joint)}) {
+    EXPECT_EQ(text.find("N·m"), std::string::npos) << text;
+    EXPECT_EQ(text.find("N\\ensuremath{\\cdot}m"), std::string::npos) << text;
+    EXPECT_EQ(text.find("kg·m"), std::string::npos) << text;
+    EXPECT_EQ(text.find("friction_Nm"), std::string::npos) << text;
+  }
+}
+
 TEST(CsvTable, MarksWhatIsNotUsable) {
   exports::results::ArchivedJoint joint = test::export_sample();
   test::quantity_of(joint, "inertia").verdict = calibration::Verdict::not_identifiable;

@@ -1,12 +1,14 @@
 #include "figures/figure_set.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "figures/figure_csv.h"
 #include "figures/hand_made_calibration.h"
 
 namespace tribolog::figure_set_test {
@@ -72,6 +74,22 @@ TEST(FigureSet, AFewArePrimary) {
   }
   EXPECT_EQ(primary, (std::vector<std::string>{"fig-13-rough-torque", "fig-14-precise-torque",
                                                "fig-15-hysteresis", "fig-friction-candidates"}));
+}
+
+// No text of any figure gives a current in newton metres.
+TEST(FigureSet, SaysAmperesWhereTheTorqueConstantIsNotKnown) {
+  const joint::Dataset dataset = test::hand_made_dataset();
+  calibration::Calibration calibration = test::hand_made_calibration(dataset);
+  calibration.manifest.torque_is_in_amperes = true;
+  bool says_ampere = false;
+  for (const figures::ReportFigure& one : figures::figure_set(dataset, calibration)) {
+    constexpr std::size_t rows = 10;
+    const std::string all =
+        figures::figure_csv(one, rows) + one.title + one.caption + one.how_to_read + one.alt;
+    EXPECT_EQ(all.find("N·m"), std::string::npos) << all;
+    says_ampere = says_ampere || all.find("driving torque T [A]") != std::string::npos;
+  }
+  EXPECT_TRUE(says_ampere);
 }
 
 TEST(FigureSet, NothingGivesNothing) {

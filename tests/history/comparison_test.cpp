@@ -87,6 +87,21 @@ TEST(Comparison, ManyQuantitiesDoNotMakeAChangeByChance) {
   EXPECT_GE(with_interval, 300);
 }
 
+// A current whose torque constant is not known is no torque: no change is told between the two.
+TEST(Comparison, HoldsNoAmperesAgainstNewtonMetres) {
+  auto [a, b] = pair_of(1);
+  for (calibration::Quantity& q : b.quantities) {
+    q.unit = joint::in_amperes(q.unit);
+    if (q.unit == "A") q.estimate = statistics::scaled(*q.estimate, 10);
+  }
+  const Comparison c = compare(a, b, {}, false);
+  EXPECT_EQ(quantity(c, "coulomb_torque").word, ChangeWord::not_comparable);
+  EXPECT_FALSE(quantity(c, "coulomb_torque").change);
+  EXPECT_EQ(wording::words(quantity(c, "coulomb_torque").why_not.back()),
+            "the units differ (N·m and A)");
+  EXPECT_EQ(quantity(c, "stribeck_speed").word, ChangeWord::no_change_seen);
+}
+
 // Another torque constant, of 2 % each: a difference of 2 % is no change of the joint.
 TEST(Comparison, AnInfluenceOfAnotherSourceIsInTheChange) {
   auto [a, b] = pair_of(1, [](const std::string& name, std::size_t k) {

@@ -52,6 +52,25 @@ TEST(Fleet, CallsNothingAnOutlierThatIsNone) {
   EXPECT_LE(large, 3U);
 }
 
+// One robot's torque constant is not known: its currents are held against no torques.
+TEST(Fleet, HoldsNoAmperesAgainstNewtonMetres) {
+  std::vector<calibration::Measured> all = test::measured_fleet({8, 1, 6}, 5);
+  for (calibration::Measured& one : all) {
+    if (one.entry.facts.of.robot != all.front().entry.facts.of.robot) continue;
+    for (calibration::Quantity& q : one.quantities) {
+      if (q.unit == "N·m") q.estimate = statistics::scaled(*q.estimate, 20);
+      q.unit = joint::in_amperes(q.unit);
+    }
+  }
+  const history::Fleet fleet = history::fleet_of(all);
+  EXPECT_EQ(outliers_of(fleet), 0U);
+  std::size_t columns = 0;
+  for (const history::FleetColumn& column : fleet.columns) {
+    if (column.name == "coulomb_torque") ++columns;
+  }
+  EXPECT_EQ(columns, 2U);
+}
+
 TEST(Fleet, FindsTheWornJointFirst) {
   for (const test::FleetSize size : {test::FleetSize{12, 3, 6}, test::FleetSize{60, 6, 10}}) {
     std::vector<calibration::Measured> all = test::measured_fleet(size, 5);

@@ -116,6 +116,23 @@ TEST(JointTrend, LeavesOutAndCountsWhatDoesNotBelong) {
   EXPECT_EQ(t.state(), TrendState::steady);
 }
 
+TEST(JointTrend, KeepsTheUnitOfTheLatestAndCountsTheOthers) {
+  auto calibrations = test::simulated_history(3, test::unchanged, of_length(20));
+  for (const std::size_t k : {0U, 4U}) {
+    for (calibration::Quantity& q : calibrations[k].quantities) {
+      q.unit = joint::in_amperes(q.unit);
+      q.estimate = statistics::scaled(*q.estimate, 3);
+    }
+  }
+  const JointTrend t = joint_trends(calibrations, {}).front();
+  const QuantityTrend& coulomb = quantity(t, "coulomb_torque");
+  EXPECT_EQ(coulomb.unit, "N·m");
+  EXPECT_EQ(coulomb.in_another_unit, 2U);
+  EXPECT_EQ(coulomb.points.size(), 18U);
+  EXPECT_EQ(coulomb.calibrations(), 20U);
+  EXPECT_EQ(coulomb.state, TrendState::steady);
+}
+
 TEST(JointTrend, FewCalibrationsSaySo) {
   const JointTrend t =
       joint_trends(test::simulated_history(3, step_at(3), of_length(6)), {}).front();

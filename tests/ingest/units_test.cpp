@@ -114,6 +114,18 @@ TEST(Units, AreNeverOfAnotherQuantityOrCase) {
   EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::angle, ""), std::nullopt);
 }
 
+TEST(Units, NotAvailableIsNoNanoampere) {
+  const auto current = [](const char* unit) {
+    return ingest::log::find_si_factor(ingest::log::Quantity::current, unit);
+  };
+  EXPECT_EQ(current("nA"), 1e-9);
+  EXPECT_EQ(current("nanoampere"), 1e-9);
+  for (const char* const unit : {"NA", "N.A.", "n.a.", "na", "N/A", "#N/A"}) {
+    EXPECT_EQ(current(unit), std::nullopt) << unit;
+    EXPECT_FALSE(ingest::log::is_known_unit(unit)) << unit;
+  }
+}
+
 TEST(Units, AreListedWhereOneIsNotKnown) {
   const auto refusal = [](ingest::log::Quantity quantity, const char* unit) {
     return test::refusal_of<InputError>(

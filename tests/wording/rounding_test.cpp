@@ -2,8 +2,14 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "wording/axis_scale.h"
+#include "wording/torques_in.h"
+#include "wording/tr.h"
 
 namespace tribolog::report::rounding_test {
 namespace {
@@ -113,6 +119,31 @@ TEST(Units, PrefixesKeepNumbersReadable) {
   EXPECT_EQ(wording::torque_scale(0.0).unit, "N·m");
   EXPECT_EQ(wording::radian_scale(1e-4).unit, "mrad");
   EXPECT_EQ(wording::stiffness_scale(4.66e6).unit, "kN·m/rad");
+}
+
+TEST(Units, OfACurrentHavePrefixesToo) {
+  EXPECT_EQ(wording::quantity_scale("A", 0.012).unit, "mA");
+  EXPECT_EQ(wording::quantity_scale("A/rad", 4.66e6).unit, "kA/rad");
+  EXPECT_EQ(wording::quantity_scale("A·s/rad", 0.01).factor, 1e3);
+  EXPECT_EQ(wording::quantity_scale("A·s²/rad", 2e-6).unit, "µA·s²/rad");
+}
+
+// While they are in amperes no text says newton metres; the torque constant's own unit stays.
+TEST(Units, OfTorquesAreAmperesWhereThoseAreMeant) {
+  const auto all = [] {
+    return std::vector{
+        wording::torque_scale(0.01).unit,   wording::inertia_scale(0.002).unit,
+        wording::stiffness_scale(20).unit,  wording::with_unit("2", "N·m/A"),
+        wording::prefixed("N·m", 0.2).unit, wording::tr("{torque} mN·m", {{"torque", "N·m"}})};
+  };
+  {
+    const wording::TorquesIn unit(joint::TorqueUnit::ampere);
+    EXPECT_EQ(all(), (std::vector<std::string>{"mA", "mA·s²/rad", "A/rad", "2\u00a0N·m/A", "mA",
+                                               "N·m mA"}))
+        << "a value stays as it is";
+  }
+  EXPECT_EQ(all(), (std::vector<std::string>{"mN·m", "g·m²", "N·m/rad", "2\u00a0N·m/A", "mN·m",
+                                             "N·m mN·m"}));
 }
 
 TEST(Rounding, InWords) {

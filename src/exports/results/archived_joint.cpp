@@ -20,6 +20,10 @@ const calibration::Quantity* ArchivedJoint::found(joint::Quantity quantity) cons
   return nullptr;
 }
 
+bool ArchivedJoint::is_in_amperes() const {
+  return calibration::torque_unit_of(quantities) == joint::TorqueUnit::ampere;
+}
+
 std::string shortest(double number) {
   std::string text;
   append_number(text, number);
@@ -54,8 +58,16 @@ std::vector<std::string> comment_lines(const ArchivedJoint& joint) {
   add("Payload mass", number(f.payload_kg, "kg"));
   add("Verdict", calibration::to_string(f.verdict) + ": " + f.sentence);
   lines.push_back(fmt::format("Gear ratio n = motor angle / joint angle = {:.10g}", f.gear_ratio));
+  if (joint.is_in_amperes()) {
+    lines.emplace_back(
+        "The torque constant was not stated: torques, and all that is made of them, are numbers of "
+        "amperes. Times the torque constant they are those of newton metres.");
+  }
+  const std::string torque =
+      unit_of(joint::Quantity::gravity_torque, calibration::torque_unit_of(joint.quantities));
   lines.push_back(
-      "Kept are SI units (rad, N·m, kg, s) on the motor's side of the gear. At the joint: "
+      "Kept are SI units (rad, " + torque +
+      ", kg, s) on the motor's side of the gear. At the joint: "
       "torque × n; speed and angle / n; stiffness, damping, viscous coefficient and inertia × n². "
       "The angle of the centre of gravity and the surrogate mass are of the joint.");
   return lines;

@@ -19,6 +19,8 @@ struct ArchivedJoint {
 
   /// @return nullptr if it is not archived, or without an estimate.
   [[nodiscard]] const calibration::Quantity* found(joint::Quantity quantity) const;
+  /// The torque constant was not known: torques are numbers of amperes.
+  [[nodiscard]] bool is_in_amperes() const;
 };
 
 /// What an export for a simulator may do beyond the usual.

@@ -18,7 +18,8 @@ std::string json_document(const ArchivedJoint& joint, bool is_on_one_line = fals
 
 /// A MAT file of level 4, which MATLAB, Octave and SciPy load: each quantity on each side as a row
 /// of value, low and high ("coulomb_torque_joint", NaN where it is not known) with "..._unit" and
-/// "..._verdict"; "friction_curve_joint" and "..._motor" as rows of speed [rad/s] and torque [N·m];
+/// "..._verdict"; "friction_curve_joint" and "..._motor" as rows of speed [rad/s] and torque [N·m],
+/// or [A], which "friction_curve_torque_unit" then says;
 /// robot, serial, joint, id, gear_ratio and "about". Texts hold the letters of Latin-1.
 std::string matlab_file(const ArchivedJoint& joint);
 
@@ -53,7 +54,8 @@ std::string latex_table(const ArchivedJoint& joint);
 /// @throw UsageError: the calibration's file is not archived, of which the certificate is made.
 std::string digital_certificate(const ArchivedJoint& joint);
 
-// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica.
+// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica. What is in amperes is in
+// none of them, whatever the options.
 
 /// A robot of two links with the joint between them, which a parser of URDF loads; its `<dynamics>`
 /// is to be copied. Joint side: `damping` is the viscous coefficient [N·m·s/rad], `friction` the

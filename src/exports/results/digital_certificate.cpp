@@ -45,13 +45,15 @@ std::string si_unit(const std::string& unit) {
     std::string_view unit;
     const char* si;
   };
-  static constexpr std::array units{Spelling{"rad", R"(\radian)"},
-                                    Spelling{"rad/s", R"(\radian\per\second)"},
-                                    Spelling{"N·m", R"(\newton\metre)"},
-                                    Spelling{"N·m/rad", R"(\newton\metre\per\radian)"},
-                                    Spelling{"N·m·s/rad", R"(\newton\metre\second\per\radian)"},
-                                    Spelling{"kg", R"(\kilogram)"},
-                                    Spelling{"kg·m²", R"(\kilogram\metre\tothe{2})"}};
+  static constexpr std::array units{
+      Spelling{"rad", R"(\radian)"}, Spelling{"rad/s", R"(\radian\per\second)"},
+      Spelling{"N·m", R"(\newton\metre)"}, Spelling{"N·m/rad", R"(\newton\metre\per\radian)"},
+      Spelling{"N·m·s/rad", R"(\newton\metre\second\per\radian)"}, Spelling{"kg", R"(\kilogram)"},
+      Spelling{"kg·m²", R"(\kilogram\metre\tothe{2})"},
+      // Where the torque constant is not known:
+      Spelling{"A", R"(\ampere)"}, Spelling{"A/rad", R"(\ampere\per\radian)"},
+      Spelling{"A·s/rad", R"(\ampere\second\per\radian)"},
+      Spelling{"A·s²/rad", R"(\ampere\second\tothe{2}\per\radian)"}};
   const auto* const found = std::find_if(units.begin(), units.end(),
                                          [&](const Spelling& one) { return one.unit == unit; });
   return found == units.end() ? "" : found->si;
@@ -321,6 +323,11 @@ class Certificate {
         "Uncertainties are expanded, for a coverage probability of 95 %, after JCGM 100 "
         "(GUM). Where an interval is not symmetric, both its ends are stated. Influences that "
         "are not stated are not included; each result names them.");
+    if (joint_.is_in_amperes()) {
+      statement("torqueConstant",
+                "The torque constant is not stated: torques, and all results made of them, are "
+                "stated as the current, in amperes.");
+    }
     stated("decisionRule", "Decision rule", stated_.decision_rule);
     if (has_limits()) {
       statement("limits",
@@ -537,7 +544,7 @@ class Certificate {
 
   void torques(const CertifiedCurve& curve) {
     numbers("si:valueXMLList", curve.friction_Nm);
-    xml_.leaf("si:unitXMLList", si_unit("N·m"));
+    xml_.leaf("si:unitXMLList", si_unit(joint_.is_in_amperes() ? "A" : "N·m"));
     if (curve.expanded_Nm.empty()) return;
     constexpr double normal = std::numeric_limits<double>::infinity();
     xml_.element("si:expandedUncXMLList", [&] {

@@ -124,8 +124,8 @@ FrictionTable friction_table(const ArchivedJoint& joint) {
   for (const FrictionRow& row : table.rows) {
     if (row.friction_Nm > 0) continue;
     return {{},
-            fmt::format("the friction curve has {:.3g} N·m at {:.3g} rad/s: not above zero",
-                        row.friction_Nm, row.speed_rad_s)};
+            fmt::format("the friction curve has {:.3g} {} at {:.3g} rad/s: not above zero",
+                        row.friction_Nm, joint.is_in_amperes() ? "A" : "N·m", row.speed_rad_s)};
   }
   return table;
 }

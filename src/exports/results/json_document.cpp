@@ -62,10 +62,11 @@ std::string json_document(const ArchivedJoint& joint, bool is_on_one_line) {
   const FrictionTable curve = friction_table(joint);
   json["friction_curve"] = nullptr;
   if (!curve.rows.empty()) {
-    json["friction_curve"] = {{"columns", {"speed_rad_s", "friction_Nm"}},
-                              {"source", curve.source},
-                              {"motor", rows_of(curve)},
-                              {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
+    json["friction_curve"] = {
+        {"columns", {"speed_rad_s", joint.is_in_amperes() ? "friction_A" : "friction_Nm"}},
+        {"source", curve.source},
+        {"motor", rows_of(curve)},
+        {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
   }
   return json_without_hidden(
              json.dump(is_on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) +

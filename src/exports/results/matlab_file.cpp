@@ -105,6 +105,7 @@ std::string matlab_file(const ArchivedJoint& joint) {
     file.add_rows("friction_curve_motor", matrix_of(curve));
     file.add_rows("friction_curve_joint", matrix_of(at_joint(curve, f.gear_ratio)));
     file.add("friction_curve_source", curve.source);
+    if (joint.is_in_amperes()) file.add("friction_curve_torque_unit", "A");
   }
   return file.bytes();
 }

@@ -44,6 +44,15 @@ std::string shown_id(const ArchivedJoint& joint) {
   return joint.entry.id.substr(0, calibration::shown_digits);
 }
 
+/// @throw UsageError: a simulator would take the numbers of amperes for those of N·m.
+void refuse_amperes(const ArchivedJoint& joint) {
+  if (!joint.is_in_amperes()) return;
+  throw UsageError(shown_id(joint) +
+                   ": not exported: the torques are in amperes, since the torque constant was not "
+                   "stated; expected N·m; identify the log again with --torque-constant NM_PER_A "
+                   "(in a manifest: torque_constant_Nm_A)");
+}
+
 /// A quantity that the format cannot do without.
 /// @throw UsageError: it was not identified; or its verdict is not usable and `doubtful_too` was
 ///        not given; or it is below zero, which no simulator takes.
@@ -124,6 +133,7 @@ struct JointDynamics {
 /// @throw UsageError as needed().
 JointDynamics dynamics_of(const ArchivedJoint& joint, const SimulatorOptions& options,
                           const char* friction) {
+  refuse_amperes(joint);
   const double n = joint.entry.facts.gear_ratio;
   const calibration::Quantity& viscous =
       needed(joint, joint::Quantity::viscous_coefficient, options.doubtful_too);
@@ -218,6 +228,7 @@ std::string yaml_text(const std::string& text) {
 }  // namespace
 
 std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  refuse_amperes(joint);
   const calibration::Facts& f = joint.entry.facts;
   std::string text;
   for (const std::string& line : comment_lines(joint)) text += "# " + one_line(line) + "\n";
@@ -317,6 +328,7 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
 }
 
 std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  refuse_amperes(joint);
   const calibration::Facts& f = joint.entry.facts;
   const bool at_motor = options.side == joint::Side::motor;
   refuse_doubtful(joint, joint::Quantity::viscous_curve, options.doubtful_too);

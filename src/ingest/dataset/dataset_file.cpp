@@ -173,6 +173,20 @@ void add_note(const manifest::RecordingEntry& entry, joint::Dataset& dataset) {
   dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.file)}, {"note", note}}});
 }
 
+/// An unknown torque constant is none that was multiplied with.
+std::vector<joint::ColumnConversion> conversions_by(const manifest::ManifestFile& manifest,
+                                                    const manifest::RecordingEntry& entry) {
+  std::vector<joint::ColumnConversion> all =
+      conversions_of(entry.columns, manifest.manifest.drive, manifest.effort_sign);
+  if (!manifest.manifest.torque_is_in_amperes) return all;
+  for (joint::ColumnConversion& one : all) {
+    std::erase_if(one.steps, [](const joint::ConversionStep& step) {
+      return step.reason == joint::ConversionStep::Reason::torque_constant;
+    });
+  }
+  return all;
+}
+
 void add_points(const manifest::RecordingEntry& entry, const manifest::ManifestFile& manifest,
                 KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused) {
   const auto log = logs.read(entry, {}, dataset.notes);
@@ -185,7 +199,7 @@ void add_points(const manifest::RecordingEntry& entry, const manifest::ManifestF
   joint::InputFile input = log->file;
   input.role = joint::to_string(entry.role);
   count_rows(points, input);
-  input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
+  input.conversions = conversions_by(manifest, entry);
   dataset.inputs.push_back(std::move(input));
   add_note(entry, dataset);
   dataset.friction_points.push_back(std::move(points));
@@ -217,7 +231,7 @@ void add_recording(const manifest::RecordingEntry& entry, const manifest::Manife
   joint::InputFile input = own->file;
   input.role = joint::to_string(entry.role);
   count_rows(recording, input);
-  input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
+  input.conversions = conversions_by(manifest, entry);
   if (entry.columns.effort) {
     input.logged_effort =
         layout::known_effort(present(entry.columns.angle).name, entry.columns.effort->name);

@@ -183,18 +183,16 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-std::vector<std::string> listed_units(Quantity quantity) {
-  std::vector<std::string> names;
-  for (const Unit& unit : units_of(quantity)) {
-    if (!unit.shown.empty()) names.emplace_back(unit.shown);
-  }
-  return names;
-}
-
 /// Of the units as they are listed: "MNm" is not "mNm".
 bool has_other_prefix(const Unit& unit, std::string_view name) {
   const bool has_prefix = unit.name.starts_with("m") && unit.si_factor < 1;
   return has_prefix && name.starts_with("M");
+}
+
+/// "MNm" is no "mNm"; and "NA" or "n.a." is "not available", no nanoampere.
+bool is_no_prefix(std::string_view prefix, std::string_view name) {
+  if (prefix == "m") return name.front() == 'M';
+  return prefix == "n" && (name.front() == 'N' || name == "na");
 }
 
 std::optional<double> factor_by_table(Quantity quantity, std::string_view name) {
@@ -203,7 +201,7 @@ std::optional<double> factor_by_table(Quantity quantity, std::string_view name) 
     if (known.name == small && !has_other_prefix(known, name)) return known.si_factor;
   }
   for (const Prefix& prefix : prefixes) {
-    if (!small.starts_with(prefix.name) || (prefix.name == "m" && name.front() == 'M')) continue;
+    if (!small.starts_with(prefix.name) || is_no_prefix(prefix.name, name)) continue;
     const std::string_view rest = std::string_view(small).substr(prefix.name.size());
     for (const Unit& known : units_of(quantity)) {
       if (known.takes_prefix && known.name == rest) return prefix.factor * known.si_factor;
@@ -364,6 +362,14 @@ bool is_known_unit(std::string_view unit) {
   return !is_letter && std::any_of(all.begin(), all.end(), [&](Quantity quantity) {
     return factor_of_one(quantity, name).has_value();
   });
+}
+
+std::vector<std::string> listed_units(Quantity quantity) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units_of(quantity)) {
+    if (!unit.shown.empty()) names.emplace_back(unit.shown);
+  }
+  return names;
 }
 
 std::string known_units(Quantity quantity) {

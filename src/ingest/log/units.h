@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "ingest/log/log_table.h"
@@ -40,7 +41,10 @@ std::string_view example_of_multiple(Quantity quantity);
 /// Whether it is a unit of any quantity; a multiple is none here: "0.5 s" may be a value.
 bool is_known_unit(std::string_view unit);
 
-/// The known units as they are listed in messages: "rad, mrad, deg, turn".
+/// The known units that messages list.
+std::vector<std::string> listed_units(Quantity quantity);
+
+/// The same in one text: "rad, mrad, deg, turn".
 std::string known_units(Quantity quantity);
 
 }  // namespace tribolog::ingest::log

@@ -357,6 +357,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   read_circumstances(top, result.manifest);
   result.manifest.other_joints = read_other_joints(top, file);
   add_others(std::move(others_of_robot), result.manifest.other_joints);
+  refuse_torques_beside_amperes(effort, result.manifest);
   if (has_no_gravity) {
     if (result.manifest.known_gravity) {
       const InputError::Problem problem{"contradicts [known_gravity]", "", "",

@@ -188,6 +188,28 @@ std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest) {
   return limits;
 }
 
+void refuse_torques_beside_amperes(const TomlTable& effort, const joint::Manifest& manifest) {
+  if (!manifest.torque_is_in_amperes) return;
+  const bool has_gravity = manifest.known_gravity && manifest.known_gravity->amplitude_Nm() != 0;
+  std::string stated = !manifest.known_loads.empty() ? "[[known_load]]"
+                       : has_gravity                 ? "[known_gravity]"
+                       : manifest.arm_gravity        ? "the masses of robot.description"
+                       : manifest.reference          ? "[reference]"
+                                                     : "";
+  for (const joint::AcceptanceLimit& limit : manifest.limits) {
+    const std::string& unit = joint::find_limited_quantity(limit.quantity)->unit;
+    const bool is_share_alone = !limit.min && !limit.max && !limit.half_width;
+    if (stated.empty() && joint::in_amperes(unit) != unit && !is_share_alone) {
+      stated = "[[limit]] " + limit.quantity;
+    }
+  }
+  if (stated.empty()) return;
+  effort.refuse("torque_constant_Nm_A",
+                {"has to be known beside " + stated, "\"unknown\"",
+                 "newton metres per ampere, on the side stated",
+                 "without it torques are numbers of amperes, which N·m say nothing about"});
+}
+
 std::string required_name(const TomlTable& table, const std::string& hint) {
   std::string name = table.text("name", hint);
   if (std::all_of(name.begin(), name.end(), [](char c) { return c == ' '; })) {

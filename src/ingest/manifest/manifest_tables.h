@@ -121,6 +121,10 @@ std::optional<joint::ArmGravity> read_arm_gravity(const TomlTable& robot,
 ///        number, min above max, or a width that is not positive.
 std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest);
 
+/// Numbers of amperes cannot be held against what is stated in N·m, or follows from masses.
+/// @throw InputError: torques are in amperes, and some of it is stated.
+void refuse_torques_beside_amperes(const TomlTable& effort, const joint::Manifest& manifest);
+
 // Texts of several tables.
 
 /// The key `name`. @throw InputError if it is missing or blank, with the hint.

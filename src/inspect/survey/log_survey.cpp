@@ -208,7 +208,20 @@ std::vector<motion::MotionSegment> cut_by_phases(const motion::AngleTrace& trace
   return segments;
 }
 
-void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
+/// A torque before a current, but where a current is looked for.
+std::optional<std::size_t> effort_of(const TableSurvey& table, const std::string& joint,
+                                     bool is_only, bool wants_current) {
+  using enum ingest::log::Quantity;
+  const auto of = [&](ingest::log::Quantity quantity) {
+    const auto column = of_joint(table, quantity, joint, is_only);
+    const bool is_empty = column && std::isnan(table.columns[*column].lowest);
+    return is_empty && wants_current ? std::nullopt : column;
+  };
+  const auto first = of(wants_current ? current : torque);
+  return first ? first : of(wants_current ? torque : current);
+}
+
+void add_joints(const ingest::log::LogTable& data, bool wants_current, TableSurvey& table) {
   const std::vector<Phase> phases = phases_in(data, table);
   std::vector<std::string> names;
   for (const ColumnSurvey& c : table.columns) {
@@ -225,9 +238,7 @@ void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
     joint.angle = present(angle_of(table, name));
     if (std::isnan(table.columns[joint.angle].lowest)) continue;
     joint.speed = of_joint(table, ingest::log::Quantity::angular_speed, name, is_only);
-    joint.effort = of_joint(table, ingest::log::Quantity::torque, name, is_only);
-    if (!joint.effort)
-      joint.effort = of_joint(table, ingest::log::Quantity::current, name, is_only);
+    joint.effort = effort_of(table, name, is_only, wants_current);
     joint.temperature = of_joint(table, ingest::log::Quantity::temperature, name, is_only);
     for (const ingest::log::Quantity quantity :
          {ingest::log::Quantity::torque, ingest::log::Quantity::current}) {
@@ -408,7 +419,7 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   look_at_sides(stated, table);
   find_clock({path, format, rules, stated}, data, table);
   find_units(data, table);
-  add_joints(data, table);
+  add_joints(data, stated.wants_current, table);
   return table;
 }
 

@@ -150,7 +150,7 @@ class ManifestText {
   void add_joint(bool alone) {
     const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
     line("name = " + (has_name ? quoted(choice_.name, "the joint's name", first_.log)
-                               : ingest::manifest::toml_text("joint")),
+                               : ingest::manifest::toml_text(joint::unnamed_joint)),
          !has_name ? "the log names none"
          : alone   ? moves_too()
                    : "");
@@ -166,7 +166,7 @@ class ManifestText {
 
   /// @throw UsageError: a name that no manifest takes.
   [[nodiscard]] std::string robot_name() const {
-    return options_.robot ? named(*options_.robot, "robot") : unnamed_robot;
+    return options_.robot ? named(*options_.robot, "robot") : joint::unnamed_robot;
   }
 
   /// @throw UsageError: a text that no manifest takes.

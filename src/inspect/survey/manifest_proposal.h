@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inspect/survey/log_survey.h"
+#include "joint/dataset.h"
 #include "joint/drive.h"
 #include "joint/recording.h"
 
@@ -57,9 +58,6 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs, const std::vector
 std::string describe(const motion::MotionSegment& segment);
 
 // The manifest.
-
-/// The robot's name in a manifest for which nobody stated one.
-inline constexpr const char* unnamed_robot = "unnamed robot";
 
 /// What the user knows beside the logs.
 struct ProposalOptions {

@@ -90,7 +90,7 @@ std::optional<ManifestProposal> propose_friction_points(const std::vector<LogSur
       "# Proposed by tribolog from the files alone. Each guess is marked; look at it before use.\n"
       "schema = \"tribolog-dataset-1\"\n\n[robot]\nname = {}\n\n[joint]\nname = \"joint\"\n"
       "gear_ratio = {}\n\n[effort]\nkind = \"{}\"\nside = \"{}\"\n{}",
-      ingest::manifest::toml_text(options.robot.value_or(unnamed_robot)), gear_ratio,
+      ingest::manifest::toml_text(options.robot.value_or(joint::unnamed_robot)), gear_ratio,
       joint::to_string(kind), joint::to_string(side),
       is_certain && knows_side ? "" : "confirmed = false  # a guess; true, once it is looked at\n");
   for (const PointColumns& points : found) {

@@ -106,13 +106,17 @@ std::pair<std::string, std::string> parse_stated_column(const std::string& text)
 std::string parse_unit(const std::string& option, const std::string& text,
                        const std::vector<Quantity>& quantities) {
   std::string known;
+  std::vector<std::string> names;
   for (const Quantity quantity : quantities) {
     if (ingest::log::find_si_factor(quantity, text)) return text;
     known += ingest::log::known_units(quantity) + ", ";
+    for (std::string& name : ingest::log::listed_units(quantity)) names.push_back(std::move(name));
   }
+  const std::string meant = did_you_mean(text, names);
   throw UsageError(option + " '" + printable(text) + "': one of " + known +
                    "or a multiple such as '" +
-                   std::string(ingest::log::example_of_multiple(quantities.front())) + "'");
+                   std::string(ingest::log::example_of_multiple(quantities.front())) + "'" +
+                   (meant.empty() ? "" : "; " + meant));
 }
 
 namespace {

@@ -21,6 +21,7 @@ struct StatedColumns {
   std::optional<std::string> speed_unit;   ///< Of all speeds: "rpm".
   std::optional<std::string> effort_unit;  ///< Of all efforts: "Nm", "0.0013 Nm", "mA".
   std::optional<joint::Side> angle_side;   ///< Of all angles and speeds.
+  bool wants_current{};                    ///< Of a joint with a torque and a current, the current.
   std::optional<double> rate_Hz;     ///< The logs have no clock: their rows come at this rate.
   std::optional<double> gear_ratio;  ///< Of all joints: of angles on the motor's side.
   std::map<std::string, double> gear_ratio_of;  ///< Of single joints, instead.

@@ -164,6 +164,9 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
   if (!m.known_gravity && !has_payload) {
     return not_applicable(check.name, {"not_applicable.no_stated_gravity"});
   }
+  if (m.torque_is_in_amperes) {
+    return not_applicable(check.name, {"not_applicable.torques_in_amperes"});
+  }
   if (!found) {
     return not_applicable(check.name, {"not_applicable.no_gravity_to_compare"});
   }
