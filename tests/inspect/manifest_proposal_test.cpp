@@ -292,6 +292,20 @@ TEST(ManifestProposal, UnitsOfAngleAndSpeedAreThoseThatFitEachOther) {
   }
 }
 
+TEST(ManifestProposal, FrictionPointsAreReadAsTheFileWas) {
+  const test::ScratchDirectory scratch;
+  std::string rows = "by hand; on Monday\nspeed [rad/s];friction torque [Nm]\n";
+  for (int k = 1; k < 10; ++k) rows += fmt::format("0,{};1,{}\n", k, k);
+  inspect::survey::ProposalOptions options;
+  options.log_rules.header_line = 2;
+  options.log_rules.decimal_mark = ingest::text::DecimalMark::comma;
+  const std::string log = scratch.write("points.csv", rows);
+  const joint::Dataset dataset = ingest::dataset::read_dataset(
+      scratch.write("dataset.toml", propose(scratch, log, options).text));
+  ASSERT_EQ(dataset.friction_points.size(), 1U);
+  EXPECT_EQ(dataset.friction_points[0].torque_Nm.at(4), 1.5);
+}
+
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,u_motor_V"));
