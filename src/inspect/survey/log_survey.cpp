@@ -394,6 +394,8 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     table.columns[meaning.column].meaning = meaning;
     if (meaning.unit_is_usual) {
       table.columns[meaning.column].unit_by = "usual of " + layout.logger + ", not certain";
+    } else if (meaning.unit_is_ambiguous) {
+      table.columns[meaning.column].unit_by = "German for degrees, elsewhere a 400th of a turn";
     }
   }
   if (data.columns.size() <= most_columns_by_numbers) {

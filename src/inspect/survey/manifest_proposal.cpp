@@ -274,10 +274,12 @@ class ManifestText {
               "of the joint or of the motor? --angle-side states it";
     }
     if (!meaning.unit_is_stated && !has_other_unit) {
-      note +=
-          std::string(note.empty() ? "" : "; ") +
-          (column.unit_is_proven ? "the log states no unit" : "unit guessed, the log states none") +
-          (column.unit_by.empty() ? "" : ": " + column.unit_by);
+      note += std::string(note.empty() ? "" : "; ") +
+              (column.unit_is_proven ? "" : "unit guessed, ") + "the log states " +
+              (meaning.unit_is_ambiguous ? "'Grad'"
+               : column.unit_is_proven   ? "no unit"
+                                         : "none") +
+              (column.unit_by.empty() ? "" : ": " + column.unit_by);
     }
     return entry + comment(note);
   }

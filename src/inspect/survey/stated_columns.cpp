@@ -72,6 +72,7 @@ ColumnMeaning meaning_of(std::size_t column, const Key& key,
   }
   meaning.unit_is_stated = ingest::log::find_si_factor(meaning.quantity, unit).has_value();
   meaning.unit = meaning.unit_is_stated ? unit : key.unit;
+  ingest::layout::doubt_ambiguous_unit(meaning);
   return meaning;
 }
 
@@ -136,6 +137,7 @@ void put_unit(const std::string& unit, const IsOne& is_one, ingest::layout::LogL
     if (!is_one(meaning.quantity) || (is_effort(meaning.quantity) && meaning.is_target)) continue;
     meaning.unit = unit;
     meaning.unit_is_stated = true;
+    meaning.unit_is_ambiguous = false;
   }
 }
 
