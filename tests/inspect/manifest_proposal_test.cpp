@@ -306,6 +306,31 @@ TEST(ManifestProposal, FrictionPointsAreReadAsTheFileWas) {
   EXPECT_EQ(dataset.friction_points[0].torque_Nm.at(4), 1.5);
 }
 
+/// Columns without names: the clock, angles, speeds and two other groups of two joints.
+TEST(ManifestProposal, AnEffortThatIsSaidToBeThereIsTakenByItsPlaceAndNotConfirmed) {
+  const test::ScratchDirectory scratch;
+  std::string rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    const double q = std::sin(0.3 * t) + 0.2 * std::sin(0.9 * t);
+    const double v = 0.3 * std::cos(0.3 * t) + 0.18 * std::cos(0.9 * t);
+    const double current = 3 * std::cos(q) + std::copysign(1, v);
+    rows += fmt::format("{:.2f},{:.5f},0.1,{:.5f},0,{:.4f},0.2,{:.4f},0.3\n", t, q, v, current,
+                        current + 0.1);
+  }
+  const std::string log = scratch.write("rows.csv", rows);
+  inspect::survey::ProposalOptions options;
+  EXPECT_EQ(propose(scratch, log, options).effort.kind, joint::EffortKind::none);
+  options.effort_side = joint::Side::joint;
+  options.torque_constant_Nm_A = 9;
+  options.columns.effort_is = ingest::log::Quantity::current;
+  const joint::Manifest manifest = proposed_manifest(scratch, log, options);
+  EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
+  EXPECT_FALSE(manifest.effort_is_confirmed);
+  EXPECT_NE(propose(scratch, log, options).text.find("effort = { name = \"#6\", unit = \"A\""),
+            std::string::npos);
+}
+
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,u_motor_V"));

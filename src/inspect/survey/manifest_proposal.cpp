@@ -9,6 +9,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/requirements.h"
+#include "base/shown_text.h"
 #include "base/utf8.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_document.h"
@@ -108,9 +109,11 @@ class ManifestText {
     text_ += content + comment(note) + "\n";
   }
 
-  [[nodiscard]] std::string path_of(std::size_t log) const {
+  [[nodiscard]] std::string path_of(std::size_t log) const { return path_to(logs_[log].file); }
+
+  [[nodiscard]] std::string path_to(const std::string& log) const {
     namespace fs = std::filesystem;
-    const fs::path file = fs::absolute(logs_[log].file).lexically_normal();
+    const fs::path file = fs::absolute(log).lexically_normal();
     const fs::path base = fs::absolute(options_.directory.empty() ? "." : options_.directory);
     const fs::path relative = file.lexically_relative(base.lexically_normal());
     std::string path = (relative.empty() ? file : relative).generic_string();
@@ -258,6 +261,9 @@ class ManifestText {
                     ingest::manifest::toml_text(has_other_unit ? effort_.unit : meaning.unit));
     if (column.of_register) {
       entry += fmt::format(", register = \"{}\"", ingest::log::to_string(*column.of_register));
+    }
+    if (!column.file.empty()) {
+      entry += ", file = " + quoted(path_to(column.file), "the log's name", of.log);
     }
     if (column.is_at_motor) entry += ", side = \"motor\"";
     if (is_only_proposed(key, column)) entry += ", confirmed = false";
@@ -464,6 +470,11 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
   if (has_runs_alone && !options.has_no_gravity) open.emplace_back("[--no-gravity]");
   const EffortProposal& effort = proposal.effort;
   if (effort.kind == joint::EffortKind::none || effort.is_target) return open;
+  const auto column = effort.column_of(joint_of(logs, first));
+  const bool is_guess = column && table.columns[*column].is_guess;
+  if (is_guess && !states(options.columns, "effort")) {
+    open.push_back("--column " + quoted_for_shell("effort=" + table.columns[*column].name));
+  }
   if (effort.lacks_constant) open.emplace_back("--torque-constant NM_PER_A");
   const bool is_current = effort.kind == joint::EffortKind::motor_current;
   if (!effort.is_confirmed && !is_current) {

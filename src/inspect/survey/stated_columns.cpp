@@ -92,6 +92,11 @@ void put(ColumnMeaning meaning, ingest::layout::LogLayout& layout) {
 
 }  // namespace
 
+bool states(const StatedColumns& stated, const std::string& key) {
+  return std::any_of(stated.names.begin(), stated.names.end(),
+                     [&](const auto& one) { return one.first == key; });
+}
+
 std::pair<std::string, std::string> parse_stated_column(const std::string& text) {
   const std::size_t sign = text.find('=');
   const std::string word = text.substr(0, sign);
