@@ -186,7 +186,9 @@ TEST_F(OneCommand, ARegisterWithoutItsSignIsSaidAndConfirmed) {
             std::string::npos);
   ASSERT_EQ(report(known + " --signed-registers").status, 0);
   for (const auto& one : numbers("servo.calibration.json")["verdict"]["quantities"]) {
-    if (one["key"] == "gravity_torque") EXPECT_NEAR(one["estimate"]["estimate"], 30, 0.5);
+    if (one["key"] == "gravity_torque") {
+      EXPECT_NEAR(one["estimate"]["estimate"], 30, 0.5);
+    }
   }
 }
 
