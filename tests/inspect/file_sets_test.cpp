@@ -123,6 +123,17 @@ TEST_F(TwoFiles, OfSeveralJointsHaveAColumnForEach) {
   EXPECT_EQ(effort.key, "#2");
   EXPECT_EQ(effort.file, scratch_.file("tau.txt"));
   EXPECT_TRUE(effort.is_guess);
+
+  inspect::survey::ProposalOptions options;
+  options.directory = scratch_.path();
+  options.columns = stated;
+  options.columns.names = {{"angle", "#1"}};
+  const auto of_first = survey(both(torque_Nm, angle_rad), torques, options.columns);
+  const auto proposal = inspect::survey::propose_manifest({present(of_first)}, options);
+  EXPECT_EQ(proposal.joint, "1") << "the stated one, whichever moves more";
+  EXPECT_NE(proposal.text.find("[[other_joint]]\nname = \"2\"\nangle = { name = \"#2\""),
+            std::string::npos)
+      << proposal.text;
 }
 
 TEST_F(TwoFiles, ThatDoNotBelongTogetherAreNotJoined) {

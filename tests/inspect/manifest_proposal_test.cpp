@@ -331,6 +331,22 @@ TEST(ManifestProposal, AnEffortThatIsSaidToBeThereIsTakenByItsPlaceAndNotConfirm
             std::string::npos);
 }
 
+TEST(ManifestProposal, JointsThatMoveInColumnsWithoutNamesAreStated) {
+  const test::ScratchDirectory scratch;
+  std::string rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    rows +=
+        fmt::format("{:.2f},{:.5f},{:.5f},0.1,{:.5f},{:.5f},0,1.5,0.2,0.3\n", t, std::sin(0.3 * t),
+                    0.3 * std::sin(0.5 * t), 0.3 * std::cos(0.3 * t), 0.15 * std::cos(0.5 * t));
+  }
+  const std::string log = scratch.write("rows.csv", rows);
+  const joint::Manifest manifest = proposed_manifest(scratch, log, {});
+  ASSERT_EQ(manifest.other_joints.size(), 1U) << "the third joint stands still";
+  EXPECT_EQ(manifest.other_joints[0].name, "2");
+  EXPECT_EQ(manifest.other_joints[0].angle, "#3");
+}
+
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,u_motor_V"));

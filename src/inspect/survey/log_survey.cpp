@@ -402,6 +402,24 @@ void put_meanings_of_files(const JoinedFiles& joined, ingest::layout::LogLayout&
   layout.foreign.clear();
 }
 
+/// With a stated angle a log's other angles do not count; those of a set's files are other joints'.
+void put_other_angles(const JoinedFiles& joined, const StatedColumns& stated,
+                      ingest::layout::LogLayout& layout) {
+  for (const ingest::layout::ColumnMeaning& meaning : joined.meanings) {
+    const bool is_there =
+        std::any_of(layout.columns.begin(), layout.columns.end(),
+                    [&](const ingest::layout::ColumnMeaning& known) {
+                      return known.column == meaning.column ||
+                             (known.quantity == meaning.quantity && known.joint == meaning.joint);
+                    });
+    if (meaning.quantity != ingest::log::Quantity::angle || is_there) continue;
+    layout.columns.push_back(meaning);
+    if (!stated.angle_unit) continue;
+    layout.columns.back().unit = *stated.angle_unit;
+    layout.columns.back().unit_is_stated = true;
+  }
+}
+
 /// Where the columns of a set's files stand, and which were told by the files' names.
 void place_in_files(const JoinedFiles& joined, const ingest::log::LogTable& data,
                     const StatedColumns& stated, TableSurvey& table) {
@@ -435,6 +453,7 @@ TableSurvey survey_table(const HowRead& how, const JoinedFiles* joined, ingest::
   if (joined != nullptr) put_meanings_of_files(*joined, layout);
   tell_by_reading(data, layout);
   missing = put_stated(stated, header, layout);
+  if (joined != nullptr) put_other_angles(*joined, stated, layout);
   refuse_words(stated, data, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -47,6 +48,7 @@ class ManifestText {
     add_effort();
     add_log_rules();
     add_recordings();
+    add_other_joints();
     return std::move(text_);
   }
 
@@ -84,6 +86,26 @@ class ManifestText {
                     ? ", " + printable(rows_of->first) + " " + printable(rows_of->second)
                     : "") +
                ": no motion that a stage reads was found; not used.\n";
+    }
+  }
+
+  /// Of columns without names no reader finds those of the joints that move beside this one.
+  void add_other_joints() {
+    constexpr double least_motion_rad = std::numbers::pi / 180;
+    for (const JointSurvey& other : table(first_).joints) {
+      const ColumnSurvey& angle = table(first_).columns[other.angle];
+      const bool is_told = !angle.key.starts_with('#') || angle.is_at_motor || other.name.empty();
+      if (other.name == choice_.name || is_told || other.range_rad() < least_motion_rad) continue;
+      const bool is_everywhere = std::all_of(
+          roles_.recordings.begin(), roles_.recordings.end(), [&](const ProposedRecording& one) {
+            const TableSurvey& log = table(one.of);
+            return other.angle < log.columns.size() && log.columns[other.angle].key == angle.key;
+          });
+      if (!is_everywhere) continue;
+      text_ += "\n[[other_joint]]\nname = " + ingest::manifest::toml_text(other.name) + "\n";
+      line("angle = { name = " + name_in_log(first_, angle.key) +
+               ", unit = " + ingest::manifest::toml_text(present(angle.meaning).unit) + " }",
+           "guessed: " + angle.guessed_by);
     }
   }
 
@@ -197,7 +219,8 @@ class ManifestText {
 
   [[nodiscard]] std::string moves_too() const {
     if (choice_.moves_too.empty()) return "";
-    return std::string(options_.joint ? "" : "moves most; ") +
+    const bool is_stated = options_.joint || states(options_.columns, "angle");
+    return std::string(is_stated ? "" : "moves most; ") +
            "these move too: state each as [[other_joint]]; a description of the arm with its "
            "masses, or [[known_load]], takes off what they change of gravity: " +
            list_of_names(choice_.moves_too, 8);
@@ -484,6 +507,24 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
   return open;
 }
 
+/// Whose angle the user names, where the others of the log are known too.
+std::optional<std::string> joint_of_stated_angle(const std::vector<LogSurvey>& logs,
+                                                 const StatedColumns& stated) {
+  const auto name = std::find_if(stated.names.begin(), stated.names.end(),
+                                 [](const auto& one) { return one.first == "angle"; });
+  if (name == stated.names.end()) return std::nullopt;
+  for (const LogSurvey& log : logs) {
+    for (const TableSurvey& table : log.tables) {
+      for (const JointSurvey& joint : table.joints) {
+        const ColumnSurvey& angle = table.columns[joint.angle];
+        const bool is_it = angle.file.empty() && angle.key == name->second;
+        if (is_it && table.joints.size() > 1 && !joint.name.empty()) return joint.name;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
@@ -492,7 +533,8 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
     check_that_it_reads(points->text);
     return *points;
   }
-  const JointChoice choice = choose_joint(logs, options.joint);
+  const auto joint = options.joint ? options.joint : joint_of_stated_angle(logs, options.columns);
+  const JointChoice choice = choose_joint(logs, joint);
   ManifestProposal proposal = without_text(logs, choice, options.has_no_gravity);
   proposal.effort = propose_effort(logs, choice.in_logs, options);
   proposal.open = open_options(logs, proposal, options);
