@@ -45,36 +45,82 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files) {
 
 namespace {
 
-/// Surveys the logs in their order. One that is refused is told at once, and the others go on.
-/// @throw InputError of the only log, or of the first one if all are refused.
+/// Surveys the logs in their order, those of a set of files as one. One that is refused is told at
+/// once, and the others go on.
+class LogsInOrder {
+ public:
+  LogsInOrder(const std::vector<SurveyedFile>& files, const InspectedLogs& options,
+              const inspect::survey::StatedColumns& stated, Console& console)
+      : files_(files), options_(options), stated_(stated), console_(console) {}
+
+  /// @throw InputError of the only log, or of the first one if all are refused.
+  std::vector<inspect::survey::LogSurvey> survey() {
+    for (const inspect::survey::FileSet& set : inspect::survey::sets_of_files(paths_of(files_))) {
+      add_set(set);
+    }
+    console_.finish();
+    const bool all_refused =
+        std::all_of(logs_.begin(), logs_.end(),
+                    [](const inspect::survey::LogSurvey& log) { return !log.refusal.empty(); });
+    if (first_ && all_refused) throw InputError(*first_);
+    return std::move(logs_);
+  }
+
+ private:
+  void add_set(const inspect::survey::FileSet& set) {
+    if (!set.beside.empty()) {
+      auto log = inspect::survey::survey_set(set, options_.known.log_rules, stated_);
+      if (log) {
+        logs_.push_back(std::move(*log));
+        return;
+      }
+    }
+    add(set.path);
+    for (const inspect::survey::FileOfQuantity& one : set.beside) add(one.path);
+  }
+
+  void add(const std::string& path) {
+    console_.progress("reading the logs", logs_.size(), files_.size());
+    try {
+      logs_.push_back(inspect::survey::survey_log(path, options_.known.log_rules, stated_));
+    } catch (const InputError& error) {
+      if (!first_) first_ = error;
+      const auto file = std::find_if(files_.begin(), files_.end(),
+                                     [&](const SurveyedFile& one) { return one.path == path; });
+      if (!file->is_named) {
+        console_.warn(std::string("note: not used: ") + error.what());
+        return;
+      }
+      logs_.emplace_back();
+      logs_.back().file = path;
+      logs_.back().refusal = error.what();
+      if (files_.size() > 1) console_.warn(std::string("error: ") + error.what());
+    }
+  }
+
+  const std::vector<SurveyedFile>& files_;
+  const InspectedLogs& options_;
+  const inspect::survey::StatedColumns& stated_;
+  Console& console_;
+  std::vector<inspect::survey::LogSurvey> logs_;
+  std::optional<InputError> first_;
+};
+
 std::vector<inspect::survey::LogSurvey> survey_logs(const std::vector<SurveyedFile>& files,
                                                     const InspectedLogs& options,
                                                     const inspect::survey::StatedColumns& stated,
                                                     Console& console) {
-  std::vector<inspect::survey::LogSurvey> logs;
-  std::optional<InputError> first;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    console.progress("reading the logs", k, files.size());
-    try {
-      logs.push_back(inspect::survey::survey_log(files[k].path, options.known.log_rules, stated));
-    } catch (const InputError& error) {
-      if (!first) first = error;
-      if (!files[k].is_named) {
-        console.warn(std::string("note: not used: ") + error.what());
-        continue;
-      }
-      logs.emplace_back();
-      logs.back().file = files[k].path;
-      logs.back().refusal = error.what();
-      if (files.size() > 1) console.warn(std::string("error: ") + error.what());
-    }
+  return LogsInOrder(files, options, stated, console).survey();
+}
+
+/// What the user says that the effort is: with a torque constant alone, a current.
+std::optional<ingest::log::Quantity> stated_effort(const std::optional<joint::EffortKind>& kind,
+                                                   const std::vector<double>& torque_constants) {
+  using ingest::log::Quantity;
+  if (kind) {
+    return *kind == joint::EffortKind::motor_current ? Quantity::current : Quantity::torque;
   }
-  console.finish();
-  const bool all_refused =
-      std::all_of(logs.begin(), logs.end(),
-                  [](const inspect::survey::LogSurvey& log) { return !log.refusal.empty(); });
-  if (first && all_refused) throw InputError(*first);
-  return logs;
+  return torque_constants.empty() ? std::nullopt : std::optional(Quantity::current);
 }
 
 }  // namespace
@@ -84,12 +130,9 @@ std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<Surv
                                                           inspect::survey::KnownOfJoints& of_joints,
                                                           Console& console) {
   inspect::survey::StatedColumns stated = options.known.columns;
+  stated.effort_is = stated_effort(options.known.effort_kind, of_joints.torque_constants_Nm_A);
   const std::vector<double>& ratios = of_joints.gear_ratios;
   if (ratios.size() == 1) stated.gear_ratio = ratios.front();
-  // Who states a constant, or that it is a current, means the current of a log that has both.
-  const std::optional<joint::EffortKind>& kind = options.known.effort_kind;
-  stated.wants_current =
-      kind ? kind == joint::EffortKind::motor_current : !of_joints.torque_constants_Nm_A.empty();
   std::vector<inspect::survey::LogSurvey> logs = survey_logs(files, options, stated, console);
   bool is_at_motor = false;
   for (const inspect::survey::LogSurvey& log : logs) {

@@ -90,6 +90,37 @@ TEST(ColumnGuess, ColumnsInGroupsAreThoseOfSeveralJoints) {
   }
 }
 
+/// A clock, then two columns of each signal; the second joint moves.
+std::optional<std::size_t> first_effort(const std::vector<double (*)(double)>& signals) {
+  std::vector<std::pair<std::string, std::vector<double>>> columns(1 + 2 * signals.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) columns[c].first = "#" + std::to_string(c + 1);
+  for (int k = 0; k < 2000; ++k) {
+    const double t = 0.01 * k;
+    columns[0].second.push_back(t);
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+      columns[1 + 2 * s].second.push_back(0.1);
+      columns[2 + 2 * s].second.push_back(signals[s](t));
+    }
+  }
+  return inspect::survey::first_effort_by_place(table_of(columns), 0, {1, 2});
+}
+
+TEST(ColumnGuess, TheFirstGroupThatIsNoSetPointAndNoAccelerationMayBeTheEfforts) {
+  const auto angle = [](double t) { return std::sin(t) + 0.3 * std::sin(2.3 * t); };
+  const auto speed = [](double t) { return std::cos(t) + 0.69 * std::cos(2.3 * t); };
+  const auto acceleration = [](double t) { return -std::sin(t) - 1.587 * std::sin(2.3 * t); };
+  const auto set_point = [](double t) { return 57.3 * (std::sin(t) + 0.301 * std::sin(2.3 * t)); };
+  const auto effort = [](double t) {
+    const double v = std::cos(t) + 0.69 * std::cos(2.3 * t);
+    return 3 * std::cos(std::sin(t)) + (v > 0 ? 2 : -2);
+  };
+  const auto still = [](double) { return 7.0; };
+  EXPECT_EQ(first_effort({angle, speed, effort, set_point}), 5U);
+  EXPECT_EQ(first_effort({angle, speed, still, set_point, acceleration, effort}), 11U);
+  EXPECT_EQ(first_effort({angle, speed, acceleration}), std::nullopt);
+  EXPECT_EQ(first_effort({angle, speed}), std::nullopt);
+}
+
 TEST(ColumnGuess, ColumnsThatCannotBeCutIntoGroupsAreOneJoints) {
   const auto guessed = inspect::survey::guess_by_numbers(three_joints(1), {});
   EXPECT_FALSE(guessed.groups);

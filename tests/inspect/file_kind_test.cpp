@@ -52,6 +52,7 @@ const std::vector<Content>& contents() {
       {"{\"schema\": \"tribolog-calibration-1\"}", FileKind::calibration},
       {"{\"cases\": [" + std::string(100'000, ' ') + "], \"schema\": \"tribolog-calibration-1\"}",
        FileKind::calibration},
+      {"{\"q\": [" + std::string(3'000'000, ' ') + "]}", FileKind::unknown},
       {"{\"schema\": \"tribolog-plan-1\"}", FileKind::plan},
       {"{\"schema\": \"tribolog-truth-1\"}", FileKind::truth},
       {"{\"schema\": \"tribolog-robot-truth-1\"}", FileKind::truth},

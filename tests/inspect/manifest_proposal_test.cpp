@@ -292,6 +292,61 @@ TEST(ManifestProposal, UnitsOfAngleAndSpeedAreThoseThatFitEachOther) {
   }
 }
 
+TEST(ManifestProposal, FrictionPointsAreReadAsTheFileWas) {
+  const test::ScratchDirectory scratch;
+  std::string rows = "by hand; on Monday\nspeed [rad/s];friction torque [Nm]\n";
+  for (int k = 1; k < 10; ++k) rows += fmt::format("0,{};1,{}\n", k, k);
+  inspect::survey::ProposalOptions options;
+  options.log_rules.header_line = 2;
+  options.log_rules.decimal_mark = ingest::text::DecimalMark::comma;
+  const std::string log = scratch.write("points.csv", rows);
+  const joint::Dataset dataset = ingest::dataset::read_dataset(
+      scratch.write("dataset.toml", propose(scratch, log, options).text));
+  ASSERT_EQ(dataset.friction_points.size(), 1U);
+  EXPECT_EQ(dataset.friction_points[0].torque_Nm.at(4), 1.5);
+}
+
+/// Columns without names: the clock, angles, speeds and two other groups of two joints.
+TEST(ManifestProposal, AnEffortThatIsSaidToBeThereIsTakenByItsPlaceAndNotConfirmed) {
+  const test::ScratchDirectory scratch;
+  std::string rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    const double q = std::sin(0.3 * t) + 0.2 * std::sin(0.9 * t);
+    const double v = 0.3 * std::cos(0.3 * t) + 0.18 * std::cos(0.9 * t);
+    const double current = 3 * std::cos(q) + std::copysign(1, v);
+    rows += fmt::format("{:.2f},{:.5f},0.1,{:.5f},0,{:.4f},0.2,{:.4f},0.3\n", t, q, v, current,
+                        current + 0.1);
+  }
+  const std::string log = scratch.write("rows.csv", rows);
+  inspect::survey::ProposalOptions options;
+  EXPECT_EQ(propose(scratch, log, options).effort.kind, joint::EffortKind::none);
+  options.effort_side = joint::Side::joint;
+  options.torque_constant_Nm_A = 9;
+  options.columns.effort_is = ingest::log::Quantity::current;
+  const joint::Manifest manifest = proposed_manifest(scratch, log, options);
+  EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
+  EXPECT_FALSE(manifest.effort_is_confirmed);
+  EXPECT_NE(propose(scratch, log, options).text.find("effort = { name = \"#6\", unit = \"A\""),
+            std::string::npos);
+}
+
+TEST(ManifestProposal, JointsThatMoveInColumnsWithoutNamesAreStated) {
+  const test::ScratchDirectory scratch;
+  std::string rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 0.01 * i;
+    rows +=
+        fmt::format("{:.2f},{:.5f},{:.5f},0.1,{:.5f},{:.5f},0,1.5,0.2,0.3\n", t, std::sin(0.3 * t),
+                    0.3 * std::sin(0.5 * t), 0.3 * std::cos(0.3 * t), 0.15 * std::cos(0.5 * t));
+  }
+  const std::string log = scratch.write("rows.csv", rows);
+  const joint::Manifest manifest = proposed_manifest(scratch, log, {});
+  ASSERT_EQ(manifest.other_joints.size(), 1U) << "the third joint stands still";
+  EXPECT_EQ(manifest.other_joints[0].name, "2");
+  EXPECT_EQ(manifest.other_joints[0].angle, "#3");
+}
+
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,u_motor_V"));

@@ -103,6 +103,28 @@ TEST(UnitEvidence, OfAStatedSpeedTheAnglesUnitFollows) {
   EXPECT_FALSE(odd.angle.unit_is_proven) << "no encoder has so many counts";
 }
 
+/// German for degrees; a 400th of a turn elsewhere.
+TEST(UnitEvidence, GradIsProposedAsDegreesUnlessItIsProven) {
+  const auto log = [](const std::string& angle_in, const Units& written, const Stated& stated) {
+    std::string csv = log_in({angle_in, written.speed}, {false, stated.speed, true});
+    return csv.replace(csv.find("pos"), 3, "pos [" + written.angle + "]");
+  };
+  for (const char* const written : {"Grad", "grad"}) {
+    const FoundUnits alone = found_in(log("deg", {written, "deg/s"}, {}));
+    EXPECT_EQ(alone.angle.meaning->unit, "deg");
+    EXPECT_FALSE(alone.angle.is_certain());
+    const FoundUnits degrees = found_in(log("deg", {written, "rad/s"}, {false, true}));
+    EXPECT_EQ(degrees.angle.meaning->unit, "deg");
+    EXPECT_TRUE(degrees.angle.is_certain());
+    const FoundUnits gon = found_in(log("0.9 deg", {written, "rad/s"}, {false, true}));
+    EXPECT_NEAR(factor_of(Quantity::angle, gon.angle.meaning->unit), 2 * pi / 400, 1e-9);
+    EXPECT_TRUE(gon.angle.is_certain());
+    inspect::survey::StatedColumns stated;
+    stated.angle_unit = "deg";
+    EXPECT_TRUE(found_in(log("deg", {written, "deg/s"}, {}), stated).angle.is_certain());
+  }
+}
+
 TEST(UnitEvidence, OfTwoUnitsThatAreNotEqualTheRatioTellsBoth) {
   for (const char* const angle : {"rad", "deg", "turn"}) {
     for (const char* const speed : {"rad/s", "deg/s", "rpm", "turn/s"}) {

@@ -245,6 +245,18 @@ std::vector<std::string> LogLayout::joints() const {
   return names;
 }
 
+void doubt_ambiguous_unit(ColumnMeaning& meaning) {
+  constexpr std::string_view either = "grad";
+  constexpr std::string_view degrees = "deg";
+  const bool turns =
+      meaning.quantity == log::Quantity::angle || meaning.quantity == log::Quantity::angular_speed;
+  const std::string unit = lower(meaning.unit);
+  if (!turns || !meaning.unit_is_stated || !unit.starts_with(either)) return;
+  meaning.unit = std::string(degrees) + unit.substr(either.size());
+  meaning.unit_is_stated = false;
+  meaning.unit_is_ambiguous = true;
+}
+
 LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
   LogLayout layout;
   const KnownLogger* const logger = logger_of(header);
@@ -262,10 +274,14 @@ LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
     }
     if (!meaning) continue;
     meaning->column = k;
+    const bool agrees =
+        meaning->unit_is_stated && log::find_si_factor(meaning->quantity, meaning->unit) ==
+                                       log::find_si_factor(meaning->quantity, header[k].unit);
     if (log::find_si_factor(meaning->quantity, header[k].unit)) {
       meaning->unit = header[k].unit;
       meaning->unit_is_stated = true;
     }
+    if (!agrees) doubt_ambiguous_unit(*meaning);
     layout.columns.push_back(std::move(*meaning));
   }
   const bool has_angle =

@@ -38,6 +38,8 @@ struct ColumnMeaning {
   std::string unit;       ///< Of the header, or else of the logger, or else the SI one.
   bool unit_is_stated{};  ///< By the header or by the logger.
   bool unit_is_usual{};   ///< Not stated: the one that the logger writes mostly.
+  /// Not stated: what is written, "Grad", stands for this unit or for another one.
+  bool unit_is_ambiguous{};
   /// A set point or a model's value: no measurement.
   bool is_target{};
   /// The user states the column, and nothing tells of which joint it is: of any.
@@ -69,6 +71,10 @@ struct LogLayout {
 /// what ABB's and FANUC's robots log.
 /// @param header of all columns.
 LogLayout guess_layout(const std::vector<log::ColumnHeader>& header);
+
+/// "Grad" is German for degrees and elsewhere a 400th of a turn: such a unit is taken as degrees,
+/// and not as stated.
+void doubt_ambiguous_unit(ColumnMeaning& meaning);
 
 // Loggers that are known by the names of their columns, and what they write into them.
 

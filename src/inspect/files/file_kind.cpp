@@ -21,6 +21,7 @@ namespace {
 using ingest::log::LogFormat;
 
 constexpr std::size_t start_bytes = std::size_t{1} << 16;
+constexpr std::size_t end_bytes = std::size_t{1} << 20;
 constexpr std::uint64_t largest_page_bytes = std::uint64_t{1} << 30;
 
 std::string_view without_blanks_before(std::string_view text) {
@@ -130,11 +131,22 @@ FileKind kind_of_text(std::string_view text) {
   return has_rows_of_numbers(text) ? FileKind::log : FileKind::unknown;
 }
 
-/// Some writers sort the keys, and "schema" is behind all numbers then.
+/// The last bytes of a file; all of a shorter one.
+std::string read_end(const std::string& path, std::size_t most_bytes) {
+  const InputFileSource file(path);
+  const auto bytes =
+      static_cast<std::size_t>(std::min<std::uint64_t>(most_bytes, file.likely_bytes()));
+  std::string end(bytes, '\0');
+  file.read_at(file.likely_bytes() - bytes, end.data(), bytes);
+  return end;
+}
+
+/// Some writers sort the keys, and "schema" is behind most numbers then: a log of JSON, which may
+/// be of any size, is not read for it.
 FileKind kind_of_json(const std::string& path, std::string_view start) {
   const FileKind kind = kind_of_schema(schema_in(start));
   if (kind != FileKind::unknown || start.size() < start_bytes) return kind;
-  return kind_of_schema(schema_in(read_file(path, largest_page_bytes)));
+  return kind_of_schema(schema_in(read_end(path, end_bytes)));
 }
 
 FileKind kind_of_start(const std::string& path, const std::string& start) {

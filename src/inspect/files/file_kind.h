@@ -27,7 +27,8 @@ enum class FileKind {
   log,           ///< A recording in a format of logs, or text with columns of numbers.
 };
 
-/// Reads as much of the file as it takes: its first bytes, and all of a page or a JSON file.
+/// Reads as much of the file as it takes: its first bytes, of JSON also the last ones, and all of a
+/// page.
 FileKind kind_of_file(const std::string& path);
 
 }  // namespace tribolog::inspect::files

@@ -101,7 +101,72 @@ std::optional<ColumnGroups> groups_of(const ingest::log::LogTable& table, std::s
   return columns / groups.joints >= fewest_groups ? std::optional(groups) : std::nullopt;
 }
 
+/// Of two columns as they are; NaN where either stands still.
+double correlation_of(const std::vector<double>& x, const std::vector<double>& y) {
+  double n = 0;
+  double x_sum = 0;
+  double y_sum = 0;
+  const auto is_there = [&](std::size_t i) { return std::isfinite(x[i]) && std::isfinite(y[i]); };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!is_there(i)) continue;
+    ++n;
+    x_sum += x[i];
+    y_sum += y[i];
+  }
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!is_there(i)) continue;
+    xx += (x[i] - x_sum / n) * (x[i] - x_sum / n);
+    yy += (y[i] - y_sum / n) * (y[i] - y_sum / n);
+    xy += (x[i] - x_sum / n) * (y[i] - y_sum / n);
+  }
+  return xy / std::sqrt(xx * yy);
+}
+
+double range_of(const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return high > low ? high - low : 0;
+}
+
 }  // namespace
+
+std::optional<std::size_t> first_effort_by_place(const ingest::log::LogTable& table,
+                                                 std::size_t clock, const ColumnGroups& groups) {
+  constexpr double as_set_points = 0.995;
+  constexpr double as_accelerations = 0.8;
+  const auto values = [&](std::size_t k) -> const std::vector<double>& {
+    return table.columns[k].values;
+  };
+  std::size_t joint = 0;
+  for (std::size_t k = 0; k < groups.joints; ++k) {
+    const bool is_wider =
+        range_of(values(groups.first + k)) > range_of(values(groups.first + joint));
+    if (is_wider) joint = k;
+  }
+  const std::vector<double>& angle = values(groups.first + joint);
+  const std::vector<double>& speed = values(groups.first + groups.joints + joint);
+  for (std::size_t begin = groups.first + 2 * groups.joints;
+       begin + groups.joints <= table.columns.size(); begin += groups.joints) {
+    if (clock >= begin && clock < begin + groups.joints) break;
+    const std::vector<double>& one = values(begin + joint);
+    const bool is_number =
+        table.columns[begin + joint].reading == ingest::log::ColumnReading::number;
+    const bool is_set_point = std::abs(correlation_of(one, angle)) > as_set_points ||
+                              std::abs(correlation_of(one, speed)) > as_set_points;
+    const bool is_acceleration =
+        std::abs(fit_slope(values(clock), speed, one).correlation) > as_accelerations;
+    if (is_number && range_of(one) > 0 && !is_set_point && !is_acceleration) return begin;
+  }
+  return std::nullopt;
+}
 
 std::string ColumnGroups::joint_of(std::size_t column) const {
   return std::to_string((column - first) % joints + 1);

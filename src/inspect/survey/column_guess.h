@@ -38,6 +38,13 @@ struct GuessedLayout {
 GuessedLayout guess_by_numbers(const ingest::log::LogTable& table,
                                const ingest::layout::LogLayout& layout);
 
+/// In columns that come in groups, the first behind angles and speeds that may be the efforts: it
+/// changes and is neither a set point of angle or speed nor an acceleration, as the joint with the
+/// widest motion shows.
+/// @return the column of its first joint; nothing where there is none.
+std::optional<std::size_t> first_effort_by_place(const ingest::log::LogTable& table,
+                                                 std::size_t clock, const ColumnGroups& groups);
+
 /// Whole numbers that rise by one nearly always: they count rows, or are the milliseconds of a
 /// clock, and which of the two they do not tell.
 bool looks_like_counter(const std::vector<double>& values);

@@ -212,12 +212,6 @@ joint::EffortKind kind_of(const ColumnSurvey& column, bool is_target,
                                  : joint::EffortKind::joint_torque;
 }
 
-/// Whether the user says which column it is.
-bool states(const ProposalOptions& options, const std::string& key) {
-  return std::any_of(options.columns.names.begin(), options.columns.names.end(),
-                     [&](const auto& one) { return one.first == key; });
-}
-
 void propose_none(const TableSurvey& table, EffortProposal& proposal) {
   const std::vector<std::string> voltages = voltages_of(table);
   proposal.remarks.push_back(
@@ -350,11 +344,12 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const joint::Side side =
       options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
 
-  const bool is_stated_column = states(options, "effort");
+  const bool is_stated_column = states(options.columns, "effort");
   proposal.remarks.push_back(
       fmt::format("{} in {}{}", in_quotes(column->name),
                   is_taken_as_current ? proposal.unit : printable(meaning.unit),
                   is_stated_column        ? ": the column that was stated"
+                  : column->is_guess      ? ": guessed " + column->guessed_by
                   : table->logger.empty() ? ": taken by its name"
                                           : ": as " + table->logger + " writes it"));
   if (!meaning.effort.remark.empty()) proposal.remarks.push_back(meaning.effort.remark);
@@ -399,7 +394,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const bool is_stated = (options.effort_kind && meaning.unit_is_stated) || is_taken_as_current ||
                          (is_current && meaning.unit_is_stated);
   const bool is_one_of_several = (column->has_rivals() && !is_stated_column) ||
-                                 (angle->has_rivals() && !states(options, "angle"));
+                                 (angle->has_rivals() && !states(options.columns, "angle"));
   // What a register holds is a guess until the user has looked at it.
   const bool is_of_register = column->of_register.has_value() && !options.registers_are_confirmed;
   if (is_of_register) {
@@ -409,7 +404,9 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
                     in_quotes(column->name), ingest::log::to_string(*column->of_register)));
     proposal.not_understood.push_back(proposal.remarks.back());
   }
-  proposal.is_confirmed = !(lacks_gear && !options.effort_side) && is_stated && !is_one_of_several;
+  const bool is_guess = column->is_guess && !is_stated_column;
+  proposal.is_confirmed =
+      !(lacks_gear && !options.effort_side) && is_stated && !is_one_of_several && !is_guess;
   if (lacks_gear && !options.effort_side) {
     proposal.lines.emplace_back(
         "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "
@@ -418,7 +415,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.lines.emplace_back(
         "confirmed = false  # the unit in [columns] is a guess; true, or no such line, once it is "
         "looked at");
-  } else if (!is_stated || is_one_of_several || is_of_register) {
+  } else if (!is_stated || is_one_of_several || is_of_register || is_guess) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "
         "looked at");

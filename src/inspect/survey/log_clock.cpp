@@ -53,9 +53,7 @@ struct ClockPair {
 ClockPair clock_in_two(const StatedColumns& stated, const ingest::log::LogTable& data,
                        const TableSurvey& table) {
   using ingest::log::ColumnReading;
-  const bool is_stated = std::any_of(stated.names.begin(), stated.names.end(),
-                                     [](const auto& one) { return one.first == "time"; });
-  if (is_stated || stated.rate_Hz) return {};
+  if (states(stated, "time") || stated.rate_Hz) return {};
   const auto& columns = data.columns;
   constexpr double nanoseconds = 1e9;
   for (std::size_t a = 0; a < columns.size(); ++a) {

@@ -325,6 +325,33 @@ void name_joints_by_place(const ColumnGroups& groups, std::vector<ColumnSurvey>&
   }
 }
 
+/// Where an effort is said to be there and no name tells it, in columns that come in groups.
+void put_effort_by_place(const StatedColumns& stated, const ingest::log::LogTable& data,
+                         TableSurvey& table) {
+  using enum ingest::log::Quantity;
+  const auto is_effort = [](const ColumnSurvey& column) {
+    return column.meaning &&
+           (column.meaning->quantity == torque || column.meaning->quantity == current);
+  };
+  if (!stated.effort_is || !table.groups || !table.time) return;
+  if (std::any_of(table.columns.begin(), table.columns.end(), is_effort)) return;
+  const ColumnGroups& groups = *table.groups;
+  const auto begin = first_effort_by_place(data, *table.time, groups);
+  if (!begin) return;
+  for (std::size_t k = *begin; k < *begin + groups.joints; ++k) {
+    if (table.columns[k].meaning) continue;
+    ingest::layout::ColumnMeaning meaning;
+    meaning.column = k;
+    meaning.quantity = *stated.effort_is;
+    meaning.unit = stated.effort_unit.value_or(meaning.quantity == current ? "A" : "Nm");
+    meaning.unit_is_stated = stated.effort_unit.has_value();
+    meaning.joint = groups.joint_of(k);
+    table.columns[k].meaning = std::move(meaning);
+    table.columns[k].is_guess = true;
+    table.columns[k].guessed_by = "by its place behind angles and speeds";
+  }
+}
+
 /// Times are known by how they are written, whatever their names; words are no numbers.
 void tell_by_reading(const ingest::log::LogTable& data, ingest::layout::LogLayout& layout) {
   using ingest::log::ColumnReading;
@@ -380,10 +407,53 @@ void look_at_sides(const StatedColumns& stated, TableSurvey& table) {
   }
 }
 
+/// What the files of a set are by their names, in the place of what their columns' names say.
+void put_meanings_of_files(const JoinedFiles& joined, ingest::layout::LogLayout& layout) {
+  layout.columns = joined.meanings;
+  layout.foreign.clear();
+}
+
+/// With a stated angle a log's other angles do not count; those of a set's files are other joints'.
+void put_other_angles(const JoinedFiles& joined, const StatedColumns& stated,
+                      ingest::layout::LogLayout& layout) {
+  for (const ingest::layout::ColumnMeaning& meaning : joined.meanings) {
+    const bool is_there =
+        std::any_of(layout.columns.begin(), layout.columns.end(),
+                    [&](const ingest::layout::ColumnMeaning& known) {
+                      return known.column == meaning.column ||
+                             (known.quantity == meaning.quantity && known.joint == meaning.joint);
+                    });
+    if (meaning.quantity != ingest::log::Quantity::angle || is_there) continue;
+    layout.columns.push_back(meaning);
+    if (!stated.angle_unit) continue;
+    layout.columns.back().unit = *stated.angle_unit;
+    layout.columns.back().unit_is_stated = true;
+  }
+}
+
+/// Where the columns of a set's files stand, and which were told by the files' names.
+void place_in_files(const JoinedFiles& joined, const ingest::log::LogTable& data,
+                    const StatedColumns& stated, TableSurvey& table) {
+  for (std::size_t k = 0; k < joined.files.size(); ++k) {
+    if (joined.files[k].file.empty()) continue;
+    table.columns[k].file = joined.files[k].file;
+    table.columns[k].key = joined.files[k].key;
+  }
+  for (const ingest::layout::ColumnMeaning& meaning : joined.meanings) {
+    const std::string& name = data.columns[meaning.column].header.full;
+    const bool is_stated = std::any_of(stated.names.begin(), stated.names.end(),
+                                       [&](const auto& one) { return one.second == name; });
+    if (is_stated) continue;
+    table.columns[meaning.column].guessed_by = "by the name of its file";
+    table.columns[meaning.column].is_guess = true;
+  }
+}
+
+/// @param joined where the table is that of several files; else null.
 /// @param missing receives the stated columns that the table has not.
-TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
-                         const ingest::text::TextLogRules& rules, const StatedColumns& stated,
-                         ingest::log::LogTable& data, std::vector<std::string>& missing) {
+TableSurvey survey_table(const HowRead& how, const JoinedFiles* joined, ingest::log::LogTable& data,
+                         std::vector<std::string>& missing) {
+  const StatedColumns& stated = how.stated;
   TableSurvey table;
   table.group = data.group;
   table.rows = data.rows;
@@ -391,8 +461,10 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
   std::vector<ingest::log::ColumnHeader> header;
   for (const ingest::log::LogColumn& column : data.columns) header.push_back(column.header);
   ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
+  if (joined != nullptr) put_meanings_of_files(*joined, layout);
   tell_by_reading(data, layout);
   missing = put_stated(stated, header, layout);
+  if (joined != nullptr) put_other_angles(*joined, stated, layout);
   refuse_words(stated, data, layout);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
@@ -405,8 +477,11 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     table.columns[meaning.column].meaning = meaning;
     if (meaning.unit_is_usual) {
       table.columns[meaning.column].unit_by = "usual of " + layout.logger + ", not certain";
+    } else if (meaning.unit_is_ambiguous) {
+      table.columns[meaning.column].unit_by = "German for degrees, elsewhere a 400th of a turn";
     }
   }
+  if (joined != nullptr) place_in_files(*joined, data, stated, table);
   if (data.columns.size() <= most_columns_by_numbers) {
     GuessedLayout guessed = guess_by_numbers(data, layout);
     for (GuessedMeaning& guess : guessed.meanings) {
@@ -417,9 +492,10 @@ TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
     if (table.groups) name_joints_by_place(*table.groups, table.columns);
   }
   look_at_sides(stated, table);
-  find_clock({path, format, rules, stated}, data, table);
+  find_clock(how, data, table);
+  put_effort_by_place(stated, data, table);
   find_units(data, table);
-  add_joints(data, stated.wants_current, table);
+  add_joints(data, stated.effort_is == ingest::log::Quantity::current, table);
   return table;
 }
 
@@ -465,7 +541,7 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
     StatedColumns of_table = stated;
     if (rows_of && !is_recording) of_table.gear_ratio = stated.gear_ratio_for(rows_of->second);
     survey.tables.push_back(
-        survey_table(path, survey.format, rules, of_table, table, missing_here));
+        survey_table({path, survey.format, rules, of_table}, nullptr, table, missing_here));
     if (rows_of && !is_recording) name_joint(*rows_of, survey.tables.back());
     survey.tables.back().rows_of = rows_of;
     survey.tables.back().is_one_of_several = is_recording;
@@ -482,6 +558,39 @@ LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& 
                                     list_of_names(there), "the name that --column states", ""});
   }
   return survey;
+}
+
+std::optional<LogSurvey> survey_set(const FileSet& set,
+                                    const ingest::text::TextLogRules& stated_rules,
+                                    const StatedColumns& stated) try {
+  LogSurvey survey;
+  survey.file = set.path;
+  survey.format = ingest::dataset::format_of_log(set.path);
+  const ingest::text::TextLogRules rules = with_decimal_mark(set.path, survey.format, stated_rules);
+  survey.has_decimal_commas = rules.decimal_mark == ingest::text::DecimalMark::comma;
+  const auto only_table = [&](const std::string& path) {
+    const ingest::log::LogFormat format = ingest::dataset::format_of_log(path);
+    if (format != ingest::log::LogFormat::text) return std::optional<ingest::log::LogTable>();
+    std::vector<ingest::log::LogTable> tables = tables_of(path, format, rules);
+    return tables.size() == 1 ? std::optional(std::move(tables.front())) : std::nullopt;
+  };
+  auto angles = only_table(set.path);
+  std::vector<ingest::log::LogTable> beside;
+  for (const FileOfQuantity& one : set.beside) {
+    auto table = angles ? only_table(one.path) : std::nullopt;
+    if (!table) return std::nullopt;
+    beside.push_back(std::move(*table));
+  }
+  if (beside.empty()) return std::nullopt;
+  auto joined = join_files(set, std::move(*angles), std::move(beside), stated);
+  if (!joined) return std::nullopt;
+  std::vector<std::string> missing;
+  survey.tables.push_back(
+      survey_table({set.path, survey.format, rules, stated}, &*joined, joined->table, missing));
+  survey.notes = std::move(joined->table.notes);
+  return missing.empty() ? std::optional(std::move(survey)) : std::nullopt;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 }  // namespace tribolog::inspect::survey

@@ -75,13 +75,16 @@ ClockSurvey survey_clock(const ingest::log::LogColumn& column,
 struct ColumnSurvey {
   std::string name;  ///< As the log has it; "#1" where it has none.
   std::string key;   ///< What a manifest calls it: "#4" where several have its name.
+  std::string file;  ///< In which it stands, where not in the log's own; else empty.
   std::string unit;  ///< In brackets behind it or below; empty: none.
   std::optional<ingest::layout::ColumnMeaning> meaning;
   std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
-  std::string unit_by;     ///< What an unstated unit was told by; empty: nothing.
-  bool unit_is_proven{};   ///< Not stated, but the log's other numbers leave no other.
-  std::size_t gaps{};      ///< Rows without a number.
-  double lowest{};         ///< NaN where all rows are gaps.
+  /// Of an effort: nothing but its place or its file's name tells that it is one.
+  bool is_guess{};
+  std::string unit_by;    ///< What an unstated unit was told by; empty: nothing.
+  bool unit_is_proven{};  ///< Not stated, but the log's other numbers leave no other.
+  std::size_t gaps{};     ///< Rows without a number.
+  double lowest{};        ///< NaN where all rows are gaps.
   double highest{};
   double step{};                     ///< In which its numbers come; 0: none was found.
   std::size_t distinct{};            ///< Different numbers, counted up to 1000.
@@ -97,7 +100,7 @@ struct ColumnSurvey {
   [[nodiscard]] bool is_certain() const {
     return meaning && (meaning->unit_is_stated || unit_is_proven) && !side_is_open;
   }
-  [[nodiscard]] bool has_rivals() const { return key != name; }
+  [[nodiscard]] bool has_rivals() const { return file.empty() && key != name; }
   [[nodiscard]] bool is_constant() const { return distinct == 1; }
 };
 
@@ -151,6 +154,31 @@ struct LogSurvey {
 /// @throw InputError for a log that cannot be read, or has not the columns that are stated.
 LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules = {},
                      const StatedColumns& stated = {});
+
+// A recording in several files, one for each quantity.
+
+struct FileOfQuantity {
+  std::string path;
+  ingest::log::Quantity quantity{};
+};
+
+struct FileSet {
+  std::string path;                    ///< Of the angle; or of a log by itself.
+  std::vector<FileOfQuantity> beside;  ///< Empty: it is by itself.
+};
+
+/// Files whose names, folders included, differ in the one word that names a quantity, one of them
+/// an angle's: "pos1_run.t" and "tau1_run.t". Each path is in one of the sets, whose order is that
+/// of their first ones.
+std::vector<FileSet> sets_of_files(const std::vector<std::string>& paths);
+
+/// The files as one log, where their content bears out what their names say: columns without names,
+/// as many in each, a column for each joint behind a clock that is the same in all, or without any
+/// at a stated rate.
+/// @return nothing where it does not, or one of them cannot be read.
+std::optional<LogSurvey> survey_set(const FileSet& set,
+                                    const ingest::text::TextLogRules& rules = {},
+                                    const StatedColumns& stated = {});
 
 // Surveys as a person reads them: what `tribolog inspect` prints.
 

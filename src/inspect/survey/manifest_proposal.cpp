@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/requirements.h"
+#include "base/shown_text.h"
 #include "base/utf8.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/toml_document.h"
@@ -46,6 +48,7 @@ class ManifestText {
     add_effort();
     add_log_rules();
     add_recordings();
+    add_other_joints();
     return std::move(text_);
   }
 
@@ -86,6 +89,26 @@ class ManifestText {
     }
   }
 
+  /// Of columns without names no reader finds those of the joints that move beside this one.
+  void add_other_joints() {
+    constexpr double least_motion_rad = std::numbers::pi / 180;
+    for (const JointSurvey& other : table(first_).joints) {
+      const ColumnSurvey& angle = table(first_).columns[other.angle];
+      const bool is_told = !angle.key.starts_with('#') || angle.is_at_motor || other.name.empty();
+      if (other.name == choice_.name || is_told || other.range_rad() < least_motion_rad) continue;
+      const bool is_everywhere = std::all_of(
+          roles_.recordings.begin(), roles_.recordings.end(), [&](const ProposedRecording& one) {
+            const TableSurvey& log = table(one.of);
+            return other.angle < log.columns.size() && log.columns[other.angle].key == angle.key;
+          });
+      if (!is_everywhere) continue;
+      text_ += "\n[[other_joint]]\nname = " + ingest::manifest::toml_text(other.name) + "\n";
+      line("angle = { name = " + name_in_log(first_, angle.key) +
+               ", unit = " + ingest::manifest::toml_text(present(angle.meaning).unit) + " }",
+           "guessed: " + angle.guessed_by);
+    }
+  }
+
   /// Where columns without names come in groups, those at the joint's place in the further ones.
   void add_places_of_effort() {
     const TableSurvey& log = table(first_);
@@ -108,9 +131,11 @@ class ManifestText {
     text_ += content + comment(note) + "\n";
   }
 
-  [[nodiscard]] std::string path_of(std::size_t log) const {
+  [[nodiscard]] std::string path_of(std::size_t log) const { return path_to(logs_[log].file); }
+
+  [[nodiscard]] std::string path_to(const std::string& log) const {
     namespace fs = std::filesystem;
-    const fs::path file = fs::absolute(logs_[log].file).lexically_normal();
+    const fs::path file = fs::absolute(log).lexically_normal();
     const fs::path base = fs::absolute(options_.directory.empty() ? "." : options_.directory);
     const fs::path relative = file.lexically_relative(base.lexically_normal());
     std::string path = (relative.empty() ? file : relative).generic_string();
@@ -194,7 +219,8 @@ class ManifestText {
 
   [[nodiscard]] std::string moves_too() const {
     if (choice_.moves_too.empty()) return "";
-    return std::string(options_.joint ? "" : "moves most; ") +
+    const bool is_stated = options_.joint || states(options_.columns, "angle");
+    return std::string(is_stated ? "" : "moves most; ") +
            "these move too: state each as [[other_joint]]; a description of the arm with its "
            "masses, or [[known_load]], takes off what they change of gravity: " +
            list_of_names(choice_.moves_too, 8);
@@ -259,6 +285,9 @@ class ManifestText {
     if (column.of_register) {
       entry += fmt::format(", register = \"{}\"", ingest::log::to_string(*column.of_register));
     }
+    if (!column.file.empty()) {
+      entry += ", file = " + quoted(path_to(column.file), "the log's name", of.log);
+    }
     if (column.is_at_motor) entry += ", side = \"motor\"";
     if (is_only_proposed(key, column)) entry += ", confirmed = false";
     entry += " }";
@@ -274,10 +303,12 @@ class ManifestText {
               "of the joint or of the motor? --angle-side states it";
     }
     if (!meaning.unit_is_stated && !has_other_unit) {
-      note +=
-          std::string(note.empty() ? "" : "; ") +
-          (column.unit_is_proven ? "the log states no unit" : "unit guessed, the log states none") +
-          (column.unit_by.empty() ? "" : ": " + column.unit_by);
+      note += std::string(note.empty() ? "" : "; ") +
+              (column.unit_is_proven ? "" : "unit guessed, ") + "the log states " +
+              (meaning.unit_is_ambiguous ? "'Grad'"
+               : column.unit_is_proven   ? "no unit"
+                                         : "none") +
+              (column.unit_by.empty() ? "" : ": " + column.unit_by);
     }
     return entry + comment(note);
   }
@@ -462,6 +493,11 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
   if (has_runs_alone && !options.has_no_gravity) open.emplace_back("[--no-gravity]");
   const EffortProposal& effort = proposal.effort;
   if (effort.kind == joint::EffortKind::none || effort.is_target) return open;
+  const auto column = effort.column_of(joint_of(logs, first));
+  const bool is_guess = column && table.columns[*column].is_guess;
+  if (is_guess && !states(options.columns, "effort")) {
+    open.push_back("--column " + quoted_for_shell("effort=" + table.columns[*column].name));
+  }
   if (effort.lacks_constant) open.emplace_back("--torque-constant NM_PER_A");
   const bool is_current = effort.kind == joint::EffortKind::motor_current;
   if (!effort.is_confirmed && !is_current) {
@@ -469,6 +505,24 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
     open.emplace_back("--effort-unit Nm");
   }
   return open;
+}
+
+/// Whose angle the user names, where the others of the log are known too.
+std::optional<std::string> joint_of_stated_angle(const std::vector<LogSurvey>& logs,
+                                                 const StatedColumns& stated) {
+  const auto name = std::find_if(stated.names.begin(), stated.names.end(),
+                                 [](const auto& one) { return one.first == "angle"; });
+  if (name == stated.names.end()) return std::nullopt;
+  for (const LogSurvey& log : logs) {
+    for (const TableSurvey& table : log.tables) {
+      for (const JointSurvey& joint : table.joints) {
+        const ColumnSurvey& angle = table.columns[joint.angle];
+        const bool is_it = angle.file.empty() && angle.key == name->second;
+        if (is_it && table.joints.size() > 1 && !joint.name.empty()) return joint.name;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -479,7 +533,8 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
     check_that_it_reads(points->text);
     return *points;
   }
-  const JointChoice choice = choose_joint(logs, options.joint);
+  const auto joint = options.joint ? options.joint : joint_of_stated_angle(logs, options.columns);
+  const JointChoice choice = choose_joint(logs, joint);
   ManifestProposal proposal = without_text(logs, choice, options.has_no_gravity);
   proposal.effort = propose_effort(logs, choice.in_logs, options);
   proposal.open = open_options(logs, proposal, options);

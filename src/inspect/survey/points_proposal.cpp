@@ -65,6 +65,20 @@ std::string column_text(const char* key, const ColumnSurvey& column, const Propo
   return text + " }" + (meaning.unit_is_stated ? "" : "  # unit guessed, the file states none");
 }
 
+/// How the files are read, where that was stated or found.
+std::string log_rules_text(const std::vector<LogSurvey>& logs, const ProposalOptions& options) {
+  const ingest::text::TextLogRules& rules = options.log_rules;
+  std::string lines;
+  const bool has_commas = std::any_of(logs.begin(), logs.end(), [](const LogSurvey& log) {
+    return log.refusal.empty() && log.has_decimal_commas;
+  });
+  if (has_commas) lines += "decimal_comma = true\n";
+  if (rules.encoding == ingest::text::TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
+  if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
+  if (rules.skip_bad_rows) lines += "skip_bad_rows = true\n";
+  return lines.empty() ? lines : "\n[log]\n" + lines;
+}
+
 }  // namespace
 
 std::optional<ManifestProposal> propose_friction_points(const std::vector<LogSurvey>& logs,
@@ -93,6 +107,7 @@ std::optional<ManifestProposal> propose_friction_points(const std::vector<LogSur
       ingest::manifest::toml_text(options.robot.value_or(joint::unnamed_robot)), gear_ratio,
       joint::to_string(kind), joint::to_string(side),
       is_certain && knows_side ? "" : "confirmed = false  # a guess; true, once it is looked at\n");
+  proposal.text += log_rules_text(logs, options);
   for (const PointColumns& points : found) {
     const TableSurvey& table = logs[points.log].tables[points.table];
     proposal.text += fmt::format(

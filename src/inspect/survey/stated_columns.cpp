@@ -72,6 +72,7 @@ ColumnMeaning meaning_of(std::size_t column, const Key& key,
   }
   meaning.unit_is_stated = ingest::log::find_si_factor(meaning.quantity, unit).has_value();
   meaning.unit = meaning.unit_is_stated ? unit : key.unit;
+  ingest::layout::doubt_ambiguous_unit(meaning);
   return meaning;
 }
 
@@ -90,6 +91,11 @@ void put(ColumnMeaning meaning, ingest::layout::LogLayout& layout) {
 }
 
 }  // namespace
+
+bool states(const StatedColumns& stated, const std::string& key) {
+  return std::any_of(stated.names.begin(), stated.names.end(),
+                     [&](const auto& one) { return one.first == key; });
+}
 
 std::pair<std::string, std::string> parse_stated_column(const std::string& text) {
   const std::size_t sign = text.find('=');
@@ -140,6 +146,7 @@ void put_unit(const std::string& unit, const IsOne& is_one, ingest::layout::LogL
     if (!is_one(meaning.quantity) || (is_effort(meaning.quantity) && meaning.is_target)) continue;
     meaning.unit = unit;
     meaning.unit_is_stated = true;
+    meaning.unit_is_ambiguous = false;
   }
 }
 

@@ -20,10 +20,12 @@ struct StatedColumns {
   std::optional<std::string> angle_unit;   ///< Of all angles: "rad", "deg", "0.088 deg".
   std::optional<std::string> speed_unit;   ///< Of all speeds: "rpm".
   std::optional<std::string> effort_unit;  ///< Of all efforts: "Nm", "0.0013 Nm", "mA".
-  std::optional<joint::Side> angle_side;   ///< Of all angles and speeds.
-  bool wants_current{};                    ///< Of a joint with a torque and a current, the current.
-  std::optional<double> rate_Hz;     ///< The logs have no clock: their rows come at this rate.
-  std::optional<double> gear_ratio;  ///< Of all joints: of angles on the motor's side.
+  /// A torque or a current is said to be there, whatever column it is: of a joint with both, the
+  /// current.
+  std::optional<ingest::log::Quantity> effort_is;
+  std::optional<joint::Side> angle_side;  ///< Of all angles and speeds.
+  std::optional<double> rate_Hz;          ///< The logs have no clock: their rows come at this rate.
+  std::optional<double> gear_ratio;       ///< Of all joints: of angles on the motor's side.
   std::map<std::string, double> gear_ratio_of;  ///< Of single joints, instead.
 
   [[nodiscard]] std::optional<double> gear_ratio_for(const std::string& joint) const {
@@ -31,6 +33,9 @@ struct StatedColumns {
     return own == gear_ratio_of.end() ? gear_ratio : std::optional(own->second);
   }
 };
+
+/// Whether the user says which column it is. @param key "effort"
+bool states(const StatedColumns& stated, const std::string& key);
 
 /// @param option "--effort-unit", for messages. @param quantities that it may be of.
 /// @return the unit. @throw UsageError: it is none of these.

@@ -42,6 +42,23 @@ std::optional<std::size_t> first_column(const TableSurvey& table, ingest::log::Q
 /// usual units; else they are guessed: degrees where radians make no sense.
 void find_units(const ingest::log::LogTable& data, TableSurvey& table);
 
+/// The files of a set in one table.
+struct JoinedFiles {
+  struct Place {
+    std::string file;  ///< Empty: the set's first one.
+    std::string key;   ///< What a manifest calls the column.
+  };
+  ingest::log::LogTable table;
+  std::vector<Place> files;  ///< Of each column.
+  std::vector<ingest::layout::ColumnMeaning> meanings;
+};
+
+/// @param beside of the set's other files, in their order.
+/// @return nothing where they do not belong together.
+std::optional<JoinedFiles> join_files(const FileSet& set, ingest::log::LogTable angles,
+                                      std::vector<ingest::log::LogTable> beside,
+                                      const StatedColumns& stated);
+
 /// One joint's rows of a log in which each row is one joint's; or one recording's of several.
 struct RowsOfOne {
   ingest::log::LogTable table;  ///< Without the column that tells them.

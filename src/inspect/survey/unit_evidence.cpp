@@ -189,6 +189,10 @@ class UnitsBySlope {
       if (is_near(factor, unit->factor, clock_tolerance)) prove_clock(reason);
       return true;
     }
+    if (meaning(angle_).unit_is_ambiguous && is_near(factor, 2 * pi / 400)) {
+      prove(angle_, "0.0025 turn", "a 400th of a turn: " + reason);
+      return true;
+    }
     const auto counts = knows_clock ? counts_of_a_turn(factor, 2 * pi) : std::nullopt;
     if (!counts) return false;
     prove(angle_, fmt::format("{} turn", 1 / *counts),

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "ingest/bags/numbered_log.h"
+#include "support/bag_writer.h"
 #include "support/breadth.h"
+#include "support/damaged_files.h"
 #include "wording/words.h"
 
 namespace tribolog::mcap_damage_test {
@@ -85,6 +87,21 @@ TEST(McapDamage, ChangedBytesNeverCrashIt) {
   }
   EXPECT_GT(read_all, 0U);
   EXPECT_LT(read_all, trials);
+}
+
+TEST(McapDamage, AnswersWhateverIsDamagedAroundMessagesOfRos1) {
+  test::McapWriter writer({0, "", false, false});
+  writer.add_schema(1, "sensor_msgs/JointState", "ros1msg", test::ros1_joint_state);
+  writer.add_channel(1, 1, "/joint_states", "ros1");
+  for (int i = 0; i < 4; ++i) {
+    test::Ros1Message message;
+    message.add_header(1'700'000'000'000'000'000 + i).add_texts({"a", "b"});
+    message.add_sequence({1.0 * i, 10}).add_sequence({}).add_sequence({1, 2});
+    writer.add_message(1, static_cast<std::uint64_t>(i), message.bytes());
+  }
+  const std::string bytes = writer.finish();
+  ASSERT_EQ(test::read(bytes).at(0).rows, 4U);
+  test::expect_mutants_answered(test::read, bytes, 500);
 }
 
 TEST(McapDamage, ReadsOnAfterWhatLooksLikeTheEndOfTheData) {
