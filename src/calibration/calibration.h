@@ -20,6 +20,7 @@
 #include "method/hysteresis/surrogate_masses.h"
 #include "method/intervals/bootstrap.h"
 #include "method/intervals/cross_checks.h"
+#include "method/model/model_quantities.h"
 #include "method/motion/false_stamps.h"
 #include "method/motion/plateaus.h"
 #include "method/motion/torque_lag.h"
@@ -125,7 +126,8 @@ struct Judgement {
   Statement sentence;                       ///< For the top of the report.
   std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
-  std::vector<RuleOutcome> rules;           ///< All rules applied, in the table's order.
+  std::vector<FrictionAtSpeed> friction_at_speed;  ///< Rising speed; empty: none was measured.
+  std::vector<RuleOutcome> rules;                  ///< All rules applied, in the table's order.
 
   [[nodiscard]] const QuantityVerdict* find(joint::Quantity quantity) const;
 };
@@ -176,6 +178,7 @@ struct Calibration {
   method::hysteresis::BreakAwayResult break_away;
   method::intervals::IntervalsResult intervals;
   method::intervals::CrossChecksResult cross_checks;
+  method::model::ModelResult model;  ///< Of sweeps, runs and points at once.
   std::optional<method::hysteresis::PositionPlan>
       position_plan;  ///< Where to oscillate next, if ripple requires it.
   /// Where gravity of the other joints was taken off, or a torque of hoses is stated; else empty.

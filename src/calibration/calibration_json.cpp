@@ -209,6 +209,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["certificate"] = certificate(c.manifest.certificate);
   all["drive"] = drive(c.manifest);
   all["verdict"] = verdict(c.judgement);
+  all["friction_at_speed"] = friction_at_speed(c.judgement);
+  all["model"] = model(c.model);
   all["data_checks"] = data_checks(c.data_checks);
   all["inputs"] = inputs(c.inputs);
   all["conversions"] = conversions(c.inputs);

@@ -12,6 +12,8 @@
 namespace tribolog::calibration {
 
 Json verdict(const Judgement& judgement);
+Json friction_at_speed(const Judgement& judgement);
+Json model(const method::model::ModelResult& model);
 Json data_checks(const method::checks::DataChecksResult& result);
 Json robot(const joint::Manifest& m);
 Json certificate(const joint::Certificate& c);

@@ -56,6 +56,14 @@ struct QuantityVerdict {
   std::vector<LimitOutcome> limits;
 };
 
+/// Friction torque at a speed of the motor, the mean of both directions.
+struct FrictionAtSpeed {
+  double speed_rad_s{};  ///< Motor side.
+  Verdict verdict{Verdict::usable};
+  statistics::Estimate torque_Nm;  ///< Motor side; in ampere where the torque is.
+  Statement reason;                ///< Empty only if usable.
+};
+
 enum class RuleState {
   kept,
   broken,

@@ -15,6 +15,7 @@
 #include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/intervals/bootstrap.h"
+#include "method/model/model_quantities.h"
 #include "method/motion/steady_runs.h"
 #include "method/selection/independent_gravity.h"
 #include "method/session/session_friction.h"
@@ -350,6 +351,13 @@ constexpr Step papers_chain[] = {
 
 /// Whether the data support the chain, what goes beyond the paper, and how certain all of it is.
 constexpr Step further_steps[] = {
+    {"",
+     [](Progress& p) {
+       std::vector<const joint::Recording*> moved;
+       for (const joint::Recording& r : p.used().recordings) moved.push_back(&r);
+       p.c.model = method::model::identify_joint(moved, p.dataset.friction_points, p.n,
+                                                 !p.known_of_sweep().has_no_gravity);
+     }},
     {"checks on the data",
      [](Progress& p) {
        p.c.data_checks =

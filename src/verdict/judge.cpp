@@ -16,6 +16,7 @@
 #include "verdict/curve_findings.h"
 #include "verdict/finding_order.h"
 #include "verdict/gravity_rules.h"
+#include "verdict/model_verdicts.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
 #include "verdict/uncertainty_budget.h"
@@ -196,6 +197,16 @@ void apply_data_checks(const method::checks::DataChecksResult& checks, const Sou
   }
 }
 
+/// From which recordings the quantities come.
+Sources sources_of(const calibration::Calibration& c) {
+  const bool loops_show_level =
+      c.lugre && c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
+  return {c.manifest.drive.kind() == joint::EffortKind::target_torque, has_stated_no_gravity(c),
+          !c.viscous.runs.empty() && !c.viscous.from_sweep,
+          c.selection.recommended == Estimator::sweep,
+          c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
+}
+
 /// Off the gravity peak the loops' mean needs the cosine, and with it an angle that can be used.
 void doubt_masses_off_the_peak(const calibration::Calibration& c,
                                std::vector<calibration::QuantityVerdict>& all) {
@@ -230,13 +241,7 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
                          {"record.eight_positions"});
     }
   }
-  const bool loops_show_level =
-      c.lugre && c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
-  const Sources sources{
-      c.manifest.drive.kind() == joint::EffortKind::target_torque, has_stated_no_gravity(c),
-      !c.viscous.runs.empty() && !c.viscous.from_sweep, c.selection.recommended == Estimator::sweep,
-      c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
-  apply_data_checks(c.data_checks, sources, all);
+  apply_data_checks(c.data_checks, sources_of(c), all);
   doubt_masses_off_the_peak(c, all);
   if (c.manifest.torque_is_in_amperes) {
     calibration::QuantityVerdict& q = verdict_on(Quantity::surrogate_mass, all);
@@ -362,6 +367,8 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   out.quantities = judge_quantities(c);
   out.rules = apply_rules(c, out.quantities);
   give_causes_as_reasons(c, out.rules, out.quantities);
+  state_by_model(c, out.rules, out.quantities);
+  out.friction_at_speed = friction_at_speeds(c, out.rules);
   const bool without_gravity = is_without_gravity(c);
   if (without_gravity) {
     // Identifying friction alone is legitimate: nothing is missing.
@@ -408,6 +415,20 @@ calibration::Judgement judge(const calibration::Calibration& c) {
                              c.cross_checks.doubtful, limit_broken);
   out.findings = collect_findings(c, out, disagreements);
   return out;
+}
+
+std::vector<FailingCheck> failing_checks_on(Quantity quantity, const calibration::Calibration& c) {
+  std::vector<FailingCheck> failing;
+  for (const Consequence& consequence : consequences(sources_of(c))) {
+    const method::checks::DataCheck* check = c.data_checks.find(consequence.check);
+    const Quantities& touched = consequence.touched;
+    if (check == nullptr || check->state != method::checks::CheckState::fails ||
+        std::find(touched.begin(), touched.end(), quantity) == touched.end()) {
+      continue;
+    }
+    failing.push_back({check, consequence.lowered_to});
+  }
+  return failing;
 }
 
 calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,

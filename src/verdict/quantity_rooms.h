@@ -29,6 +29,14 @@ std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibratio
 calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
                                          std::vector<calibration::QuantityVerdict>& all);
 
+/// A check on the data that a quantity did not pass.
+struct FailingCheck {
+  const method::checks::DataCheck* check{};
+  calibration::Verdict lowers_to{};
+};
+std::vector<FailingCheck> failing_checks_on(joint::Quantity quantity,
+                                            const calibration::Calibration& c);
+
 /// What to record for each family.
 inline constexpr Code record_a_sweep{"record.sweep"};
 inline constexpr Code record_an_oscillation{"record.oscillation"};

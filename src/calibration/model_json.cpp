@@ -1,0 +1,56 @@
+#include <cmath>
+#include <string>
+
+#include "calibration/json_values.h"
+#include "calibration/parts.h"
+#include "wording/words.h"
+
+namespace tribolog::calibration {
+
+Json friction_at_speed(const Judgement& judgement) {
+  Json all = Json::array();
+  for (const FrictionAtSpeed& f : judgement.friction_at_speed) {
+    all.push_back({{"speed_rad_s", number(f.speed_rad_s)},
+                   {"estimate", number(f.torque_Nm.value)},
+                   {"low", number(f.torque_Nm.low)},
+                   {"high", number(f.torque_Nm.high)},
+                   {"verdict", to_string(f.verdict)},
+                   {"reason", words_or_null(f.reason)},
+                   {"reason_code", code_of(f.reason)}});
+  }
+  return all;
+}
+
+Json model(const method::model::ModelResult& model) {
+  Json quantities = Json::array();
+  for (const method::model::ModelQuantity& q : model.quantities) {
+    if (!q.quantity) continue;
+    Json shares = Json::array();
+    for (const method::model::VarianceShare& share : q.shares) {
+      constexpr double worth_a_word = 0.01;
+      if (share.share < worth_a_word) continue;
+      shares.push_back({{"effect", std::string(share.effect)}, {"share", number(share.share)}});
+    }
+    quantities.push_back({{"key", to_string(*q.quantity)},
+                          {"estimate", number(q.estimate)},
+                          {"low", number(q.low)},
+                          {"high", number(q.high)},
+                          {"shares", std::move(shares)}});
+  }
+  Json effects = Json::array();
+  for (const method::model::ModelEffect& e : model.effects) {
+    effects.push_back({{"effect", std::string(e.key)},
+                       {"coefficients", static_cast<int>(e.freedom)},
+                       {"chi2", std::isfinite(e.chi2) ? number(e.chi2) : Json(nullptr)},
+                       {"torque_Nm", number(e.torque_Nm)},
+                       {"size_of_cap", number(e.size_of_cap)}});
+  }
+  return {{"cells", model.cells},
+          {"cells_far_off", number(model.cells_far_off)},
+          {"samples_per_independent", number(model.samples_per_independent)},
+          {"recordings_left_out", model.left_out.size()},
+          {"quantities", std::move(quantities)},
+          {"effects", std::move(effects)}};
+}
+
+}  // namespace tribolog::calibration

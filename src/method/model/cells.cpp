@@ -1,0 +1,353 @@
+#include "method/model/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "statistics/order_statistics.h"
+#include "statistics/sampled_signal.h"
+
+namespace tribolog::method::model {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using std::numbers::pi;
+
+constexpr std::size_t most_cells = 3000;
+constexpr double kernel_s = 0.01;  // half of it, at high rates
+constexpr double slowest_share = 0.05;
+constexpr double slowest_share_of_run = 0.3;
+constexpr double speed_ratio = 1.3;  // of neighbouring bins
+constexpr Index fewest_repeated = 4;
+constexpr double gap_intervals = 20;
+
+/// A recording's samples at even distances, smoothed, without a gap in time.
+struct Motion {
+  int recording{};
+  bool is_run{};
+  double interval_s{};
+  Index half{};  // h of the kernel
+  ArrayXd time_s, q, torque, smooth_torque, cos, sin, speed, acceleration, jerk;
+};
+
+double percentile(const ArrayXd& values, double share) {
+  std::vector<double> sorted(values.begin(), values.end());
+  if (sorted.empty()) return 0;
+  const auto at =
+      sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), at, sorted.end());
+  return *at;
+}
+
+/// (x[i+h] - x[i-h]) / (2 h dt); 0 at the ends, of which nothing is used.
+ArrayXd slope(const ArrayXd& x, Index h, double dt) {
+  ArrayXd d = ArrayXd::Zero(x.size());
+  const Index inner = x.size() - 2 * h;
+  d.segment(h, inner) = (x.tail(inner) - x.head(inner)) / (2 * static_cast<double>(h) * dt);
+  return d;
+}
+
+/// Mean over the intervals of `slope`: samples at its ends count half.
+ArrayXd mean_over(const ArrayXd& x, Index h) {
+  ArrayXd m = x;
+  const double about = x.mean();
+  double sum = 0;
+  for (Index k = 0; k <= 2 * h; ++k) sum += x[k] - about;
+  for (Index i = h; i + h < x.size(); ++i) {
+    m[i] = about + (sum - 0.5 * (x[i - h] + x[i + h] - 2 * about)) / (2 * static_cast<double>(h));
+    if (i + h + 1 < x.size()) sum += x[i + h + 1] - x[i - h];
+  }
+  return m;
+}
+
+/// Samples that say something: of a row that is repeated for a while, the first alone.
+std::vector<std::size_t> distinct_samples(const joint::Recording& r) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < r.size();) {
+    std::size_t end = i + 1;
+    while (end < r.size() && r.q_rad[end] == r.q_rad[i] && r.torque_Nm[end] == r.torque_Nm[i]) {
+      ++end;
+    }
+    const bool repeats = end - i > static_cast<std::size_t>(fewest_repeated);
+    for (std::size_t k = i; k < (repeats ? i + 1 : end); ++k) kept.push_back(k);
+    i = end;
+  }
+  return kept;
+}
+
+/// Samples of `r` from one gap in time to the next, at even distances.
+void add_motions(const joint::Recording& r, int index, double n, std::vector<Motion>& motions) {
+  const std::vector<std::size_t> kept = distinct_samples(r);
+  const auto [least, most] = std::minmax_element(r.torque_Nm.begin(), r.torque_Nm.end());
+  if (kept.size() < 20 || *least == *most) return;  // a dead torque says nothing
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < kept.size(); ++k)
+    steps.push_back(r.t_s[kept[k]] - r.t_s[kept[k - 1]]);
+  const double usual = statistics::median(steps);
+  for (std::size_t first = 0; first < kept.size();) {
+    std::size_t last = first;
+    while (last + 1 < kept.size() && steps[last] <= gap_intervals * usual) ++last;
+    const double from = r.t_s[kept[first]];
+    const double length = r.t_s[kept[last]] - from;
+    // Stamps of a few at once make the usual step much smaller than the mean one.
+    const double dt =
+        std::max(usual, 0.5 * length / std::max(1.0, static_cast<double>(last - first)));
+    const auto count = static_cast<Index>(length / dt + 1 + 1e-9);
+    const Index h = std::clamp<Index>(std::lround(kernel_s / dt), dt < 0.04 ? 3 : 1, 20);
+    if (last - first >= 20 && count > 8 * h + 8) {
+      Motion m;
+      m.recording = index;
+      m.is_run = r.role == joint::Role::constant_speed;
+      m.interval_s = dt;
+      m.half = h;
+      m.time_s = ArrayXd::LinSpaced(count, from, from + static_cast<double>(count - 1) * dt);
+      m.q.resize(count);
+      m.torque.resize(count);
+      std::size_t k = first;
+      for (Index i = 0; i < count; ++i) {
+        while (k + 1 < last && r.t_s[kept[k + 1]] < m.time_s[i]) ++k;
+        const std::size_t a = kept[k];
+        const std::size_t b = kept[std::min(k + 1, last)];
+        const double step = r.t_s[b] - r.t_s[a];
+        const double share = step > 0 ? std::clamp((m.time_s[i] - r.t_s[a]) / step, 0.0, 1.0) : 0;
+        m.q[i] = r.q_rad[a] + share * (r.q_rad[b] - r.q_rad[a]);
+        m.torque[i] = r.torque_Nm[a] + share * (r.torque_Nm[b] - r.torque_Nm[a]);
+      }
+      const auto smooth = [h](const ArrayXd& x) { return mean_over(mean_over(x, h), h); };
+      const ArrayXd once = n * slope(m.q, h, dt);
+      m.speed = mean_over(once, h);
+      m.acceleration = slope(once, h, dt);
+      m.jerk = slope(m.acceleration, h, dt);
+      m.smooth_torque = smooth(m.torque);
+      m.cos = smooth(m.q.cos());
+      m.sin = smooth(m.q.sin());
+      motions.push_back(std::move(m));
+    }
+    first = last + 1;
+  }
+}
+
+/// Of motor speed: below it a sample belongs to no stroke.
+double slowest_speed(const Motion& m, double top) {
+  const Index width = 4 * m.half + 1;
+  const ArrayXd rough = m.speed - [&] {
+    ArrayXd mean = m.speed;
+    for (Index i = 0; i < mean.size(); ++i) {
+      const Index from = std::max<Index>(0, i - width);
+      const Index to = std::min<Index>(mean.size() - 1, i + width);
+      mean[i] = m.speed.segment(from, to - from + 1).mean();
+    }
+    return mean;
+  }();
+  const double noise = statistics::normal_sd_by_median_size * percentile(rough.abs(), 0.5);
+  return std::max(slowest_share * top, 4 * noise);
+}
+
+/// Sums of one cell until it is done.
+struct Sums {
+  Cell cell;
+  std::vector<Index> samples;
+};
+
+class CellMaker {
+ public:
+  CellMaker(double n, double bin_width, bool turning)
+      : n_(n), width_(bin_width), turning_(turning) {}
+
+  void add(const Motion& m, double session_s) {
+    const double top = percentile(m.speed.abs(), 0.95);
+    const double slowest = slowest_speed(m, top);
+    const Index w = 4 * m.half + 1;
+    const Index count = m.q.size();
+    const ArrayXd step = m.jerk.abs() * (0.5 * static_cast<double>(w - 1) * m.interval_s);
+    const double abrupt =
+        std::max(0.1 * percentile(m.acceleration.abs(), 0.98), 6 * percentile(step, 0.5));
+    const auto side = [&](Index i) {
+      if (i < w / 2 + 1 || i >= count - w / 2 - 1 || std::abs(m.speed[i]) <= slowest) return 0;
+      return m.speed[i] > 0 ? 1 : -1;
+    };
+    for (Index from = 0; from < count;) {
+      Index to = from + 1;
+      while (to < count && side(to) == side(from)) ++to;
+      if (side(from) != 0 && to - from >= w + 4) {
+        add_stroke(m, from + w / 2, to - w / 2, side(from), step, abrupt, session_s);
+      }
+      from = to;
+    }
+  }
+
+  std::vector<Cell> cells;
+
+ private:
+  void add_stroke(const Motion& m, Index from, Index to, int direction, const ArrayXd& step,
+                  double abrupt, double session_s) {
+    const double way = std::abs(m.q[to - 1] - m.q[from]);
+    if (n_ * way < 0.01) return;
+    const double top = percentile(m.speed.segment(from, to - from).abs(), 0.95);
+    const double behind_reversal = 0.05 * std::min(way, 0.5);
+    std::vector<Index> used;
+    for (Index i = from; i < to; ++i) {
+      if (std::abs(m.q[i] - m.q[from]) <= behind_reversal || !(step[i] < abrupt)) continue;
+      if (m.is_run && std::abs(m.speed[i]) < slowest_share_of_run * top) continue;
+      used.push_back(i);
+    }
+    if (used.size() < 5) return;
+    std::map<std::tuple<long, long, int>, std::vector<Index>> bins;
+    for (Index i : used) {
+      const double angle = turning_ ? m.q[i] - 2 * pi * std::floor(m.q[i] / (2 * pi)) : m.q[i];
+      const double a = m.acceleration[i];
+      const int sense = std::abs(a) > 0.5 * top ? (a > 0 ? 2 : 1) : 0;
+      bins[{static_cast<long>(std::floor(angle / width_)),
+            std::lround(std::log(std::abs(m.speed[i])) / std::log(speed_ratio)), sense}]
+          .push_back(i);
+    }
+    const std::size_t fewest = m.interval_s < 0.006 ? 3 : 1;
+    for (const auto& [key, samples] : bins) {
+      if (samples.size() >= fewest) add_cell(m, samples, direction, session_s);
+    }
+    ++stroke_;
+  }
+
+  void add_cell(const Motion& m, const std::vector<Index>& samples, int direction,
+                double session_s) {
+    Cell c;
+    const auto count = static_cast<double>(samples.size());
+    for (Index i : samples) {
+      const double rate = m.speed[i] / n_;
+      c.torque_Nm += m.smooth_torque[i] / count;
+      c.cos_q += m.cos[i] / count;
+      c.sin_q += m.sin[i] / count;
+      c.q_rad += m.q[i] / count;
+      c.speed_rad_s += std::abs(m.speed[i]) / count;
+      c.acceleration_rad_s2 += m.acceleration[i] / count;
+      c.jerk_rad_s3 += m.jerk[i] / count;
+      c.cos_rate -= std::sin(m.q[i]) * rate / count;
+      c.sin_rate += std::cos(m.q[i]) * rate / count;
+      c.time_s += (session_s + m.time_s[i]) / count;
+    }
+    double tt = 0;
+    double ty = 0;
+    double yy = 0;
+    double y_sum = 0;
+    for (Index i : samples) {
+      const double t = session_s + m.time_s[i] - c.time_s;
+      const double y = m.torque[i] - c.torque_Nm;
+      tt += t * t;
+      ty += t * y;
+      yy += y * y;
+      y_sum += y;
+    }
+    c.scatter_Nm = samples.size() < 5
+                       ? std::numeric_limits<double>::quiet_NaN()
+                       : std::sqrt(std::max(0.0, yy - (tt > 0 ? ty * ty / tt : 0)) / count);
+    c.count = count;
+    c.direction = direction;
+    c.is_run = m.is_run ? 1 : 0;
+    c.interval_s = m.interval_s;
+    c.stroke = stroke_;
+    c.recording = m.recording;
+    cells.push_back(c);
+  }
+
+  double n_;
+  double width_;
+  bool turning_;
+  int stroke_{};
+};
+
+/// Those of one file as one stroke: they have no time.
+void add_points(const std::vector<joint::FrictionPoints>& points, int stroke, int recording,
+                std::vector<Cell>& cells) {
+  for (const joint::FrictionPoints& of : points) {
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (of.speed_rad_s[i] == 0) continue;
+      Cell c;
+      c.direction = of.speed_rad_s[i] > 0 ? 1 : -1;
+      c.speed_rad_s = std::abs(of.speed_rad_s[i]);
+      c.torque_Nm = of.torque_Nm[i];
+      c.count = 1;
+      c.is_run = 1;
+      c.has_place = 0;
+      c.scatter_Nm = std::numeric_limits<double>::quiet_NaN();
+      c.stroke = stroke;
+      c.recording = recording;
+      cells.push_back(c);
+    }
+    ++stroke;
+    ++recording;
+  }
+}
+
+}  // namespace
+
+ArrayXd Cells::of(double Cell::* value) const {
+  ArrayXd all(size());
+  for (Index i = 0; i < size(); ++i) all[i] = rows[static_cast<std::size_t>(i)].*value;
+  return all;
+}
+
+Cells make_cells(const std::vector<const joint::Recording*>& recordings,
+                 const std::vector<joint::FrictionPoints>& points, double gear_ratio,
+                 bool has_gravity) {
+  std::vector<Motion> motions;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const joint::Recording& r = *recordings[i];
+    const bool is_used =
+        r.role == joint::Role::rough_sweep || r.role == joint::Role::constant_speed;
+    if (is_used && !r.torque_Nm.empty()) {
+      add_motions(r, static_cast<int>(i), gear_ratio, motions);
+    }
+  }
+  Cells made;
+  if (motions.empty()) {
+    add_points(points, 0, static_cast<int>(recordings.size()), made.rows);
+    return made;
+  }
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Motion& m : motions) {
+    low = std::min(low, m.q.minCoeff());
+    high = std::max(high, m.q.maxCoeff());
+  }
+  const double span = high - low;
+  made.is_turning = span > 1.3 * 2 * pi && !has_gravity;
+
+  // Session time: recordings one after the other, or the log's own clock where it goes on.
+  constexpr double pause_s = 5;
+  std::vector<double> shift(motions.size(), 0);
+  double now = 0;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const joint::Recording& r = *recordings[static_cast<std::size_t>(motions[k].recording)];
+    const double begin = motions[k].time_s[0];
+    if (k > 0) {
+      const Motion& last = motions[k - 1];
+      const double end = last.time_s[last.time_s.size() - 1];
+      const bool goes_on =
+          recordings[static_cast<std::size_t>(last.recording)]->name == r.name && begin >= end;
+      now += goes_on ? begin - end : pause_s;
+    }
+    shift[k] = now - begin;
+    now += motions[k].time_s[motions[k].time_s.size() - 1] - begin;
+  }
+
+  for (double coarse = 1; coarse <= 16; coarse *= 2) {
+    double width = std::min(span, 2 * pi) / (made.is_turning ? 24 : 48) * coarse;
+    if (gear_ratio > 1.5) {  // whole turns of the motor: ripple of whole orders averages out
+      const double turn = 2 * pi / gear_ratio;
+      width = std::max(1.0, std::round(width / turn)) * turn;
+    }
+    CellMaker maker(gear_ratio, std::max(width, 1e-6), made.is_turning);
+    for (std::size_t k = 0; k < motions.size(); ++k) maker.add(motions[k], shift[k]);
+    made.rows = std::move(maker.cells);
+    if (made.rows.size() <= most_cells) break;
+  }
+  const int strokes = made.rows.empty() ? 0 : made.rows.back().stroke + 1;
+  add_points(points, strokes, static_cast<int>(recordings.size()), made.rows);
+  return made;
+}
+
+}  // namespace tribolog::method::model

@@ -1,0 +1,68 @@
+#pragma once
+// The rows of the model: means of torque, angle and their derivatives over the samples of one
+// stroke in one bin of angle and one bin of speed.
+//
+// A stroke moves one way without stopping. One kernel smooths the torque, the cosine of the angle
+// and the derivatives of the angle alike (a triangle of 4 h + 1 samples, or two means of 2 h + 1
+// samples in succession), so that T = J q'' + g(q) + ... holds between the smoothed signals as
+// between the signals, at corners of the speed too.
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "joint/recording.h"
+
+namespace tribolog::method::model {
+
+/// Torque and motion are the motor's, angle and its cosine are the joint's.
+struct Cell {
+  double torque_Nm{};
+  double cos_q{};
+  double sin_q{};
+  double q_rad{};
+  double speed_rad_s{};  ///< > 0; see direction.
+  double acceleration_rad_s2{};
+  double jerk_rad_s3{};
+  double cos_rate{};    ///< d cos(q)/dt [1/s]
+  double sin_rate{};    ///< d sin(q)/dt [1/s]
+  double time_s{};      ///< Since the session began: recordings follow one another.
+  double count{};       ///< Samples.
+  double direction{};   ///< +1: the angle rises; -1: it falls.
+  double is_run{};      ///< 1: of a run at constant speed, or a point; 0: of a sweep.
+  double has_place{1};  ///< 0: a point of the friction curve, which has no angle and no gravity.
+  double scatter_Nm{};  ///< Of the samples about a line over time; NaN: too few of them.
+  double interval_s{};  ///< Between samples.
+  int stroke{};
+  int recording{};  ///< Index among those given, points behind recordings.
+};
+
+struct Cells {
+  std::vector<Cell> rows;
+  bool is_turning{};  ///< No gravity, and more than a turn: the angle counts modulo a turn.
+
+  [[nodiscard]] bool empty() const { return rows.empty(); }
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows.size()); }
+  /// One value of all rows.
+  [[nodiscard]] Eigen::ArrayXd of(double Cell::* value) const;
+  /// Those for which `keep` holds, with their strokes and recordings numbered as before.
+  template <class Keep>
+  [[nodiscard]] Cells select(Keep keep) const {
+    Cells chosen;
+    chosen.is_turning = is_turning;
+    for (const Cell& row : rows) {
+      if (keep(row)) chosen.rows.push_back(row);
+    }
+    return chosen;
+  }
+};
+
+/// @param recordings sweeps and runs with a torque; of any other role nothing is read.
+/// @param points of the friction curve, each a row.
+/// @param gear_ratio > 0. @param has_gravity false: the joint's axis is vertical, say.
+Cells make_cells(const std::vector<const joint::Recording*>& recordings,
+                 const std::vector<joint::FrictionPoints>& points, double gear_ratio,
+                 bool has_gravity);
+
+}  // namespace tribolog::method::model

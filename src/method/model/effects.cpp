@@ -1,0 +1,286 @@
+#include "method/model/effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace tribolog::method::model {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+using Kind = Effect::Kind;
+
+constexpr Effect gravity{"gravity", Kind::core};
+constexpr Effect inertia{"inertia", Kind::core};
+constexpr Effect gravity_left{"gravity_left", Kind::effect, 2, 10};
+constexpr Effect offset{"offset", Kind::effect, 2, 10};
+constexpr Effect offset_drift{"offset_drift", Kind::effect, 2, 15};
+// Gains: magnets and sensors change by parts in a thousand, never by more than 4 %. A real log
+// always misfits somewhere, and without a cap a wrong gain of 40 % explains some of it.
+constexpr Effect gain_drift{"gain_drift", Kind::effect, 4, 20};
+constexpr Effect torque_nonlinear{"torque_nonlinear", Kind::effect, 4, 30};
+constexpr Effect gain_of_speed{"gain_of_speed", Kind::effect, 4, 30};
+constexpr Effect gain_of_runs{"gain_of_runs", Kind::effect, 4, 25};
+constexpr Effect lag{"lag", Kind::effect, 2, 20};
+constexpr Effect asymmetry{"asymmetry", Kind::effect, 2, 15};
+constexpr Effect load{"load", Kind::effect, 2, 10};
+constexpr Effect position{"position", Kind::effect, 2, 15};
+constexpr Effect torque_over_turn{"torque_over_turn", Kind::effect, 2, 20};
+constexpr Effect spring{"spring", Kind::effect, 2, 50};
+constexpr Effect angle_scale{"angle_scale", Kind::effect, 4, 15};
+constexpr Effect peak_drift{"peak_drift", Kind::effect, 2, 30};
+constexpr Effect harmonics{"harmonics", Kind::effect, 2, 100};
+constexpr Effect smooth_over_angle{"smooth_over_angle", Kind::effect, 2, 40};
+constexpr Effect drift{"drift", Kind::effect, 2, 50};
+constexpr Effect law_misfit{"law_misfit", Kind::effect, 2, 5};
+constexpr Effect law_at_its_ends{"law_at_its_ends", Kind::fixed};
+constexpr Effect friction_of_session{"friction_of_session", Kind::fixed};
+constexpr Effect friction_of_recording{"friction_of_recording", Kind::random, 2, 300};
+
+/// Beyond it a random effect says no more than the noise of neighbouring cells does.
+constexpr std::size_t most_random = 120;
+
+MatrixXd beside(const ArrayXd& a, const ArrayXd& b) {
+  MatrixXd both(a.size(), 2);
+  both << a.matrix(), b.matrix();
+  return both;
+}
+
+}  // namespace
+
+Point first_point(const Cells& cells, bool has_gravity) {
+  const ArrayXd torque = cells.of(&Cell::torque_Nm);
+  const ArrayXd s = cells.of(&Cell::direction);
+  const ArrayXd v = cells.of(&Cell::speed_rad_s);
+  const VectorXd count = cells.of(&Cell::count);
+  MatrixXd x(cells.size(), 6);
+  x << cells.of(&Cell::cos_q).matrix(), cells.of(&Cell::sin_q).matrix(),
+      VectorXd::Ones(cells.size()), cells.of(&Cell::acceleration_rad_s2).matrix(), s.matrix(),
+      (s * v).matrix();
+  const VectorXd size = (x.array().square().colwise().mean().sqrt() + 1e-12).matrix();
+  x.array().rowwise() /= size.transpose().array();
+  MatrixXd gram = x.transpose() * count.asDiagonal() * x;
+  gram.diagonal().array() += 1e-4 * count.sum();
+  const VectorXd theta =
+      gram.ldlt().solve(x.transpose() * (count.array() * torque).matrix()).cwiseQuotient(size);
+  std::vector<double> sizes(static_cast<std::size_t>(torque.size()));
+  Point p;
+  const auto share = [&](const ArrayXd& of, double where) {
+    std::copy(of.begin(), of.end(), sizes.begin());
+    const auto at =
+        sizes.begin() + static_cast<std::ptrdiff_t>(where * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), at, sizes.end());
+    return *at;
+  };
+  p.top_Nm = share(torque.abs(), 0.98);
+  p.friction_Nm =
+      std::clamp(share((theta[4] + theta[5] * v).abs(), 0.5), 0.03 * p.top_Nm, p.top_Nm);
+  p.fastest_rad_s = v.maxCoeff();
+  if (has_gravity) {
+    p.gravity_cos_Nm = theta[0];
+    p.gravity_sin_Nm = theta[1];
+  }
+  p.inertia_kgm2 = theta[3];
+  p.coulomb_Nm = theta[4];
+  p.viscous_Nms_rad = theta[5];
+  return p;
+}
+
+LawHats law_hats(const Cells& cells, const Point& point) {
+  LawHats hats;
+  hats.fastest_rad_s = point.fastest_rad_s;
+  const ArrayXd v = cells.of(&Cell::speed_rad_s);
+  const ArrayXd u = v.log();
+  const double span = u.maxCoeff() - u.minCoeff();
+  if (!(span > 0.3)) return hats;
+  const auto count = std::clamp<Index>(std::lround(span / 0.7), 2, 9);
+  hats.knots = ArrayXd::LinSpaced(count, u.minCoeff(), u.maxCoeff());
+  hats.width = 0.8 * span / static_cast<double>(count - 1);
+  MatrixXd all(v.size(), count);
+  for (Index i = 0; i < v.size(); ++i) all.row(i) = hats.whole(v[i]);
+  const ArrayXd root = cells.of(&Cell::count).sqrt();
+  const MatrixXd line = beside(root, root * v / point.fastest_rad_s);
+  all.array().colwise() *= root;
+  hats.on_line = line.colPivHouseholderQr().solve(all);
+  return hats;
+}
+
+RowVectorXd LawHats::whole(double speed_rad_s) const {
+  return (-0.5 * ((std::log(speed_rad_s) - knots) / width).square()).exp().matrix().transpose();
+}
+
+RowVectorXd LawHats::bent(double speed_rad_s) const {
+  return whole(speed_rad_s) - on_line.row(0) - speed_rad_s / fastest_rad_s * on_line.row(1);
+}
+
+std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
+                                          const Point& point) {
+  const Index n = cells.size();
+  const ArrayXd s = cells.of(&Cell::direction);
+  const ArrayXd v = cells.of(&Cell::speed_rad_s);
+  const ArrayXd t = cells.of(&Cell::time_s);
+  const ArrayXd q = cells.of(&Cell::q_rad);
+  const ArrayXd cos_q = cells.of(&Cell::cos_q);
+  const ArrayXd sin_q = cells.of(&Cell::sin_q);
+  const ArrayXd a = cells.of(&Cell::acceleration_rad_s2);
+  const ArrayXd count = cells.of(&Cell::count);
+  const ArrayXd run = cells.of(&Cell::is_run);
+  const ArrayXd one = ArrayXd::Ones(n);
+  const double top = point.top_Nm;
+  const double friction = point.friction_Nm;
+  std::vector<EffectColumns> all;
+  const auto add = [&](const Effect& effect, const MatrixXd& columns, const ArrayXd& scale) {
+    all.push_back({&effect, columns, scale.matrix()});
+  };
+  const auto add_one = [&](const Effect& effect, const ArrayXd& column, double scale) {
+    add(effect, column.matrix(), ArrayXd::Constant(1, scale));
+  };
+
+  const bool has_runs = (run > 0).any();
+  const bool has_sweeps = (run == 0).any();
+  const bool runs_go_both_ways = has_runs && (s * run).minCoeff() < 0 && (s * run).maxCoeff() > 0;
+  const ArrayXd at = has_runs && (runs_go_both_ways || !has_sweeps) ? run : one;
+  const ArrayXd share = count * at / (count * at).sum();
+  const auto about_runs = [&](const ArrayXd& x) -> ArrayXd { return x - (share * x).sum(); };
+
+  const ArrayXd g = point.gravity_cos_Nm * cos_q + point.gravity_sin_Nm * sin_q;
+  const ArrayXd place = cells.of(&Cell::has_place);
+  const bool has_place = (place > 0).any();
+  const double infinite = std::numeric_limits<double>::infinity();
+  const double low = has_place ? (place > 0).select(q, infinite).minCoeff() : 0;
+  const double high = has_place ? (place > 0).select(q, -infinite).maxCoeff() : 0;
+  const double middle = (low + high) / 2;
+  const ArrayXd x = place * (q - middle) / std::max((high - low) / 2, 1e-9);
+  const ArrayXd age = (t - t.minCoeff()) / std::max(t.maxCoeff() - t.minCoeff(), 1e-9);
+
+  if (has_gravity && has_place) {
+    add(gravity, beside(cos_q, sin_q), ArrayXd::Constant(2, 3 * top));
+  } else if (!cells.is_turning && has_place) {
+    add(gravity_left, beside(cos_q, sin_q), ArrayXd::Constant(2, 0.02 * top));
+  }
+  if (has_place) add_one(inertia, a, 3 * top / std::max(a.abs().maxCoeff(), 1e-9));
+
+  // What the torque's signal does.
+  const double rising = (count * (s > 0).cast<double>()).sum() / count.sum();
+  const bool one_way = std::min(rising, 1 - rising) < 0.05;
+  add_one(offset, one,
+          one_way ? std::max(0.05 * top, friction) : std::hypot(0.005 * top, 0.05 * friction));
+  add_one(offset_drift, 2 * age - 1, 0.002 * top);
+  if (has_gravity && has_place) add_one(gain_drift, g * about_runs(2 * age - 1), 0.002);
+  const ArrayXd model =
+      g + point.inertia_kgm2 * a + s * (point.coulomb_Nm + point.viscous_Nms_rad * v);
+  add(torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
+      ArrayXd::Constant(2, 0.001));
+  add_one(gain_of_speed, model * v / point.fastest_rad_s, 0.001);
+  if (has_runs && has_sweeps) add_one(gain_of_runs, model * run, 0.002);
+  const ArrayXd rate = point.gravity_cos_Nm * cells.of(&Cell::cos_rate) +
+                       point.gravity_sin_Nm * cells.of(&Cell::sin_rate) +
+                       point.inertia_kgm2 * cells.of(&Cell::jerk_rad_s3) +
+                       point.viscous_Nms_rad * a;
+  ArrayXd intervals = cells.of(&Cell::interval_s);
+  std::nth_element(intervals.begin(), intervals.begin() + n / 2, intervals.end());
+  add_one(lag, -rate, std::max(1e-3, 0.3 * intervals[n / 2]));
+
+  // Direction.
+  const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
+  add(asymmetry, beside(v / point.fastest_rad_s, (-(v / dip_speed).pow(point.dip_power)).exp()),
+      ArrayXd::Constant(2, 0.02 * friction));
+
+  // Friction by load, place and time; torque by place.
+  if (has_gravity && has_place) add_one(load, s * about_runs(g.abs()), 0.01);
+  if (!has_place) {
+    // Points alone: no angle.
+  } else if (cells.is_turning) {
+    constexpr Index orders = 4;
+    MatrixXd turn(n, 2 * orders);
+    ArrayXd order(2 * orders);
+    for (Index k = 0; k < orders; ++k) {
+      const auto multiple = static_cast<double>(k + 1);
+      turn.col(2 * k) = place * (multiple * q).cos();
+      turn.col(2 * k + 1) = place * (multiple * q).sin();
+      order[2 * k] = order[2 * k + 1] = multiple;
+    }
+    add(position, s.matrix().asDiagonal() * turn, 0.02 * friction / order);
+    add(torque_over_turn, turn, 0.005 * top / order);
+  } else {
+    const auto mode = [&](double k) -> ArrayXd { return place * (pi * k * (x + 1) / 2).cos(); };
+    MatrixXd places(n, 5);
+    for (Index k = 0; k < 5; ++k) {
+      places.col(k) = s * about_runs(mode(static_cast<double>(k + 1)));
+    }
+    add(position, places, 0.02 * friction / ArrayXd::LinSpaced(5, 1, 5));
+    if (has_gravity) {
+      add_one(spring, x, 0.001 * top);
+      const ArrayXd steep = place * (point.gravity_sin_Nm * cos_q - point.gravity_cos_Nm * sin_q);
+      add_one(angle_scale, steep * (q - middle), 0.001);
+      add_one(peak_drift, steep * (2 * age - 1), 0.001);
+      const double peak = std::atan2(point.gravity_sin_Nm, point.gravity_cos_Nm);
+      MatrixXd waves(n, 4);
+      for (Index k = 0; k < 2; ++k) {
+        waves.col(2 * k) = place * (static_cast<double>(k + 2) * (q - peak)).cos();
+        waves.col(2 * k + 1) = place * (static_cast<double>(k + 2) * (q - peak)).sin();
+      }
+      add(harmonics, waves, ArrayXd::Constant(4, 0.0005 * top));
+    }
+    MatrixXd modes(n, 6);
+    for (Index k = 0; k < 6; ++k) modes.col(k) = mode(static_cast<double>(k + 3));
+    add(smooth_over_angle, modes, 0.0005 * top / ArrayXd::LinSpaced(6, 1, 6));
+  }
+  std::set<int> strokes;
+  std::map<int, Index> recordings;
+  for (const Cell& row : cells.rows) {
+    strokes.insert(row.stroke);
+    recordings.emplace(row.recording, 0);
+  }
+  if (strokes.size() > 2) {
+    MatrixXd ages(n, 3);
+    ages << (s * about_runs((-age / 0.12).exp())).matrix(),
+        (s * about_runs((-age / 0.4).exp())).matrix(), (s * about_runs(age)).matrix();
+    add(drift, ages, ArrayXd::Constant(3, 0.01 * friction));
+  }
+
+  // On another day friction is another: temperature, lubricant, wear.
+  add_one(friction_of_session, s * (point.coulomb_Nm + point.viscous_Nms_rad * v), 0.02);
+
+  // What no law of friction over the speed is exact about.
+  const LawHats hats = law_hats(cells, point);
+  if (hats.knots.size() > 0) {
+    MatrixXd bent(n, hats.knots.size());
+    MatrixXd whole(n, hats.knots.size());
+    for (Index i = 0; i < n; ++i) {
+      bent.row(i) = s[i] * hats.bent(v[i]);
+      whole.row(i) = s[i] * hats.whole(v[i]);
+    }
+    add(law_misfit, bent, ArrayXd::Constant(bent.cols(), 0.01 * friction));
+    add(law_at_its_ends, whole, ArrayXd::Constant(whole.cols(), 0.002 * friction));
+  }
+
+  // What nothing explains: friction of its own in each recording; of few recordings, each stroke.
+  const bool by_recording = recordings.size() > 3;
+  std::map<int, Index> groups;
+  for (const Cell& row : cells.rows) groups.emplace(by_recording ? row.recording : row.stroke, 0);
+  if (groups.size() > 2 && groups.size() <= most_random) {
+    Index next = 0;
+    for (auto& [key, column] : groups) column = next++;
+    MatrixXd own = MatrixXd::Zero(n, next);
+    for (Index i = 0; i < n; ++i) {
+      const Cell& row = cells.rows[static_cast<std::size_t>(i)];
+      own(i, groups.at(by_recording ? row.recording : row.stroke)) = s[i];
+    }
+    add(friction_of_recording, own, ArrayXd::Constant(next, 0.001 * friction));
+  }
+  return all;
+}
+
+}  // namespace tribolog::method::model

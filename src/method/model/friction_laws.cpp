@@ -1,0 +1,143 @@
+#include "method/model/friction_laws.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace tribolog::method::model {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+struct Family {
+  std::string_view key;
+  std::array<double, 2> powers;  // 0: none
+  double log_prior;
+};
+
+constexpr std::array families{Family{"line", {1, 0}, 0}, Family{"parabola", {1, 2}, -1},
+                              Family{"power_0.7", {0.7, 0}, -2}, Family{"power_1.5", {1.5, 0}, -2}};
+constexpr std::array dip_powers{0.7, 1.0, 1.4, 2.0};
+constexpr double coarse_step = 0.35;  // of log speed, between dips
+
+/// Level at zero speed and slope of the straight line nearest to a column.
+Eigen::Vector2d line_through(const LawColumn& column, double low, double top) {
+  const ArrayXd v = ArrayXd::LinSpaced(50, low, top);
+  const ArrayXd f = v.unaryExpr([&](double speed) { return column.at(speed, top); });
+  const ArrayXd about = v - v.mean();
+  const double slope = (about * f).sum() / about.square().sum();
+  return {f.mean() - slope * v.mean(), slope};
+}
+
+}  // namespace
+
+double LawColumn::at(double speed_rad_s, double fastest_rad_s) const {
+  return dip_speed > 0 ? std::exp(-std::pow(speed_rad_s / dip_speed, dip_power))
+                       : std::pow(speed_rad_s / fastest_rad_s, power);
+}
+
+Eigen::MatrixXd FrictionLaws::torque(const Cells& cells) const {
+  Eigen::MatrixXd all(cells.size(), static_cast<Index>(columns.size()));
+  for (Index i = 0; i < cells.size(); ++i) {
+    const Cell& row = cells.rows[static_cast<std::size_t>(i)];
+    for (Index k = 0; k < all.cols(); ++k) {
+      all(i, k) =
+          row.direction * columns[static_cast<std::size_t>(k)].at(row.speed_rad_s, fastest_rad_s);
+    }
+  }
+  return all;
+}
+
+FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s,
+                            double half_span) {
+  const double top = point.fastest_rad_s;
+  const double low = std::max(cells.of(&Cell::speed_rad_s).minCoeff(), top * 1e-4);
+  FrictionLaws all;
+  all.fastest_rad_s = top;
+  all.columns.push_back({});  // Coulomb torque
+
+  std::vector<LawColumn> dips;
+  double step = coarse_step;
+  if (top / low > 3) {
+    std::vector<double> speeds;
+    if (near_speed_rad_s > 0) {
+      step = half_span / 4;
+      for (int k = -4; k <= 4; ++k) {
+        speeds.push_back(std::min(near_speed_rad_s * std::exp(k * step), top / 3));
+      }
+    } else {
+      for (double u = std::log(low); u < std::log(top / 4) + 0.1; u += step) {
+        speeds.push_back(std::exp(u));
+      }
+    }
+    for (double speed : speeds) {
+      for (double power : dip_powers) dips.push_back({0, speed, power});
+    }
+  }
+  const double each_dip = std::log(step / std::max(std::log(top / 3 / low), coarse_step) /
+                                   static_cast<double>(dip_powers.size()));
+  const auto first_dip = static_cast<Index>(all.columns.size());
+  all.columns.insert(all.columns.end(), dips.begin(), dips.end());
+  std::vector<std::pair<double, Index>> powers;
+  const auto column_of = [&](double power) {
+    for (const auto& [known, index] : powers) {
+      if (known == power) return index;
+    }
+    powers.emplace_back(power, static_cast<Index>(all.columns.size()));
+    all.columns.push_back({power, 0, 0});
+    return powers.back().second;
+  };
+  for (const Family& family : families) {
+    FrictionLaw law;
+    law.family = family.key;
+    law.log_prior = family.log_prior;
+    std::vector<double> scale{2 * point.friction_Nm};
+    std::vector<Eigen::Vector2d> limit{{1, 0}};
+    std::vector<Eigen::Vector2d> line{{1, 0}};
+    law.index = {0};
+    law.is_positive = {true};
+    for (double power : family.powers) {
+      if (power == 0) continue;
+      const bool bends = power == 2;
+      law.index.push_back(column_of(power));
+      scale.push_back((bends ? 0.25 : 1.5) * point.friction_Nm);
+      limit.emplace_back(0, 1 / top);
+      line.push_back(line_through({power, 0, 0}, low, top));
+      law.is_positive.push_back(!bends);
+    }
+    const auto put = [&](bool has_dip, std::size_t dip) {
+      FrictionLaw one = law;
+      std::vector<double> scales = scale;
+      std::vector<Eigen::Vector2d> limits = limit;
+      std::vector<Eigen::Vector2d> lines = line;
+      if (has_dip) {
+        one.has_dip = true;
+        one.dip = dips[dip];
+        one.index.push_back(first_dip + static_cast<Index>(dip));
+        one.is_positive.push_back(true);
+        one.log_prior += each_dip;
+        scales.push_back(0.5 * point.friction_Nm);
+        limits.emplace_back(0, 0);
+        lines.emplace_back(0, 0);
+      }
+      const auto count = static_cast<Index>(scales.size());
+      one.scale = Eigen::Map<const Eigen::VectorXd>(scales.data(), count);
+      one.limit.resize(2, count);
+      one.line.resize(2, count);
+      for (Index k = 0; k < count; ++k) {
+        one.limit.col(k) = limits[static_cast<std::size_t>(k)];
+        one.line.col(k) = lines[static_cast<std::size_t>(k)];
+      }
+      all.laws.push_back(std::move(one));
+    };
+    put(false, 0);
+    for (std::size_t dip = 0; dip < dips.size(); ++dip) put(true, dip);
+  }
+  return all;
+}
+
+}  // namespace tribolog::method::model

@@ -1,0 +1,54 @@
+#pragma once
+// Candidate laws of friction over the speed, each linear in its columns, and what Coulomb and
+// viscous torque are in each.
+//
+//   F(v) = Tc + Tv (v / vmax)^p [+ Tp (v / vmax)^2] [+ Td exp(-(v / ws)^d)]
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "method/model/effects.h"
+
+namespace tribolog::method::model {
+
+/// One function of the speed.
+struct LawColumn {
+  double power{};      ///< Of v / fastest; without a dip.
+  double dip_speed{};  ///< > 0: exp(-(v / dip_speed)^dip_power).
+  double dip_power{};
+
+  [[nodiscard]] double at(double speed_rad_s, double fastest_rad_s) const;
+};
+
+struct FrictionLaw {
+  std::string_view family;          ///< "line", "parabola", "power_0.7", "power_1.5"
+  std::vector<Eigen::Index> index;  ///< Of its columns among all, the Coulomb torque's first.
+  Eigen::VectorXd scale;            ///< Prior of each coefficient [N·m].
+  double log_prior{};
+  bool has_dip{};
+  LawColumn dip{};
+  /// Rows: Coulomb and viscous torque as weights of the coefficients; as limit at zero speed and
+  /// secant to the fastest, and as the straight line nearest over the measured speeds. The dip is
+  /// taken off in both.
+  Eigen::Matrix2Xd limit;
+  Eigen::Matrix2Xd line;
+  std::vector<bool> is_positive;  ///< Coefficients that are no negative friction.
+};
+
+struct FrictionLaws {
+  std::vector<LawColumn> columns;  ///< Distinct.
+  std::vector<FrictionLaw> laws;
+  double fastest_rad_s{};
+
+  /// Torque of each column in each cell, of the direction's sign.
+  [[nodiscard]] Eigen::MatrixXd torque(const Cells& cells) const;
+};
+
+/// @param near_speed_rad_s 0: dips from the slowest speed to a quarter of the fastest; else dips
+/// about it, within `half_span` of log speed.
+FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s = 0,
+                            double half_span = 0);
+
+}  // namespace tribolog::method::model

@@ -1,0 +1,251 @@
+#include "verdict/model_verdicts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "calibration/headline.h"
+#include "joint/degrees.h"
+#include "verdict/gravity_rules.h"
+#include "verdict/quantity_rooms.h"
+
+namespace tribolog::verdict {
+namespace {
+
+using calibration::Calibration;
+using calibration::QuantityVerdict;
+using calibration::RuleOutcome;
+using calibration::Verdict;
+using joint::Quantity;
+using method::checks::CheckName;
+using method::model::ModelEffect;
+using method::model::ModelQuantity;
+using method::model::ModelResult;
+
+/// Half width up to which a number is usable where the manifest asks for none: of the estimate, of
+/// an angle in radian.
+double usual_need(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::cog_angle:
+      return 0.5 * joint::rad_per_degree;
+    case Quantity::gravity_torque:
+    case Quantity::surrogate_mass:
+      return 0.01;
+    case Quantity::viscous_coefficient:
+      return 0.15;
+    case Quantity::inertia:
+      return 0.25;
+    default:
+      return 0.10;
+  }
+}
+
+double widest_known(Quantity quantity) { return quantity == Quantity::cog_angle ? 0.5 : 1; }
+
+/// What the manifest's limits ask for, or what is usual.
+double need_of(const Calibration& c, Quantity quantity, double estimate) {
+  std::optional<double> stated;
+  for (const joint::AcceptanceLimit& limit : c.manifest.limits) {
+    const joint::LimitedQuantity* of = joint::find_limited_quantity(limit.quantity);
+    if (of == nullptr || of->quantity != quantity) continue;
+    if (limit.half_width_percent) stated = *limit.half_width_percent / 100;
+    if (limit.half_width) {
+      const double factor = of->factor * std::pow(c.manifest.drive.gear_ratio(), of->gear_power);
+      const double half_width = *limit.half_width / factor;
+      stated = quantity == Quantity::cog_angle ? half_width : half_width / std::abs(estimate);
+    }
+  }
+  return stated.value_or(usual_need(quantity));
+}
+
+/// Whether no interval can hold what this check finds: the numbers are of something else then.
+/// Recordings at rest and of a dead torque have no part in the model.
+bool is_beyond_intervals(CheckName check) {
+  constexpr std::array all{CheckName::effort_provenance,
+                           CheckName::angle_provenance,
+                           CheckName::effort_column,
+                           CheckName::static_torque,
+                           CheckName::angle_unit,
+                           CheckName::motor_speed,
+                           CheckName::torque_noise,
+                           CheckName::torque_saturation,
+                           CheckName::power,
+                           CheckName::friction_dissipates,
+                           CheckName::stick_slip,
+                           CheckName::gravity_within_torque};
+  return std::find(all.begin(), all.end(), check) != all.end();
+}
+
+/// The same of a rule: other joints, and friction that a controller has taken off or added. Other
+/// joints change no gravity of one that has none, and friction turns with the direction, as what
+/// changes in time alone does not.
+bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity quantity) {
+  const bool is_of_gravity =
+      quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
+  if (rule.rule == "gravity_in_time") return is_of_gravity;
+  if (rule.rule == "others_move") {
+    return !has_stated_no_gravity(c) || quantity == Quantity::inertia;
+  }
+  constexpr std::array all{"others_inertia",          "description_differs",
+                           "runs_against_ramps",      "runs_against_loops",
+                           "break_away_over_coulomb", "friction_over_gravity",
+                           "many_torque_outliers"};
+  return std::find(all.begin(), all.end(), rule.rule) != all.end();
+}
+
+struct Doubt {
+  Verdict verdict{Verdict::usable};
+  Statement reason;
+
+  void lower(Verdict to, const Statement& why) {
+    if (to <= verdict) return;
+    verdict = to;
+    reason = why;
+  }
+};
+
+/// What contradicts the model where the quantity is read.
+Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules, Quantity quantity,
+                    const ModelQuantity& by_model) {
+  constexpr double most_far_off = 0.04;
+  constexpr double near_cap = 0.8;
+  constexpr double significant = 4;  // chi-square per coefficient
+  constexpr double matters = 0.25;   // of the variance
+  Doubt doubt;
+  for (const FailingCheck& failing : failing_checks_on(quantity, c)) {
+    if (!is_beyond_intervals(failing.check->name)) continue;
+    doubt.lower(failing.lowers_to,
+                {"verdict.check_fails",
+                 {{"found", failing.check->found}, {"consequence", failing.check->consequence}}});
+  }
+  for (const RuleOutcome& rule : rules) {
+    const auto& touched = rule.quantities;
+    if (rule.state != calibration::RuleState::broken || rule.lowers_to == Verdict::usable ||
+        !is_beyond_intervals(c, rule, quantity) ||
+        std::find(touched.begin(), touched.end(), quantity) == touched.end()) {
+      continue;
+    }
+    doubt.lower(rule.lowers_to, rule.finding);
+  }
+  const ModelResult& m = c.model;
+  if (m.cells_far_off > most_far_off) {
+    doubt.lower(Verdict::doubtful, {"model.cells_far_off", {{"percent", 100 * m.cells_far_off}}});
+  }
+  if (m.unlike_left > 0) {
+    doubt.lower(Verdict::doubtful, {"model.recordings_unlike", {{"recordings", m.unlike_left}}});
+  }
+  for (const Quantity one : {Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
+    const ModelQuantity* found = m.find(one);
+    if (found != nullptr && found->high < 0) {
+      doubt.lower(Verdict::doubtful, {"model.negative_friction"});
+    }
+  }
+  for (const ModelEffect& effect : m.effects) {
+    if (!(effect.chi2 > significant * effect.freedom) || effect.size_of_cap < near_cap ||
+        effect.key == "law_misfit") {
+      continue;
+    }
+    for (const auto& share : by_model.shares) {
+      if (share.effect != effect.key || share.share < matters) continue;
+      doubt.lower(Verdict::doubtful,
+                  {"model.effect_too_large",
+                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}});
+    }
+  }
+  return doubt;
+}
+
+/// By need and contradiction.
+Doubt doubt_of(const Calibration& c, const std::vector<RuleOutcome>& rules, Quantity quantity,
+               const ModelQuantity& by_model) {
+  const bool is_angle = quantity == Quantity::cog_angle;
+  const double half = (by_model.high - by_model.low) / 2;
+  const double width = is_angle ? half : half / std::abs(by_model.estimate);
+  const double need = need_of(c, quantity, by_model.estimate);
+  Doubt doubt = contradiction(c, rules, quantity, by_model);
+  if (!(width <= need) && !by_model.shares.empty()) {
+    const auto& largest = by_model.shares.front();
+    const double unit = is_angle ? joint::degrees_per_rad : 100;
+    doubt.lower(!(width <= widest_known(quantity)) ? Verdict::not_identifiable : Verdict::doubtful,
+                {is_angle ? Code{"model.angle_wide"} : Code{"model.wide"},
+                 {{"half_width", unit * width},
+                  {"need", unit * need},
+                  {"effect", Statement(Code::of("effect." + std::string(largest.effect)))}}});
+  }
+  return doubt;
+}
+
+statistics::Estimate estimate_of(const ModelQuantity& q) {
+  return {q.estimate, q.low, q.high, {"interval.of_model"}};
+}
+
+void take(const ModelQuantity& by_model, const Doubt& doubt, QuantityVerdict& q) {
+  q.estimate = estimate_of(by_model);
+  q.verdict = doubt.verdict;
+  q.reasons.clear();
+  if (!doubt.reason.empty()) q.reasons.push_back(doubt.reason);
+  if (q.verdict == Verdict::usable) q.experiment = {};
+}
+
+/// Whether two intervals of one quantity have nothing in common.
+bool are_apart(const statistics::Estimate& a, const ModelQuantity& b, bool is_angle) {
+  const double turn = 2 * std::acos(-1.0);
+  const double shift = is_angle ? turn * std::round((a.value - b.estimate) / turn) : 0;
+  return a.low > b.high + shift || a.high < b.low + shift;
+}
+
+}  // namespace
+
+void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
+                    std::vector<QuantityVerdict>& quantities) {
+  for (const Quantity quantity : {Quantity::cog_angle, Quantity::gravity_torque, Quantity::inertia,
+                                  Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
+    const ModelQuantity* by_model = c.model.find(quantity);
+    if (by_model == nullptr) continue;
+    QuantityVerdict& q = verdict_on(quantity, quantities);
+    const Doubt doubt = doubt_of(c, rules, quantity, *by_model);
+    // Starts and stops are in the model with all else that acts there.
+    const bool is_of_starts =
+        quantity == Quantity::inertia &&
+        calibration::inertia_headline(c).source != calibration::InertiaSource::loops;
+    const bool answers_alone = q.verdict != Verdict::usable && doubt.verdict == Verdict::usable;
+    const bool is_refused =
+        q.verdict == Verdict::not_identifiable && doubt.verdict < Verdict::not_identifiable;
+    if (is_of_starts || answers_alone || is_refused) {
+      take(*by_model, doubt, q);
+      if (quantity == Quantity::gravity_torque && !c.manifest.torque_is_in_amperes) {
+        const double kg_per_Nm = c.manifest.drive.gear_ratio() /
+                                 (c.manifest.gravity_m_s2 * c.manifest.surrogate_distance_m);
+        ModelQuantity mass = *by_model;
+        mass.estimate *= kg_per_Nm;
+        mass.low *= kg_per_Nm;
+        mass.high *= kg_per_Nm;
+        take(mass, doubt, verdict_on(Quantity::surrogate_mass, quantities));
+      }
+    } else if (q.verdict == Verdict::usable && q.estimate &&
+               are_apart(*q.estimate, *by_model, quantity == Quantity::cog_angle)) {
+      calibration::lower(q, Verdict::doubtful,
+                         {"model.disagrees",
+                          {{"value", by_model->estimate},
+                           {"low", by_model->low},
+                           {"high", by_model->high},
+                           {"unit", q.unit}}},
+                         record_runs);
+    }
+  }
+}
+
+std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
+    const Calibration& c, const std::vector<RuleOutcome>& rules) {
+  std::vector<calibration::FrictionAtSpeed> all;
+  for (const ModelQuantity& q : c.model.quantities) {
+    if (q.quantity) continue;
+    const Doubt doubt = doubt_of(c, rules, Quantity::viscous_curve, q);
+    all.push_back({q.speed_rad_s, doubt.verdict, estimate_of(q), doubt.reason});
+  }
+  return all;
+}
+
+}  // namespace tribolog::verdict

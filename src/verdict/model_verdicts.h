@@ -1,0 +1,28 @@
+#pragma once
+// Internal to the verdict: what the one model of sweeps, runs and points says of the quantities
+// (method/model/), and whether that can be used.
+//
+// A number is usable if its interval is narrower than the need, and the data do not contradict the
+// model where it is read. Small effects are in the interval; what no interval can hold, such as a
+// unit that nobody confirmed, stays a check.
+
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "calibration/quantity_verdict.h"
+
+namespace tribolog::verdict {
+
+/// Gives the quantities that only the model answers its number and its verdict, and doubts those
+/// whose number it contradicts.
+/// @param rules as applied.
+void state_by_model(const calibration::Calibration& calibration,
+                    const std::vector<calibration::RuleOutcome>& rules,
+                    std::vector<calibration::QuantityVerdict>& quantities);
+
+/// Friction at the speeds of the model, rising.
+std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
+    const calibration::Calibration& calibration,
+    const std::vector<calibration::RuleOutcome>& rules);
+
+}  // namespace tribolog::verdict

@@ -1,0 +1,54 @@
+// The one model of sweeps, runs and points: its effects, and why a number of it cannot be used.
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+
+const Messages& model_messages() {
+  static const Messages all{
+      {"interval.of_model",
+       text("95 % credible interval of one model of all sweeps, runs and friction points")},
+      {"model.wide",
+       text("known to ± {half_width:.2g} %, and ± {need:.2g} % is needed; most of it comes from "
+            "{effect}")},
+      {"model.angle_wide",
+       text("known to ± {half_width:.2g}°, and ± {need:.2g}° is needed; most of it comes from "
+            "{effect}")},
+      {"model.cells_far_off",
+       text("{percent:.0f} % of the torque's means lie far off any model of the joint")},
+      {"model.recordings_unlike",
+       text("recordings whose torque is unlike that of all others: {recordings}")},
+      {"model.negative_friction",
+       text("friction falls with the speed as a whole, or drives the joint: no joint's does")},
+      {"model.effect_too_large",
+       text("the number depends on {effect}, which is larger here than on any known joint")},
+      {"model.disagrees",
+       text("one model of all sweeps and runs gives {value:.4g} ({low:.4g} to {high:.4g}) {unit}")},
+
+      {"effect.gravity_left", text("gravity of a joint stated to have none")},
+      {"effect.offset", text("an offset of the torque")},
+      {"effect.offset_drift", text("a drift of the torque's offset")},
+      {"effect.gain_drift", text("a drift of the torque's scale")},
+      {"effect.torque_nonlinear", text("a torque out of proportion")},
+      {"effect.gain_of_speed", text("a torque's scale that changes with the speed")},
+      {"effect.gain_of_runs", text("another torque scale in the runs")},
+      {"effect.lag", text("a lag between torque and angle")},
+      {"effect.asymmetry", text("friction that differs with the direction")},
+      {"effect.load", text("friction that grows with the load")},
+      {"effect.position", text("friction that changes with the joint's angle")},
+      {"effect.torque_over_turn", text("a torque that repeats with each turn")},
+      {"effect.spring", text("hoses and cables")},
+      {"effect.angle_scale", text("the angle's scale")},
+      {"effect.peak_drift", text("a gravity peak that moves")},
+      {"effect.harmonics", text("harmonics of gravity: twist of the gear, crosstalk")},
+      {"effect.smooth_over_angle", text("a torque that changes slowly with the angle")},
+      {"effect.drift", text("friction that changes over the session")},
+      {"effect.law_misfit", text("the law of friction over the speed")},
+      {"effect.law_at_its_ends", text("the law of friction at the ends of the speeds")},
+      {"effect.choice_of_law", text("the choice among laws of friction over the speed")},
+      {"effect.friction_of_session", text("how friction changes from day to day")},
+      {"effect.friction_of_recording", text("how friction changes between recordings")}};
+  return all;
+}
+
+}  // namespace tribolog::wording
