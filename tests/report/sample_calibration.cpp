@@ -324,6 +324,7 @@ calibration::Calibration complete_calibration() {
                  Statement::verbatim("all stages have their data"),
                  {Statement::verbatim("nothing was left out")},
                  sample_quantities(*c.q_peak_rad),
+                 {},
                  {}};
   return c;
 }
@@ -364,6 +365,7 @@ calibration::Calibration sweep_only() {
                       Statement::verbatim("there is no curve to fit")};
   c.judgement = {calibration::Verdict::doubtful,
                  Statement::verbatim("angle and mass are known, friction is not"),
+                 {},
                  {},
                  {},
                  {}};
