@@ -1,5 +1,5 @@
 {{%AUTOESCAPE context="HTML"}}
-<section id="friction-at-speed" aria-label="Friction at speed">
+<section id="friction-at-speed">
 <h3>Friction at speed</h3>
 <div class="table-box" id="table-friction-at-speed" tabindex="0" role="region" aria-label="Friction at speed">
 <table class="friction-speeds">

@@ -169,7 +169,11 @@ std::string friction_words(const FrictionAtSpeed& f, const std::string& unit) {
       wording::without_exponent(fmt::format("{:.3g}", f.speed_at_joint_rad_s)) + " rad/s: ";
   if (f.verdict == Verdict::not_identifiable) return at + "not identifiable";
   const Estimate& e = f.torque_at_joint;
-  return at + wording::in_words({e.value, e.low, e.high, {}}, wording::plain_scale(unit)) +
+  const wording::RoundedEstimate rounded =
+      wording::round_by_interval({e.value, e.low, e.high, {}}, wording::plain_scale(unit));
+  const bool is_lopsided = rounded.half_width.empty() && !rounded.range().empty();
+  return at + rounded.plus_minus() + " " + unit +
+         (is_lopsided ? " (" + rounded.range() + ")" : "") +
          (f.verdict == Verdict::doubtful ? ", doubtful" : "");
 }
 
