@@ -26,6 +26,7 @@
 </div>
 <div class="key-pictures">
 {{>KEY_PICTURE}}
+{{>FRICTION_SPEEDS}}
 </div>
 <div class="page-terms">
 {{>CERTIFICATE}}

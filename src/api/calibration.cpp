@@ -140,6 +140,11 @@ std::optional<Quantity> Calibration::quantity(const std::string& name,
   });
 }
 
+std::vector<FrictionAtSpeed> Calibration::friction_at_speeds(const std::string& language) const {
+  return api::all_worded<FrictionAtSpeed>(contents_->outcome, contents_->outcome.friction_at_speeds,
+                                          language);
+}
+
 std::string Calibration::estimator() const {
   return api::guarded([&] { return contents_->outcome.estimator; });
 }

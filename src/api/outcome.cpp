@@ -1,8 +1,10 @@
 #include "api/outcome.h"
 
 #include <cstddef>
+#include <utility>
 
 #include "calibration/archived_calibration.h"
+#include "calibration/friction_speeds.h"
 #include "wording/language.h"
 #include "wording/torques_in.h"
 #include "wording/words.h"
@@ -127,6 +129,9 @@ Outcome outcome_of(const calibration::Calibration& c) {
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
     made.quantities.push_back(judged(q, made.joint.gear_ratio));
   }
+  for (const calibration::FrictionAtSpeed& f : c.judgement.friction_at_speed) {
+    made.friction_at_speeds.push_back(judged_friction(f, made.joint.gear_ratio, said(f.reason)));
+  }
   for (const method::checks::DataCheck& check : c.data_checks.checks) {
     made.checks.push_back(made_check(check));
   }
@@ -148,6 +153,21 @@ void set_estimate(Quantity& quantity, const statistics::Estimate& at_motor, doub
   quantity.at_joint = {there.value, there.low, there.high};
 }
 
+JudgedFriction judged_friction(const calibration::FrictionAtSpeed& at_motor, double gear_ratio,
+                               Said reason) {
+  const calibration::FrictionAtSpeed there = calibration::at_joint(at_motor, gear_ratio);
+  const auto estimate = [](const statistics::Estimate& e) {
+    return Estimate{e.value, e.low, e.high};
+  };
+  return {{at_motor.speed_rad_s,
+           estimate(at_motor.torque_Nm),
+           there.speed_rad_s,
+           estimate(there.torque_Nm),
+           verdict_of(at_motor.verdict),
+           {}},
+          std::move(reason)};
+}
+
 Message message_of(const Said& one) { return {one.code, wording::words(one.statement)}; }
 
 std::vector<Message> messages_of(const std::vector<Said>& all) {
@@ -161,6 +181,12 @@ Quantity worded(const JudgedQuantity& judged) {
   made.words = wording::words_for("quantity", made.name, made.words);
   made.reasons = messages_of(judged.reasons);
   made.experiment = message_of(judged.experiment);
+  return made;
+}
+
+FrictionAtSpeed worded(const JudgedFriction& judged) {
+  FrictionAtSpeed made = judged.friction;
+  made.reason = message_of(judged.reason);
   return made;
 }
 

@@ -24,6 +24,11 @@ struct JudgedQuantity {
   Said experiment;
 };
 
+struct JudgedFriction {
+  FrictionAtSpeed friction;
+  Said reason;
+};
+
 struct MadeCheck {
   Check check;
   Said found;
@@ -47,6 +52,7 @@ struct Outcome {
   Said sentence;
   std::vector<Said> findings;
   std::vector<JudgedQuantity> quantities;
+  std::vector<JudgedFriction> friction_at_speeds;
   std::vector<MadeCheck> checks;
   std::vector<EndedStage> stages;
   std::vector<ReadFile> inputs;
@@ -69,11 +75,16 @@ joint::TorqueUnit torque_unit_of(const Joint& joint);
 /// Sets the estimate on both sides of the gear.
 void set_estimate(Quantity& quantity, const statistics::Estimate& at_motor, double gear_ratio);
 
+/// On both sides of the gear. @param reason as it is said.
+JudgedFriction judged_friction(const calibration::FrictionAtSpeed& at_motor, double gear_ratio,
+                               Said reason);
+
 // The values with their texts, in the language of this thread's words.
 
 Message message_of(const Said& one);
 std::vector<Message> messages_of(const std::vector<Said>& all);
 Quantity worded(const JudgedQuantity& judged);
+FrictionAtSpeed worded(const JudgedFriction& judged);
 Check worded(const MadeCheck& made);
 Stage worded(const EndedStage& ended);
 InputFile worded(const ReadFile& read);

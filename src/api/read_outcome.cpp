@@ -145,6 +145,19 @@ JudgedQuantity judged(const calibration::Quantity& read, const ReadJson& object,
   return made;
 }
 
+/// @param read in the order of `listed`, where some may be missing.
+std::vector<JudgedFriction> judged(const std::vector<calibration::FrictionAtSpeed>& read,
+                                   const ReadJson& listed, double gear_ratio) {
+  std::vector<JudgedFriction> all;
+  for (const ReadJson& object : listed) {
+    if (all.size() == read.size()) break;
+    const calibration::FrictionAtSpeed& next = read[all.size()];
+    if (number_of(member(object, "speed_rad_s")) != next.speed_rad_s) continue;
+    all.push_back(judged_friction(next, gear_ratio, said_by(object, "reason")));
+  }
+  return all;
+}
+
 Check::State check_state(const std::string& word) {
   if (word == "passed") return Check::State::passed;
   if (word == "warns") return Check::State::warns;
@@ -236,6 +249,8 @@ Outcome read_outcome(const std::string& json, const std::string& file) {
     made.quantities.push_back(
         judged(read.quantities[k], element(quantities, k), made.joint.gear_ratio));
   }
+  made.friction_at_speeds = judged(read.curves.friction_at_speed, list_of(top, "friction_at_speed"),
+                                   made.joint.gear_ratio);
   for (const ReadJson& check : list_of(top, "data_checks")) made.checks.push_back(check_of(check));
   for (const ReadJson& stage : list_of(top, "stages")) made.stages.push_back(stage_of(stage));
   const ReadJson& inputs = list_of(top, "inputs");

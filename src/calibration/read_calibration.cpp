@@ -291,12 +291,42 @@ std::vector<RecordedLoop> loops_of(const ReadJson& top) {
   return loops;
 }
 
+std::optional<Verdict> verdict_of(const ReadJson& word) {
+  for (const Verdict verdict : {Verdict::usable, Verdict::doubtful, Verdict::not_identifiable}) {
+    if (word == to_string(verdict)) return verdict;
+  }
+  return std::nullopt;
+}
+
+std::vector<FrictionAtSpeed> friction_at_speed_of(const ReadJson& top) {
+  std::vector<FrictionAtSpeed> all;
+  const ReadJson& listed = member(top, "friction_at_speed");
+  if (!listed.is_array()) return all;
+  for (const ReadJson& one : listed) {
+    const double speed = number_or_nan(member(one, "speed_rad_s"));
+    const double value = number_or_nan(member(one, "estimate"));
+    const double low = number_or_nan(member(one, "low"));
+    const double high = number_or_nan(member(one, "high"));
+    const std::optional<Verdict> verdict = verdict_of(member(one, "verdict"));
+    const ReadJson& reason = member(one, "reason");
+    const bool is_rising = all.empty() || speed > all.back().speed_rad_s;
+    if (!(speed > 0) || !is_rising || !(low <= value && value <= high) || !verdict) continue;
+    if (!std::isfinite(speed) || !std::isfinite(low) || !std::isfinite(high)) continue;
+    all.push_back(
+        {speed,
+         *verdict,
+         {value, low, high, {}},
+         reason.is_string() ? Statement::verbatim(reason.get<std::string>()) : Statement{}});
+  }
+  return all;
+}
+
 RecordedCurves curves_of(const ReadJson& top) {
   const ReadJson& fastest =
       member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
   return {friction_of(top),
           fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top),
-          torque_unit_of(top)};
+          torque_unit_of(top), friction_at_speed_of(top)};
 }
 
 }  // namespace

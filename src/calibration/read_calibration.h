@@ -44,6 +44,8 @@ struct RecordedCurves {
   std::optional<double> fastest_rad_s;  ///< Fastest speed of the straight line's fit, motor side.
   std::vector<RecordedLoop> loops;      ///< Empty where none was recorded, or by an older program.
   joint::TorqueUnit torque_unit{};      ///< Of all torques in them.
+  /// Rising speed; empty where none was measured, or by an older program. Reasons are verbatim.
+  std::vector<FrictionAtSpeed> friction_at_speed{};
 };
 
 /// A calibration as read from its file.

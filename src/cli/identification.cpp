@@ -8,9 +8,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "calibration/friction_speeds.h"
 #include "joint/degrees.h"
 #include "wording/rounding.h"
 #include "wording/words.h"
@@ -159,6 +161,39 @@ Calibration run_identification(const Dataset& dataset, const IdentificationSetti
   return identify_joint(dataset, options);
 }
 
+namespace {
+
+/// "0.05 rad/s: 12.3 ± 0.4 N·m, doubtful"
+std::string friction_words(const FrictionAtSpeed& f, const std::string& unit) {
+  const std::string at =
+      wording::without_exponent(fmt::format("{:.3g}", f.speed_at_joint_rad_s)) + " rad/s: ";
+  if (f.verdict == Verdict::not_identifiable) return at + "not identifiable";
+  const Estimate& e = f.torque_at_joint;
+  const wording::RoundedEstimate rounded =
+      wording::round_by_interval({e.value, e.low, e.high, {}}, wording::plain_scale(unit));
+  const bool is_lopsided = rounded.half_width.empty() && !rounded.range().empty();
+  return at + rounded.plus_minus() + " " + unit +
+         (is_lopsided ? " (" + rounded.range() + ")" : "") +
+         (f.verdict == Verdict::doubtful ? ", doubtful" : "");
+}
+
+/// Of three speeds; empty: there are none.
+std::string friction_line(const Calibration& calibration) {
+  constexpr std::size_t speeds_of_a_line = 3;
+  const std::vector<FrictionAtSpeed> all = calibration.friction_at_speeds();
+  const std::string unit = calibration.joint().torque_is_in_amperes ? "A" : "N·m";
+  std::vector<double> speeds_rad_s;
+  for (const FrictionAtSpeed& f : all) speeds_rad_s.push_back(f.speed_rad_s);
+  std::vector<std::string> words;
+  for (const std::size_t k : calibration::evenly_in_log(speeds_rad_s, speeds_of_a_line)) {
+    words.push_back(friction_words(all[k], unit));
+  }
+  if (words.empty()) return "";
+  return fmt::format("  {:<34} {}", "friction at the joint at", fmt::join(words, "; "));
+}
+
+}  // namespace
+
 void tell_outcome(const Calibration& calibration, Console& to) {
   to.say(fmt::format("verdict: {} - {}", code_of(calibration.verdict()),
                      calibration.sentence().words));
@@ -194,6 +229,7 @@ void tell_outcome(const Calibration& calibration, Console& to) {
       say("coulomb_torque", "Coulomb torque at the joint");
     }
   }
+  if (const std::string line = friction_line(calibration); !line.empty()) to.say(line);
   for (const std::string& line : row_accounts(calibration.inputs())) to.say(line);
 }
 

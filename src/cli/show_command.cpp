@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "calibration/archived_calibration.h"
+#include "calibration/friction_speeds.h"
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/commands.h"
@@ -69,6 +70,24 @@ std::string quantities_text(const std::vector<calibration::Quantity>& quantities
   return table.text();
 }
 
+/// Friction at a few of its speeds, SI, motor side; empty: the calibration has none.
+std::string friction_text(const calibration::RecordedCurves& curves) {
+  constexpr std::size_t shown_speeds = 10;
+  const auto& all = curves.friction_at_speed;
+  if (all.empty()) return "";
+  const bool is_ampere = curves.torque_unit == joint::TorqueUnit::ampere;
+  inspect::survey::TextTable table(0);
+  table.add({"friction at rad/s", is_ampere ? "A" : "N·m", "95 %", "verdict"});
+  for (const calibration::FrictionAtSpeed& f : calibration::evenly_in_log(all, shown_speeds)) {
+    table.add({wording::without_exponent(fmt::format("{:.3g}", f.speed_rad_s)),
+               wording::six_digits(f.torque_Nm.value),
+               fmt::format("{} to {}", wording::six_digits(f.torque_Nm.low),
+                           wording::six_digits(f.torque_Nm.high)),
+               calibration::to_string(f.verdict)});
+  }
+  return "\n" + table.text();
+}
+
 // `tribolog archive show`.
 
 std::string documents_text(const std::vector<archive::store::StoredDocument>& documents) {
@@ -117,9 +136,11 @@ Run add_show(CLI::App& archive) {
       print_json(
           archive::store::entry_json(entry, quantities, kept.inputs(entry), documents, reviews));
     } else {
+      const std::string json =
+          kept.document(entry, calibration::DocumentKind::calibration).value_or("");
       call.console.say(facts_text(entry.facts, entry.id, entry.revision) + "\n" +
-                       quantities_text(quantities) + "\n" + documents_text(documents) +
-                       reviews_text(reviews));
+                       quantities_text(quantities) + friction_text(calibration::read_curves(json)) +
+                       "\n" + documents_text(documents) + reviews_text(reviews));
     }
     return ExitStatus::done;
   };
@@ -245,7 +266,8 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
   if (options.json) {
     print_json(numbers.json);
   } else {
-    console.say(facts_text(made.facts, "", 1) + "\n" + quantities_text(made.quantities));
+    console.say(facts_text(made.facts, "", 1) + "\n" + quantities_text(made.quantities) +
+                friction_text(calibration::read_curves(numbers.json)));
   }
   return ExitStatus::done;
 }

@@ -29,6 +29,21 @@ const char* class_of(Outcome outcome) {
 
 namespace {
 
+/// Beside the word and the colour.
+const char* icon_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::good:
+      return "✓";
+    case Outcome::partial:
+      return "!";
+    case Outcome::bad:
+      return "✗";
+    case Outcome::absent:
+      break;
+  }
+  return "–";
+}
+
 const char* class_of(const Column& column) {
   if (column.is_number) return "number";
   return column.is_wide ? "text wide" : "text";
@@ -40,6 +55,11 @@ void fill_outcome(Outcome outcome, TemplateValues& values) {
   values.set("OUTCOME", class_of(outcome));
   const char* const icons[] = {"ICON_GOOD", "ICON_PARTIAL", "ICON_BAD", "ICON_ABSENT"};
   values.add_section(icons[static_cast<int>(outcome)]);
+}
+
+void fill_state(Outcome outcome, TemplateValues& values) {
+  values.set("OUTCOME", class_of(outcome));
+  values.set("ICON", icon_of(outcome));
 }
 
 std::string link_to(const std::string& path) {
@@ -134,6 +154,27 @@ void fill_figure(const FigureCard& figure, TemplateValues& values, const std::st
   }
   for (const std::string& warning : figure.warnings) {
     if (!warning.empty()) out.add_section("WARNING").set("TEXT", warning);
+  }
+}
+
+void fill_friction_speeds(const FrictionSpeeds& speeds, TemplateValues& values) {
+  if (speeds.rows.empty()) return;
+  TemplateValues& table = values.add_include("FRICTION_SPEEDS", "friction_speeds.tpl");
+  table.set("GOOD_FOR", speeds.good_for);
+  table.set("UNIT", speeds.unit);
+  if (!speeds.rows.front().speed_at_joint.empty()) {
+    table.add_section("JOINT_HEAD").set("UNIT_AT_JOINT", speeds.unit_at_joint);
+  }
+  for (const FrictionRow& row : speeds.rows) {
+    TemplateValues& out = table.add_section("SPEED");
+    out.set("MOTOR_SPEED", row.speed);
+    out.set("AT_MOTOR", or_dash(row.torque));
+    out.set("VERDICT", row.verdict_word);
+    fill_state(row.outcome, out);
+    if (row.speed_at_joint.empty()) continue;
+    TemplateValues& there = out.add_section("JOINT_SIDE");
+    there.set("JOINT_SPEED", row.speed_at_joint);
+    there.set("AT_JOINT", or_dash(row.torque_at_joint));
   }
 }
 

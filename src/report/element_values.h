@@ -15,6 +15,9 @@ const char* class_of(Outcome outcome);
 /// OUTCOME and the section of its icon.
 void fill_outcome(Outcome outcome, TemplateValues& values);
 
+/// OUTCOME and its sign as text: "✓".
+void fill_state(Outcome outcome, TemplateValues& values);
+
 /// A path as the link to it; of its bytes, those that mean something there are escaped.
 std::string link_to(const std::string& path);
 
@@ -31,5 +34,8 @@ void fill_lines(const std::string& text, const std::string& section, const std::
 /// One more figure.tpl at the marker FIGURE.
 void fill_figure(const FigureCard& figure, TemplateValues& values,
                  const std::string& marker = "FIGURE");
+
+/// friction_speeds.tpl at the marker FRICTION_SPEEDS; nothing if it has no rows.
+void fill_friction_speeds(const FrictionSpeeds& speeds, TemplateValues& values);
 
 }  // namespace tribolog::report

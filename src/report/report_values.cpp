@@ -25,26 +25,6 @@ namespace {
 using wording::tr;
 using wording::tr_count;
 
-/// Beside the word and the colour.
-const char* icon_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::good:
-      return "✓";
-    case Outcome::partial:
-      return "!";
-    case Outcome::bad:
-      return "✗";
-    case Outcome::absent:
-      break;
-  }
-  return "–";
-}
-
-void fill_state(Outcome outcome, TemplateValues& values) {
-  values.set("OUTCOME", class_of(outcome));
-  values.set("ICON", icon_of(outcome));
-}
-
 void fill_references(const std::vector<int>& findings, TemplateValues& values) {
   for (const int number : findings) {
     values.add_section("REFERENCE").set("NUMBER", std::to_string(number));
@@ -392,6 +372,7 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   fill_findings(view, verdict, values);
 
   fill_quantities(view, values);
+  fill_friction_speeds(view.friction_speeds, values);
   if (view.log) fill_log(*view.log, values);
   fill_pictures(view.pictures, values);
   fill_terms(view, values);

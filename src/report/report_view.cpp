@@ -165,6 +165,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);
   view.quantities = quantity_rows(c, findings, since_last);
+  view.friction_speeds = friction_speeds(c);
   view.not_asked_for = not_asked_for(c.judgement);
   view.findings = findings.all();
   view.next_steps = next_steps(c);

@@ -105,6 +105,23 @@ struct QuantityRow {
   std::vector<int> findings;  ///< On which the verdict rests, by their numbers.
 };
 
+/// Friction at one speed, without units.
+struct FrictionRow {
+  std::string speed;           ///< "12.5", at the motor.
+  std::string speed_at_joint;  ///< Empty without a gear.
+  std::string torque;          ///< "0.31 ± 0.02"; empty: its verdict refuses it.
+  std::string torque_at_joint;
+  Outcome outcome{Outcome::absent};
+  std::string verdict_word;
+};
+
+struct FrictionSpeeds {
+  std::string unit;  ///< Of the torques at the motor.
+  std::string unit_at_joint;
+  std::vector<FrictionRow> rows;  ///< None: no table.
+  std::string good_for;           ///< In which speeds it is usable, or why in none.
+};
+
 /// Said once, and referred to by its number.
 struct Finding {
   int number{};
@@ -204,6 +221,7 @@ struct ReportView {
   std::vector<Fact> certificate;  ///< What ISO/IEC 17025, 7.8 asks for.
   std::string figures_missing;    ///< "2 figures missing"; empty: all are there.
   std::vector<QuantityRow> quantities;
+  FrictionSpeeds friction_speeds;
   std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.
   std::string last_id;
   std::vector<DataCheckRow> data_checks;

@@ -75,6 +75,8 @@ inline constexpr std::size_t findings_on_page_one = 3;
 std::vector<QuantityRow> quantity_rows(const calibration::Calibration& calibration,
                                        const NumberedFindings& findings,
                                        const std::optional<history::Comparison>& since_last);
+/// Friction at a few speeds, on page one.
+FrictionSpeeds friction_speeds(const calibration::Calibration& calibration);
 /// Nothing rests on it, and it does not show: that is no fault.
 bool is_merely_absent(const calibration::QuantityVerdict& quantity);
 /// Nullptr where no number is stated: without an estimate, or where the verdict refuses it.

@@ -9,10 +9,10 @@ const Messages& model_messages() {
       {"interval.of_model",
        text("95 % credible interval of one model of all sweeps, runs and friction points")},
       {"model.wide",
-       text("known to ± {half_width:.2g} %, and ± {need:.2g} % is needed; most of it comes from "
+       text("known to ± {half_width:.3g} %, and ± {need:.2g} % is needed; most of it comes from "
             "{effect}")},
       {"model.angle_wide",
-       text("known to ± {half_width:.2g}°, and ± {need:.2g}° is needed; most of it comes from "
+       text("known to ± {half_width:.3g}°, and ± {need:.2g}° is needed; most of it comes from "
             "{effect}")},
       {"model.cells_far_off",
        text("{percent:.0f} % of the torque's means lie far off any model of the joint")},

@@ -55,6 +55,17 @@ void expect_same(const Calibration& a, const Calibration& b, const std::string& 
     expect_same(quantities_a[k].reasons, quantities_b[k].reasons);
     expect_same(quantities_a[k].experiment, quantities_b[k].experiment);
   }
+  const auto friction_a = a.friction_at_speeds(language);
+  const auto friction_b = b.friction_at_speeds(language);
+  ASSERT_EQ(friction_a.size(), friction_b.size());
+  for (std::size_t k = 0; k < friction_a.size(); ++k) {
+    EXPECT_EQ(friction_a[k].speed_rad_s, friction_b[k].speed_rad_s);
+    EXPECT_EQ(friction_a[k].speed_at_joint_rad_s, friction_b[k].speed_at_joint_rad_s);
+    EXPECT_EQ(friction_a[k].verdict, friction_b[k].verdict);
+    expect_same(friction_a[k].torque, friction_b[k].torque);
+    expect_same(friction_a[k].torque_at_joint, friction_b[k].torque_at_joint);
+    expect_same(friction_a[k].reason, friction_b[k].reason);
+  }
   const auto checks_a = a.checks(language);
   const auto checks_b = b.checks(language);
   ASSERT_EQ(checks_a.size(), checks_b.size());

@@ -47,6 +47,32 @@ TEST(ReadCalibration, FindsWhatWasWritten) {
   EXPECT_FALSE(read.curves.friction.from_sweep);
 }
 
+TEST(ReadCalibration, FindsFrictionAtSpeeds) {
+  Calibration c = test::complete_calibration();
+  c.judgement.friction_at_speed = {
+      {0.5, Verdict::usable, {0.3, 0.29, 0.31, {}}, {}},
+      {5, Verdict::doubtful, {0.4, 0.3, 0.5, {}}, {"model.negative_friction"}}};
+  const std::string text = calibration_json(c, test::sample_provenance());
+  const std::vector<FrictionAtSpeed> read = read_curves(text).friction_at_speed;
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].speed_rad_s, 0.5);
+  EXPECT_EQ(read[0].torque_Nm.value, 0.3);
+  EXPECT_EQ(read[0].torque_Nm.low, 0.29);
+  EXPECT_EQ(read[0].torque_Nm.high, 0.31);
+  EXPECT_TRUE(read[0].reason.empty());
+  EXPECT_EQ(read[1].verdict, Verdict::doubtful);
+  EXPECT_FALSE(read[1].reason.empty());
+
+  json older = json::parse(text);
+  older.erase("friction_at_speed");
+  EXPECT_TRUE(read_calibration(older.dump(), "c.json").curves.friction_at_speed.empty());
+  json damaged = json::parse(text);
+  damaged["friction_at_speed"][0]["low"] = nullptr;
+  damaged["friction_at_speed"][1]["verdict"] = "fine";
+  damaged["friction_at_speed"].push_back(7);
+  EXPECT_TRUE(read_calibration(damaged.dump(), "c.json").curves.friction_at_speed.empty());
+}
+
 /// The schema of the object that lies there, through references and alternatives.
 const json& resolved(const json& schema, const json& root) {
   if (schema.contains("$ref")) {

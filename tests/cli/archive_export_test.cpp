@@ -116,7 +116,7 @@ TEST(ArchiveExport, WritesTablesOfWhatWasIdentified) {
   EXPECT_EQ(csv.status, 0) << csv.err;
   EXPECT_NE(csv.out.find("# Robot: test robot\n"), std::string::npos);
   EXPECT_NE(csv.out.find("# Calibration: " + archived.id), std::string::npos);
-  EXPECT_NE(csv.out.find("\nbreak_away_torque,,,,N·m,joint,not_identifiable,archived × n\n"),
+  EXPECT_NE(csv.out.find("\nbreak_away_torque,,,,N·m,joint,not_identifiable,archived × n,\n"),
             std::string::npos)
       << csv.out;
   const auto calibration = nlohmann::json::parse(read_text(archived.file("cal.json")));

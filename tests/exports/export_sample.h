@@ -34,7 +34,15 @@ inline exports::results::ArchivedJoint export_sample() {
       "selection": {"recommended": "midline"}, "viscous": {"from_sweep": false,
       "runs": [{"speed_rad_s": -100.01}, {"speed_rad_s": -10}, {"speed_rad_s": 10},
                {"speed_rad_s": 99.99}, {"speed_rad_s": 200}],
-      "curves": {"midline": [-0.52, -0.34, 0.32, 0.50, 0.70]}}})";
+      "curves": {"midline": [-0.52, -0.34, 0.32, 0.50, 0.70]}},
+      "friction_at_speed": [
+        {"speed_rad_s": 10, "estimate": 0.32, "low": 0.31, "high": 0.33, "verdict": "usable"},
+        {"speed_rad_s": 20, "estimate": 0.34, "low": 0.33, "high": 0.35, "verdict": "usable"},
+        {"speed_rad_s": 30, "estimate": 0.36, "low": 0.35, "high": 0.37, "verdict": "usable"},
+        {"speed_rad_s": 50, "estimate": 0.4, "low": 0.39, "high": 0.41, "verdict": "usable"},
+        {"speed_rad_s": 90, "estimate": 0.48, "low": 0.46, "high": 0.5, "verdict": "usable"},
+        {"speed_rad_s": 160, "estimate": 0.625, "low": 0.5, "high": 0.75, "verdict": "doubtful",
+         "reason": "known to ± 20 %"}]})";
   return joint;
 }
 

@@ -43,10 +43,10 @@ TEST(GearSide, ConservesPowerAndEnergy) {
 
 TEST(CsvTable, HasEachQuantityOnEachSide) {
   const std::string csv = exports::results::csv_table(test::export_sample());
-  EXPECT_NE(csv.find("\ncoulomb_torque,0.31,0.3,0.32,N·m,motor,usable,as archived\n"),
+  EXPECT_NE(csv.find("\ncoulomb_torque,0.31,0.3,0.32,N·m,motor,usable,as archived,\n"),
             std::string::npos)
       << csv;
-  EXPECT_NE(csv.find("\ncoulomb_torque,15.5,15,16,N·m,joint,usable,archived × n\n"),
+  EXPECT_NE(csv.find("\ncoulomb_torque,15.5,15,16,N·m,joint,usable,archived × n,\n"),
             std::string::npos);
   EXPECT_NE(csv.find("\nviscous_coefficient,5,"), std::string::npos);
   EXPECT_NE(csv.find("\nstribeck_speed,0.1,"), std::string::npos);
@@ -85,7 +85,32 @@ TEST(CsvTable, MarksWhatIsNotUsable) {
   test::quantity_of(joint, "coulomb_torque").verdict = calibration::Verdict::doubtful;
   const std::string csv = exports::results::csv_table(joint);
   EXPECT_NE(csv.find("\ninertia,,,,kg·m²,motor,not_identifiable,"), std::string::npos);
-  EXPECT_NE(csv.find(",joint,doubtful,archived × n\n"), std::string::npos);
+  EXPECT_NE(csv.find(",joint,doubtful,archived × n,\n"), std::string::npos);
+}
+
+TEST(Tables, HaveFrictionAtSpeedsOnBothSides) {
+  const exports::results::ArchivedJoint joint = test::export_sample();
+  const std::string csv = exports::results::csv_table(joint);
+  EXPECT_EQ(count_of(csv, "\nfriction_at_speed,"), 12U);
+  for (const char* const row :
+       {"\nfriction_at_speed,0.32,0.31,0.33,N·m,motor,usable,as archived,10\n",
+        "\nfriction_at_speed,16,15.5,16.5,N·m,joint,usable,archived × n,0.2\n",
+        "\nfriction_at_speed,31.25,25,37.5,N·m,joint,doubtful,archived × n,3.2\n"}) {
+    EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+  }
+
+  const auto json = nlohmann::json::parse(exports::results::json_document(joint));
+  const auto& friction = json["friction_at_speed"];
+  EXPECT_EQ(friction["columns"][1], "friction_Nm");
+  EXPECT_EQ(friction["motor"].size(), 6U);
+  EXPECT_EQ(friction["joint"][5].dump(), R"([3.2,31.25,25.0,37.5,"doubtful"])");
+
+  const std::string latex = exports::results::latex_table(joint);
+  EXPECT_EQ(count_of(latex, "Friction at "), 10U) << latex;
+  EXPECT_NE(latex.find("Friction at 10.0 rad/s & 0.320 & 0.310 & 0.330 & "), std::string::npos)
+      << latex;
+  EXPECT_NE(latex.find("Friction at 3.20 rad/s\\textsuperscript{*} & "), std::string::npos)
+      << latex;
 }
 
 TEST(CsvTable, HoldsNoFormula) {
@@ -105,7 +130,7 @@ for separator in ',;\t':
                 sys.exit('formula: ' + cell)
 table = [r for r in csv.reader(open(sys.argv[1], newline='', encoding='utf-8'))
          if not r[0].startswith('#')]
-assert all(len(r) == 8 for r in table), table
+assert all(len(r) == 9 for r in table), table
 )");
   const auto run = test::run_shell("/usr/bin/env python3 '" + script + "' '" + file + "'");
   EXPECT_EQ(run.status, 0) << run.err << exports::results::csv_table(joint);
@@ -171,8 +196,8 @@ TEST(LatexTable, StaysInItsRows) {
   const std::string table = latex.substr(begin);
   EXPECT_EQ(count_of(table, "\\end{tabular}"), 1U);
   EXPECT_EQ(table.find("\\write"), std::string::npos);
-  EXPECT_EQ(count_of(table, " \\\\\n"), 17U);  // the heading and 16 rows
-  EXPECT_EQ(count_of(table, " & "), 6U * 17U);
+  EXPECT_EQ(count_of(table, " \\\\\n"), 27U);  // the heading, 16 rows and 10 of friction
+  EXPECT_EQ(count_of(table, " & "), 6U * 27U);
   for (std::size_t at = 0; at < begin; at = latex.find('\n', at) + 1) EXPECT_EQ(latex[at], '%');
 }
 

@@ -207,6 +207,38 @@ TEST(ReportView, PageOneShowsLoopAndFrictionCurve) {
   }
 }
 
+calibration::FrictionAtSpeed friction_at(double speed_rad_s, double torque_Nm, double half_width_Nm,
+                                         calibration::Verdict verdict) {
+  return {speed_rad_s, verdict, statistics::symmetric_estimate(torque_Nm, half_width_Nm),
+          verdict == calibration::Verdict::usable ? Statement{}
+                                                  : Statement::verbatim("known to ± 40 %")};
+}
+
+TEST(ReportView, PageOneShowsFrictionAtAFewSpeedsAndWhereItIsUsable) {
+  using calibration::Verdict;
+  calibration::Calibration c = complete_calibration();
+  EXPECT_TRUE(view_of(c).friction_speeds.rows.empty());
+  c.judgement.friction_at_speed = {
+      friction_at(1, 0.5, 0.2, Verdict::doubtful), friction_at(10, 0.6, 0.01, Verdict::usable),
+      friction_at(11, 0.61, 0.01, Verdict::usable), friction_at(100, 1, 0.02, Verdict::usable),
+      friction_at(1000, 9, 9, Verdict::not_identifiable)};
+  const report::FrictionSpeeds shown = view_of(c).friction_speeds;
+  ASSERT_EQ(shown.rows.size(), 5U);
+  EXPECT_EQ(shown.rows[1].speed, "10.0");
+  EXPECT_EQ(shown.rows[1].torque, "0.600 ± 0.010");
+  EXPECT_EQ(shown.rows[1].speed_at_joint, "0.100");
+  EXPECT_EQ(shown.rows[1].torque_at_joint, "60.0 ± 1.0");
+  EXPECT_EQ(shown.rows[0].outcome, report::Outcome::partial);
+  EXPECT_EQ(shown.rows[4].torque, "");  // a number that its verdict refuses
+  EXPECT_EQ(shown.good_for,
+            "Good for feed-forward and simulation at motor speeds of 10.0 to 100\u00a0rad/s. At "
+            "1000\u00a0rad/s: known to ± 40 %.");
+  c.judgement.friction_at_speed = {friction_at(1, 0.5, 0.2, Verdict::doubtful)};
+  EXPECT_EQ(view_of(c).friction_speeds.good_for,
+            "Not good for feed-forward or simulation at any of these speeds. At 1.00\u00a0rad/s: "
+            "known to ± 40 %.");
+}
+
 TEST(ReportView, ADirectDriveHasOneSide) {
   calibration::Calibration c = complete_calibration();
   c.manifest.drive = joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor);

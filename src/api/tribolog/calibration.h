@@ -48,6 +48,10 @@ class TRIBOLOG_EXPORT Calibration {
   /// The quantity of that name, if there is one.
   [[nodiscard]] std::optional<Quantity> quantity(const std::string& name,
                                                  const std::string& language = "en") const;
+  /// Friction at speeds from the slowest to the fastest that were measured, rising; for
+  /// feed-forward and simulation. Empty if none was measured, or by an older file.
+  [[nodiscard]] std::vector<FrictionAtSpeed> friction_at_speeds(
+      const std::string& language = "en") const;
   /// The estimator that gave the mass, e.g. "midline"; empty if no mass was found.
   [[nodiscard]] std::string estimator() const;
 

@@ -52,6 +52,17 @@ struct Quantity {
   Message experiment;            ///< What to record next; empty only if it is usable.
 };
 
+/// Friction torque at a speed, the mean of both directions, in N·m, or in A where the joint's
+/// torque_is_in_amperes; with its own verdict.
+struct FrictionAtSpeed {
+  double speed_rad_s{};           ///< Of the motor.
+  Estimate torque;                ///< At the motor.
+  double speed_at_joint_rad_s{};  ///< The same divided by the gear ratio's size.
+  Estimate torque_at_joint;       ///< The same times the gear ratio's size.
+  Verdict verdict{Verdict::not_identifiable};
+  Message reason;  ///< Empty only if it is usable.
+};
+
 /// A check on the recordings, before anything is identified.
 struct Check {
   enum class State { passed, warns, fails, not_applicable };

@@ -10,7 +10,8 @@ namespace tribolog::exports::results {
 // The results as JSON for a script.
 
 /// Schema "tribolog-export-1", described by templates/export.schema.json: what the calibration is
-/// of, the conversions, each quantity on each side, and the friction curve on both sides.
+/// of, the conversions, each quantity on each side, and the friction curve and the friction at
+/// speeds, with intervals and verdicts, on both sides.
 /// @param is_on_one_line as in a file of JSON lines.
 std::string json_document(const ArchivedJoint& joint, bool is_on_one_line = false);
 
@@ -25,8 +26,9 @@ std::string matlab_file(const ArchivedJoint& joint);
 
 // The results as tables: CSV and LaTeX.
 
-/// Lines behind `#`, then quantity, value, low, high, unit, side, verdict, conversion; a row for
-/// each quantity and side. Numbers read back to the same doubles. A text that a spreadsheet would
+/// Lines behind `#`, then quantity, value, low, high, unit, side, verdict, conversion, speed_rad_s;
+/// a row for each quantity and side, and for each speed of the friction and side, which alone has
+/// the last. Numbers read back to the same doubles. A text that a spreadsheet would
 /// take for a formula (from = + - @) gets an apostrophe in front.
 std::string csv_table(const ArchivedJoint& joint);
 
@@ -41,7 +43,8 @@ std::string archive_csv_rows(const ArchivedJoint& joint);
 // The results as a LaTeX table to \input.
 
 /// Comments, then one `tabular` that needs no package: quantity, value, interval, unit, side and
-/// verdict. Rounded by the intervals. Letters that pdfLaTeX cannot set become [U+XXXX].
+/// verdict; of friction at speeds a few. Rounded by the intervals. Letters that pdfLaTeX cannot set
+/// become [U+XXXX].
 std::string latex_table(const ArchivedJoint& joint);
 
 // The results as a calibration certificate for machines.

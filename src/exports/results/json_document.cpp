@@ -2,6 +2,8 @@
 
 #include "base/shown_text.h"
 #include "calibration/archived_calibration.h"
+#include "calibration/friction_speeds.h"
+#include "calibration/read_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
 #include "exports/results/friction_table.h"
@@ -37,6 +39,30 @@ Json rows_of(const FrictionTable& table) {
   return rows;
 }
 
+/// A row for each speed: speed, torque, the ends of its interval, verdict.
+Json rows_of(const std::vector<calibration::FrictionAtSpeed>& friction) {
+  Json rows = Json::array();
+  for (const calibration::FrictionAtSpeed& f : friction) {
+    rows.push_back(Json::array({f.speed_rad_s, f.torque_Nm.value, f.torque_Nm.low, f.torque_Nm.high,
+                                calibration::to_string(f.verdict)}));
+  }
+  return rows;
+}
+
+/// Null where there is none.
+Json friction_at_speed(const ArchivedJoint& joint) {
+  const auto at_motor = calibration::read_curves(joint.calibration).friction_at_speed;
+  if (at_motor.empty()) return nullptr;
+  std::vector<calibration::FrictionAtSpeed> there;
+  for (const calibration::FrictionAtSpeed& f : at_motor) {
+    there.push_back(calibration::at_joint(f, joint.entry.facts.gear_ratio));
+  }
+  const char* const torque = joint.is_in_amperes() ? "friction_A" : "friction_Nm";
+  return {{"columns", {"speed_rad_s", torque, "low", "high", "verdict"}},
+          {"motor", rows_of(at_motor)},
+          {"joint", rows_of(there)}};
+}
+
 }  // namespace
 
 std::string json_document(const ArchivedJoint& joint, bool is_on_one_line) {
@@ -68,6 +94,7 @@ std::string json_document(const ArchivedJoint& joint, bool is_on_one_line) {
         {"motor", rows_of(curve)},
         {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
   }
+  json["friction_at_speed"] = friction_at_speed(joint);
   return json_without_hidden(
              json.dump(is_on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) +
          "\n";

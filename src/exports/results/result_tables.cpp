@@ -1,11 +1,16 @@
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/shown_text.h"
 #include "base/utf8.h"
 #include "calibration/archived_calibration.h"
+#include "calibration/friction_speeds.h"
+#include "calibration/read_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
 #include "wording/rounding.h"
@@ -39,13 +44,38 @@ std::string comment(const std::string& line) {
   return text + "\n";
 }
 
+struct SidedFriction {
+  calibration::FrictionAtSpeed friction;
+  joint::Side side{joint::Side::motor};
+};
+
+/// Each speed on both sides. @param count of a few speeds; nothing: of all.
+std::vector<SidedFriction> friction_rows(const ArchivedJoint& joint,
+                                         std::optional<std::size_t> count) {
+  std::vector<calibration::FrictionAtSpeed> speeds =
+      calibration::read_curves(joint.calibration).friction_at_speed;
+  if (count) speeds = calibration::evenly_in_log(speeds, *count);
+  std::vector<SidedFriction> rows;
+  for (const calibration::FrictionAtSpeed& f : speeds) {
+    rows.push_back({f, joint::Side::motor});
+    rows.push_back({calibration::at_joint(f, joint.entry.facts.gear_ratio), joint::Side::joint});
+  }
+  return rows;
+}
+
+std::string torque_unit(const ArchivedJoint& joint) {
+  return unit_of(joint::Quantity::gravity_torque, calibration::torque_unit_of(joint.quantities));
+}
+
 }  // namespace
 
 std::string csv_table(const ArchivedJoint& joint) {
   std::string text;
   for (const std::string& line : comment_lines(joint)) text += comment(line);
   text += comment("low and high: 95 % interval; empty: not identified");
-  text += "quantity,value,low,high,unit,side,verdict,conversion\n";
+  text +=
+      comment("friction_at_speed: friction torque at the speed of the last column, on that side");
+  text += "quantity,value,low,high,unit,side,verdict,conversion,speed_rad_s\n";
   for (const calibration::SidedQuantity& row :
        calibration::on_both_sides(joint.quantities, joint.entry.facts.gear_ratio)) {
     const calibration::Quantity& q = row.quantity;
@@ -55,9 +85,22 @@ std::string csv_table(const ArchivedJoint& joint) {
     if (q.estimate) append_number(text, q.estimate->low);
     text += ",";
     if (q.estimate) append_number(text, q.estimate->high);
-    text += fmt::format(",{},{},{},{}\n", cell(q.unit), joint::to_string(row.side),
+    text += fmt::format(",{},{},{},{},\n", cell(q.unit), joint::to_string(row.side),
                         calibration::to_string(q.verdict),
                         calibration::conversion_words(row.gear_power));
+  }
+  for (const SidedFriction& row : friction_rows(joint, std::nullopt)) {
+    const statistics::Estimate& e = row.friction.torque_Nm;
+    text += "friction_at_speed,";
+    for (const double number : {e.value, e.low, e.high}) {
+      append_number(text, number);
+      text += ",";
+    }
+    text += fmt::format("{},{},{},{},", torque_unit(joint), joint::to_string(row.side),
+                        calibration::to_string(row.friction.verdict),
+                        calibration::conversion_words(row.side == joint::Side::joint ? 1 : 0));
+    append_number(text, row.friction.speed_rad_s);
+    text += "\n";
   }
   return text;
 }
@@ -196,6 +239,14 @@ std::string latex_table(const ArchivedJoint& joint) {
   for (const calibration::SidedQuantity& row :
        calibration::on_both_sides(joint.quantities, joint.entry.facts.gear_ratio)) {
     text += row_of(row);
+  }
+  for (const SidedFriction& row : friction_rows(joint, calibration::speeds_of_a_table)) {
+    const std::string words =
+        "Friction at " + wording::significant(row.friction.speed_rad_s, 3) + " rad/s";
+    text += row_of({{"friction_at_speed", words, torque_unit(joint), row.friction.verdict,
+                     row.friction.torque_Nm},
+                    row.side,
+                    0});
   }
   return text + "\\hline\n\\end{tabular}\n";
 }

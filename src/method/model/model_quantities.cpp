@@ -379,7 +379,8 @@ ModelResult identify_joint(const std::vector<const joint::Recording*>& recording
     const ArrayXd v = model.cells.of(&Cell::speed_rad_s);
     const double low = v.minCoeff();
     const double span = std::log(v.maxCoeff() / low);
-    const auto steps = static_cast<int>(std::ceil(span / step));
+    constexpr double one_speed = 1e-9;  // apart by rounding alone
+    const auto steps = static_cast<int>(std::ceil((span - one_speed) / step));
     for (int k = 0; k <= steps; ++k) {
       speeds.push_back(low * std::exp(span * k / std::max(steps, 1)));
     }
