@@ -96,9 +96,14 @@ void add_motions(const joint::Recording& r, int index, double n, std::vector<Mot
     // Stamps of a few at once make the usual step much smaller than the mean one.
     const double dt =
         std::max(usual, 0.5 * length / std::max(1.0, static_cast<double>(last - first)));
+    const std::size_t next = last + 1;
+    if (last - first < 20 || !(dt > 0)) {
+      first = next;
+      continue;
+    }
     const auto count = static_cast<Index>(length / dt + 1 + 1e-9);
     const Index h = std::clamp<Index>(std::lround(kernel_s / dt), dt < 0.04 ? 3 : 1, 20);
-    if (last - first >= 20 && count > 8 * h + 8) {
+    if (count > 8 * h + 8) {
       Motion m;
       m.recording = index;
       m.is_run = r.role == joint::Role::constant_speed;
@@ -127,31 +132,46 @@ void add_motions(const joint::Recording& r, int index, double n, std::vector<Mot
       m.sin = smooth(m.q.sin());
       motions.push_back(std::move(m));
     }
-    first = last + 1;
+    first = next;
   }
 }
 
-/// Of motor speed: below it a sample belongs to no stroke.
-double slowest_speed(const Motion& m, double top) {
-  const Index width = 4 * m.half + 1;
-  const ArrayXd rough = m.speed - [&] {
-    ArrayXd mean = m.speed;
-    for (Index i = 0; i < mean.size(); ++i) {
-      const Index from = std::max<Index>(0, i - width);
-      const Index to = std::min<Index>(mean.size() - 1, i + width);
-      mean[i] = m.speed.segment(from, to - from + 1).mean();
-    }
-    return mean;
-  }();
-  const double noise = statistics::normal_sd_by_median_size * percentile(rough.abs(), 0.5);
-  return std::max(slowest_share * top, 4 * noise);
+/// Mean over up to `reach` samples on either side.
+ArrayXd mean_about(const ArrayXd& x, Index reach) {
+  ArrayXd mean(x.size());
+  const double about = x.mean();
+  double sum = 0;
+  Index from = 0;
+  Index end = 0;
+  for (Index i = 0; i < x.size(); ++i) {
+    for (; end < std::min(x.size(), i + reach + 1); ++end) sum += x[end] - about;
+    for (; from < i - reach; ++from) sum -= x[from] - about;
+    mean[i] = about + sum / static_cast<double>(end - from);
+  }
+  return mean;
 }
 
-/// Sums of one cell until it is done.
-struct Sums {
-  Cell cell;
-  std::vector<Index> samples;
-};
+constexpr double beyond_noise = 4;
+
+/// Of motor speed: below it a sample belongs to no stroke.
+double slowest_speed(const Motion& m, double top) {
+  const ArrayXd rough = m.speed - mean_about(m.speed, 4 * m.half + 1);
+  const double noise = statistics::normal_sd_by_median_size * percentile(rough.abs(), 0.5);
+  return std::max(slowest_share * top, beyond_noise * noise);
+}
+
+/// Standard deviation that the angle's noise or steps make, by fourth differences: a motion has
+/// next to none between samples, but a few where it jumps.
+double acceleration_noise(const Motion& m, double n) {
+  const Index inner = m.q.size() - 4;
+  const auto at = [&](Index shift) { return m.q.segment(shift, inner); };
+  const ArrayXd square = (at(0) - 4 * at(1) + 6 * at(2) - 4 * at(3) + at(4)).square();
+  constexpr double all_but_jumps = 0.995;
+  const double most = percentile(square, all_but_jumps);
+  const double q_variance = (square <= most).select(square, 0).mean() / 70;
+  const double reach = 2 * static_cast<double>(m.half) * m.interval_s;
+  return n * std::sqrt(6 * q_variance) / (reach * reach);
+}
 
 class CellMaker {
  public:
@@ -161,6 +181,7 @@ class CellMaker {
   void add(const Motion& m, double session_s) {
     const double top = percentile(m.speed.abs(), 0.95);
     const double slowest = slowest_speed(m, top);
+    calm_ = beyond_noise * acceleration_noise(m, n_);
     const Index w = 4 * m.half + 1;
     const Index count = m.q.size();
     const ArrayXd step = m.jerk.abs() * (0.5 * static_cast<double>(w - 1) * m.interval_s);
@@ -200,7 +221,8 @@ class CellMaker {
     for (Index i : used) {
       const double angle = turning_ ? m.q[i] - 2 * pi * std::floor(m.q[i] / (2 * pi)) : m.q[i];
       const double a = m.acceleration[i];
-      const int sense = std::abs(a) > 0.5 * top ? (a > 0 ? 2 : 1) : 0;
+      // Bins by a noise would make that noise an acceleration.
+      const int sense = std::abs(a) > std::max(0.5 * top, calm_) ? (a > 0 ? 2 : 1) : 0;
       bins[{static_cast<long>(std::floor(angle / width_)),
             std::lround(std::log(std::abs(m.speed[i])) / std::log(speed_ratio)), sense}]
           .push_back(i);
@@ -256,6 +278,7 @@ class CellMaker {
   double n_;
   double width_;
   bool turning_;
+  double calm_{};  // of an acceleration that may be noise
   int stroke_{};
 };
 

@@ -178,8 +178,11 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
           one_way ? std::max(0.05 * top, friction) : std::hypot(0.005 * top, 0.05 * friction));
   add_one(offset_drift, 2 * age - 1, 0.002 * top);
   if (has_gravity && has_place) add_one(gain_drift, g * about_runs(2 * age - 1), 0.002);
-  const ArrayXd model =
-      g + point.inertia_kgm2 * a + s * (point.coulomb_Nm + point.viscous_Nms_rad * v);
+  const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
+  const ArrayXd dip = (-(v / dip_speed).pow(point.dip_power)).exp();
+  const ArrayXd own_friction =
+      s * (point.coulomb_Nm + point.viscous_Nms_rad * v + point.dip_Nm * dip);
+  const ArrayXd model = g + point.inertia_kgm2 * a + own_friction;
   add(torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
       ArrayXd::Constant(2, 0.001));
   add_one(gain_of_speed, model * v / point.fastest_rad_s, 0.001);
@@ -193,9 +196,7 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
   add_one(lag, -rate, std::max(1e-3, 0.3 * intervals[n / 2]));
 
   // Direction.
-  const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
-  add(asymmetry, beside(v / point.fastest_rad_s, (-(v / dip_speed).pow(point.dip_power)).exp()),
-      ArrayXd::Constant(2, 0.02 * friction));
+  add(asymmetry, beside(v / point.fastest_rad_s, dip), ArrayXd::Constant(2, 0.02 * friction));
 
   // Friction by load, place and time; torque by place.
   if (has_gravity && has_place) add_one(load, s * about_runs(g.abs()), 0.01);
@@ -251,7 +252,7 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
   }
 
   // On another day friction is another: temperature, lubricant, wear.
-  add_one(friction_of_session, s * (point.coulomb_Nm + point.viscous_Nms_rad * v), 0.02);
+  add_one(friction_of_session, own_friction, 0.02);
 
   // What no law of friction over the speed is exact about.
   const LawHats hats = law_hats(cells, point);

@@ -40,7 +40,8 @@ struct Point {
   double inertia_kgm2{};
   double coulomb_Nm{};
   double viscous_Nms_rad{};
-  double dip_speed_rad_s{};  ///< Of the law's Stribeck term; 0: it has none.
+  double dip_Nm{};           ///< Of the law's Stribeck term at rest.
+  double dip_speed_rad_s{};  ///< 0: it has none.
   double dip_power{1};
 };
 

@@ -24,8 +24,10 @@ constexpr std::array families{Family{"line", {1, 0}, 0}, Family{"parabola", {1, 
 constexpr std::array dip_powers{0.7, 1.0, 1.4, 2.0};
 constexpr double coarse_step = 0.35;  // of log speed, between dips
 
-/// Level at zero speed and slope of the straight line nearest to a column.
+/// Level at zero speed and slope of the straight line nearest to a column; of one speed alone, the
+/// line from zero.
 Eigen::Vector2d line_through(const LawColumn& column, double low, double top) {
+  if (!(top > (1 + 1e-6) * low)) return {0, column.at(top, top) / top};
   const ArrayXd v = ArrayXd::LinSpaced(50, low, top);
   const ArrayXd f = v.unaryExpr([&](double speed) { return column.at(speed, top); });
   const ArrayXd about = v - v.mean();

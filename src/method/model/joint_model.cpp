@@ -356,6 +356,7 @@ JointModel fit_all(const Cells& cells, bool has_gravity) {
     m.point.inertia_kgm2 = value_of("inertia", 0);
     m.point.coulomb_Nm = found.friction[0];
     m.point.viscous_Nms_rad = found.law.line.row(1) * found.friction;
+    m.point.dip_Nm = found.law.has_dip ? found.friction[own - 1] : 0;
     m.point.dip_speed_rad_s = found.law.has_dip ? found.law.dip.dip_speed : 0;
     m.point.dip_power = found.law.has_dip ? found.law.dip.dip_power : 1;
     const ArrayXd friction =
@@ -374,6 +375,15 @@ std::size_t JointModel::find(std::string_view key) const {
   return effects.size();
 }
 
+bool JointModel::is_finite() const {
+  return precision.allFinite() && residual_Nm.allFinite() && weight.allFinite() &&
+         std::isfinite(samples_per_independent) &&
+         std::all_of(posteriors.begin(), posteriors.end(), [](const LawPosterior& p) {
+           return std::isfinite(p.weight) && p.effects.allFinite() && p.friction.allFinite() &&
+                  p.covariance.allFinite();
+         });
+}
+
 JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
   if (cells.size() < fewest_cells) return {};
   std::set<int> recordings;
@@ -386,6 +396,7 @@ JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
   std::vector<int> out = foreign_recordings(cells);
   if (out.size() > recordings.size() / 3) out.clear();
   JointModel m = fit_all(without(out), has_gravity);
+  if (!m.is_finite()) return {};
   constexpr int most_times = 3;
   for (int k = 0; k < most_times; ++k) {
     const std::vector<int> unlike = unlike_recordings(m);
@@ -393,6 +404,7 @@ JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
     out.insert(out.end(), unlike.begin(), unlike.end());
     m = fit_all(without(out), has_gravity);
   }
+  if (!m.is_finite()) return {};
   m.left_out = std::move(out);
   return m;
 }

@@ -42,6 +42,8 @@ struct JointModel {
   std::vector<int> left_out;  ///< Recordings unlike the others, of the cells' numbers.
 
   [[nodiscard]] bool empty() const { return posteriors.empty(); }
+  /// False: the torque is too small or too large a number to calculate with.
+  [[nodiscard]] bool is_finite() const;
   /// Index of an effect by its key; the number of effects if these cells have none of it.
   [[nodiscard]] std::size_t find(std::string_view key) const;
   [[nodiscard]] Eigen::Index width(std::size_t effect) const {
@@ -49,7 +51,7 @@ struct JointModel {
   }
 };
 
-/// @param cells of sweeps and runs; too few of them: the model is empty.
+/// @param cells of sweeps and runs; too few of them, or without a torque: the model is empty.
 JointModel fit_joint_model(const Cells& cells, bool has_gravity);
 
 }  // namespace tribolog::method::model

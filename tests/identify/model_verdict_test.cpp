@@ -1,0 +1,161 @@
+// What the model's numbers are good for: by the need, and by what contradicts them.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "calibration/calibration.h"
+#include "verdict/model_verdicts.h"
+
+namespace tribolog::model_verdict_test {
+namespace {
+
+using calibration::Calibration;
+using calibration::FrictionAtSpeed;
+using calibration::QuantityVerdict;
+using calibration::Verdict;
+using joint::Quantity;
+using method::checks::CheckName;
+using method::checks::CheckState;
+using method::model::ModelQuantity;
+
+ModelQuantity number(std::optional<Quantity> quantity, double estimate, double half_width,
+                     double speed_rad_s = 0) {
+  return {quantity,         speed_rad_s, estimate, estimate - half_width, estimate + half_width,
+          {{"offset", 0.8}}};
+}
+
+/// Friction within 2, 9, 11 and 150 %, and a Coulomb torque within 9 %.
+Calibration measured() {
+  Calibration c;
+  c.manifest.drive = joint::Drive(50, joint::EffortKind::motor_torque, joint::Side::motor);
+  c.model.quantities = {number(Quantity::coulomb_torque, 10, 0.9), number({}, 10, 0.2, 1),
+                        number({}, 10, 0.9, 2), number({}, 10, 1.1, 4), number({}, 10, 15, 8)};
+  c.model.effects = {{"offset", 10, 1, 0.1, 0.2}};
+  return c;
+}
+
+std::vector<Verdict> verdicts_on(const Calibration& c,
+                                 const std::vector<calibration::RuleOutcome>& rules = {}) {
+  std::vector<Verdict> all;
+  for (const FrictionAtSpeed& f : verdict::friction_at_speeds(c, rules)) {
+    EXPECT_EQ(f.reason.empty(), f.verdict == Verdict::usable) << f.speed_rad_s;
+    all.push_back(f.verdict);
+  }
+  return all;
+}
+
+const std::vector<Verdict> by_need{Verdict::usable, Verdict::usable, Verdict::doubtful,
+                                   Verdict::not_identifiable};
+const std::vector<Verdict> doubtful{Verdict::doubtful, Verdict::doubtful, Verdict::doubtful,
+                                    Verdict::not_identifiable};
+
+TEST(ModelVerdict, FrictionAtSpeedsIsUsableByItsWidth) {
+  const Calibration c = measured();
+  EXPECT_EQ(verdicts_on(c), by_need);
+  const std::vector<FrictionAtSpeed> all = verdict::friction_at_speeds(c, {});
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[2].speed_rad_s, 4);
+  EXPECT_EQ(all[2].torque_Nm.value, 10);
+  EXPECT_EQ(all[2].torque_Nm.low, 8.9);
+  EXPECT_EQ(all[2].torque_Nm.high, 11.1);
+}
+
+TEST(ModelVerdict, AnEffortThatNobodyConfirmedMakesAllDoubtful) {
+  Calibration c = measured();
+  method::checks::DataCheck check;
+  check.name = CheckName::effort_provenance;
+  check.state = CheckState::fails;
+  check.found = {"model.negative_friction"};
+  c.data_checks.checks = {check};
+  EXPECT_EQ(verdicts_on(c), doubtful);
+  c.data_checks.checks[0].state = CheckState::passed;
+  EXPECT_EQ(verdicts_on(c), by_need);
+}
+
+TEST(ModelVerdict, WhatIntervalsHoldIsNoContradiction) {
+  Calibration c = measured();
+  calibration::RuleOutcome rule;
+  rule.rule = "torque_lag";
+  rule.state = calibration::RuleState::broken;
+  rule.quantities = {Quantity::viscous_curve};
+  rule.finding = {"model.negative_friction"};
+  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "a lag is in the model";
+  rule.rule = "runs_against_ramps";
+  EXPECT_EQ(verdicts_on(c, {rule}), doubtful);
+  rule.quantities = {Quantity::cog_angle};
+  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "of another quantity";
+  rule.quantities = {Quantity::viscous_curve};
+  rule.state = calibration::RuleState::kept;
+  EXPECT_EQ(verdicts_on(c, {rule}), by_need);
+}
+
+TEST(ModelVerdict, DataThatTheModelDoesNotFitMakeAllDoubtful) {
+  Calibration c = measured();
+  c.model.cells_far_off = 0.03;
+  EXPECT_EQ(verdicts_on(c), by_need);
+  c.model.cells_far_off = 0.05;
+  EXPECT_EQ(verdicts_on(c), doubtful);
+  c = measured();
+  c.model.unlike_left = 1;
+  EXPECT_EQ(verdicts_on(c), doubtful);
+  c = measured();
+  c.model.quantities[0] = number(Quantity::coulomb_torque, -10, 1);
+  EXPECT_EQ(verdicts_on(c), doubtful);
+  c = measured();
+  c.model.effects[0].size_of_cap = 0.9;
+  EXPECT_EQ(verdicts_on(c), doubtful) << "an effect larger than the catalogue knows";
+  c.model.effects[0].chi2 = 1;
+  EXPECT_EQ(verdicts_on(c), by_need) << "not shown by the data";
+}
+
+Verdict coulomb_with(std::optional<double> percent, std::optional<double> half_width_Nm = {}) {
+  Calibration c = measured();
+  joint::AcceptanceLimit limit;
+  limit.quantity = "coulomb_joint_Nm";
+  limit.half_width_percent = percent;
+  limit.half_width = half_width_Nm;
+  if (percent || half_width_Nm) c.manifest.limits = {limit};
+  QuantityVerdict q;
+  q.quantity = Quantity::coulomb_torque;
+  q.verdict = Verdict::not_identifiable;
+  std::vector<QuantityVerdict> quantities{q};
+  for (const Quantity other : {Quantity::cog_angle, Quantity::gravity_torque, Quantity::inertia,
+                               Quantity::viscous_coefficient}) {
+    quantities.push_back(q);
+    quantities.back().quantity = other;
+  }
+  verdict::state_by_model(c, {}, quantities);
+  EXPECT_TRUE(quantities[0].estimate.has_value());
+  EXPECT_EQ(quantities[1].verdict, Verdict::not_identifiable) << "the model says nothing of it";
+  return quantities[0].verdict;
+}
+
+TEST(ModelVerdict, LimitsOfTheManifestAreTheNeed) {
+  EXPECT_EQ(coulomb_with({}), Verdict::usable);
+  EXPECT_EQ(coulomb_with(8.0), Verdict::doubtful);
+  EXPECT_EQ(coulomb_with(9.5), Verdict::usable);
+  // 0.9 N·m at the motor is 45 N·m at the joint.
+  EXPECT_EQ(coulomb_with({}, 44.0), Verdict::doubtful);
+  EXPECT_EQ(coulomb_with({}, 46.0), Verdict::usable);
+}
+
+TEST(ModelVerdict, AUsableNumberThatTheModelContradictsIsDoubtful) {
+  for (const bool apart : {false, true}) {
+    const Calibration c = measured();
+    QuantityVerdict q;
+    q.quantity = Quantity::coulomb_torque;
+    q.estimate =
+        apart ? statistics::Estimate{12, 11.5, 12.5, {}} : statistics::Estimate{11, 10.5, 11.5, {}};
+    std::vector<QuantityVerdict> quantities{q};
+    verdict::state_by_model(c, {}, quantities);
+    EXPECT_EQ(quantities[0].verdict, apart ? Verdict::doubtful : Verdict::usable);
+    EXPECT_EQ(quantities[0].estimate->value, q.estimate->value);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog::model_verdict_test
