@@ -85,6 +85,7 @@ bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity
   const bool is_of_gravity =
       quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
   if (rule.rule == "gravity_in_time") return is_of_gravity;
+  if (rule.rule == "angles_apart") return quantity == Quantity::cog_angle;
   if (rule.rule == "others_move") {
     return !has_stated_no_gravity(c) || quantity == Quantity::inertia;
   }
@@ -115,8 +116,10 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
   constexpr double matters = 0.25;   // of the variance
   Doubt doubt;
   for (const FailingCheck& failing : failing_checks_on(quantity, c)) {
-    if (!is_beyond_intervals(failing.check->name)) continue;
-    doubt.lower(failing.lowers_to,
+    const bool is_dead =
+        failing.check->name == CheckName::torque_alive && failing.check->measured == 0.0;
+    if (!is_beyond_intervals(failing.check->name) && !is_dead) continue;
+    doubt.lower(is_dead ? Verdict::not_identifiable : failing.lowers_to,
                 {"verdict.check_fails",
                  {{"found", failing.check->found}, {"consequence", failing.check->consequence}}});
   }
@@ -128,6 +131,12 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
       continue;
     }
     doubt.lower(rule.lowers_to, rule.finding);
+  }
+  // Loops and other ways to gravity are not in the model.
+  if (c.cross_checks.doubtful && quantity == Quantity::gravity_torque) {
+    for (const Statement& finding : c.cross_checks.findings) {
+      doubt.lower(Verdict::doubtful, finding);
+    }
   }
   const ModelResult& m = c.model;
   if (m.cells_far_off > most_far_off) {
@@ -205,6 +214,10 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
     const ModelQuantity* by_model = c.model.find(quantity);
     if (by_model == nullptr) continue;
     QuantityVerdict& q = verdict_on(quantity, quantities);
+    // A joint of Waiboer's law has neither a Coulomb torque nor one viscous coefficient.
+    const bool is_of_curve =
+        quantity == Quantity::coulomb_torque || quantity == Quantity::viscous_coefficient;
+    if (is_of_curve && !q.decides) continue;
     const Doubt doubt = doubt_of(c, rules, quantity, *by_model);
     // Starts and stops are in the model with all else that acts there.
     const bool is_of_starts =

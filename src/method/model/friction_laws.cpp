@@ -26,14 +26,19 @@ constexpr double coarse_step = 0.35;  // of log speed, between dips
 
 /// Level at zero speed and slope of the straight line nearest to a column; of one speed alone, the
 /// line from zero.
-Eigen::Vector2d line_through(const LawColumn& column, double low, double top) {
-  if (!(top > (1 + 1e-6) * low)) return {0, column.at(top, top) / top};
-  const ArrayXd v = ArrayXd::LinSpaced(50, low, top);
+Eigen::Vector2d line_through(const LawColumn& column, const ArrayXd& v, const ArrayXd& weight,
+                             double top) {
+  if (!(v.maxCoeff() > (1 + 1e-6) * v.minCoeff())) return {0, column.at(top, top) / top};
   const ArrayXd f = v.unaryExpr([&](double speed) { return column.at(speed, top); });
-  const ArrayXd about = v - v.mean();
-  const double slope = (about * f).sum() / about.square().sum();
-  return {f.mean() - slope * v.mean(), slope};
+  const ArrayXd share = weight / weight.sum();
+  const double mean = (share * v).sum();
+  const ArrayXd about = share * (v - mean);
+  const double slope = (about * f).sum() / (about * v).sum();
+  return {(share * f).sum() - slope * mean, slope};
 }
+
+/// What a coefficient adds to Coulomb torque and viscous coefficient, in each meaning.
+using Meanings = std::array<Eigen::Vector2d, 3>;
 
 }  // namespace
 
@@ -93,29 +98,33 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
     all.columns.push_back({power, 0, 0});
     return powers.back().second;
   };
+  const ArrayXd even = ArrayXd::LinSpaced(50, low, top);
+  const ArrayXd measured = cells.of(&Cell::speed_rad_s);
+  const ArrayXd count = cells.of(&Cell::count);
   for (const Family& family : families) {
     FrictionLaw law;
     law.family = family.key;
     law.log_prior = family.log_prior;
     std::vector<double> scale{2 * point.friction_Nm};
-    std::vector<Eigen::Vector2d> limit{{1, 0}};
-    std::vector<Eigen::Vector2d> line{{1, 0}};
+    const Eigen::Vector2d coulomb(1, 0);
+    std::vector<Meanings> meanings{{coulomb, coulomb, coulomb}};
     law.index = {0};
     law.is_positive = {true};
     for (double power : family.powers) {
       if (power == 0) continue;
       const bool bends = power == 2;
+      const LawColumn column{power, 0, 0};
       law.index.push_back(column_of(power));
       scale.push_back((bends ? 0.25 : 1.5) * point.friction_Nm);
-      limit.emplace_back(0, 1 / top);
-      line.push_back(line_through({power, 0, 0}, low, top));
+      meanings.push_back({Eigen::Vector2d(0, 1 / top),
+                          line_through(column, even, ArrayXd::Ones(even.size()), top),
+                          line_through(column, measured, count, top)});
       law.is_positive.push_back(!bends);
     }
     const auto put = [&](bool has_dip, std::size_t dip) {
       FrictionLaw one = law;
       std::vector<double> scales = scale;
-      std::vector<Eigen::Vector2d> limits = limit;
-      std::vector<Eigen::Vector2d> lines = line;
+      std::vector<Meanings> all_meanings = meanings;
       if (has_dip) {
         one.has_dip = true;
         one.dip = dips[dip];
@@ -123,16 +132,16 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
         one.is_positive.push_back(true);
         one.log_prior += each_dip;
         scales.push_back(0.5 * point.friction_Nm);
-        limits.emplace_back(0, 0);
-        lines.emplace_back(0, 0);
+        const Eigen::Vector2d none(0, 0);
+        all_meanings.push_back({none, none, none});
       }
-      const auto count = static_cast<Index>(scales.size());
-      one.scale = Eigen::Map<const Eigen::VectorXd>(scales.data(), count);
-      one.limit.resize(2, count);
-      one.line.resize(2, count);
-      for (Index k = 0; k < count; ++k) {
-        one.limit.col(k) = limits[static_cast<std::size_t>(k)];
-        one.line.col(k) = lines[static_cast<std::size_t>(k)];
+      const auto coefficients = static_cast<Index>(scales.size());
+      one.scale = Eigen::Map<const Eigen::VectorXd>(scales.data(), coefficients);
+      for (std::size_t m = 0; m < one.meanings.size(); ++m) {
+        one.meanings[m].resize(2, coefficients);
+        for (Index k = 0; k < coefficients; ++k) {
+          one.meanings[m].col(k) = all_meanings[static_cast<std::size_t>(k)][m];
+        }
       }
       all.laws.push_back(std::move(one));
     };

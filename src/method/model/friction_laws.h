@@ -4,6 +4,7 @@
 //
 //   F(v) = Tc + Tv (v / vmax)^p [+ Tp (v / vmax)^2] [+ Td exp(-(v / ws)^d)]
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,11 @@ struct FrictionLaw {
   double log_prior{};
   bool has_dip{};
   LawColumn dip{};
-  /// Rows: Coulomb and viscous torque as weights of the coefficients; as limit at zero speed and
-  /// secant to the fastest, and as the straight line nearest over the measured speeds. The dip is
-  /// taken off in both.
-  Eigen::Matrix2Xd limit;
-  Eigen::Matrix2Xd line;
+  /// Coulomb torque and viscous coefficient (rows) as weights of the coefficients, in each of their
+  /// meanings: limit at zero speed and secant to the fastest; the straight line nearest over the
+  /// measured speeds; that nearest to the samples. The dip is taken off in all. They agree where
+  /// the law is a line.
+  std::array<Eigen::Matrix2Xd, 3> meanings;
   std::vector<bool> is_positive;  ///< Coefficients that are no negative friction.
 };
 

@@ -355,7 +355,7 @@ JointModel fit_all(const Cells& cells, bool has_gravity) {
     }
     m.point.inertia_kgm2 = value_of("inertia", 0);
     m.point.coulomb_Nm = found.friction[0];
-    m.point.viscous_Nms_rad = found.law.line.row(1) * found.friction;
+    m.point.viscous_Nms_rad = found.law.meanings[1].row(1) * found.friction;
     m.point.dip_Nm = found.law.has_dip ? found.friction[own - 1] : 0;
     m.point.dip_speed_rad_s = found.law.has_dip ? found.law.dip.dip_speed : 0;
     m.point.dip_power = found.law.has_dip ? found.law.dip.dip_power : 1;

@@ -32,10 +32,10 @@ struct Value {
   VectorXd gradient;
 };
 
-/// Which of two meanings of Coulomb and viscous torque, and at which moment of the session the
+/// Which meaning of Coulomb and viscous torque, and at which moment of the session the
 /// torque's gain was right: nobody knows.
 struct Meaning {
-  bool is_limit{};
+  std::size_t of_law{1};  ///< FrictionLaw::meanings
   double moment{};
 };
 
@@ -92,7 +92,7 @@ Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta
     v.gradient[i] = 1;
   } else {
     const Index row = *wanted.quantity == Quantity::coulomb_torque ? 0 : 1;
-    of_law((meaning.is_limit ? p.law.limit : p.law.line).row(row));
+    of_law(p.law.meanings[meaning.of_law].row(row));
   }
   const std::size_t gain = m.find("gain_drift");
   if (gain < m.effects.size() && meaning.moment != 0) {
@@ -271,15 +271,19 @@ ModelQuantity describe(const JointModel& m, const std::vector<OtherSize>& sizes,
   }
   std::vector<MixturePart> parts;
   double estimate = 0;
+  const bool is_of_law = wanted.quantity == Quantity::coulomb_torque ||
+                         wanted.quantity == Quantity::viscous_coefficient;
+  const std::size_t meanings = is_of_law ? best.law.meanings.size() : 1;
   for (const LawPosterior& p : m.posteriors) {
     const VectorXd t = coefficients_of(p);
-    for (const bool is_limit : {false, true}) {
+    for (std::size_t k = 0; k < meanings; ++k) {
       for (const double moment : moments) {
-        const Value v = value_of(m, p, t, wanted, {is_limit, moment});
+        const Value v = value_of(m, p, t, wanted, {k, moment});
         const double value = (is_angle ? wrapped(v.value, centre.value) : v.value) + shift;
         const double sd = std::sqrt(v.gradient.dot(p.covariance * v.gradient) + added);
-        parts.push_back({p.weight / 6, value, std::max(sd, 1e-300)});
-        estimate += p.weight / 6 * value;
+        const double weight = p.weight / static_cast<double>(meanings * moments.size());
+        parts.push_back({weight, value, std::max(sd, 1e-300)});
+        estimate += weight * value;
       }
     }
   }
