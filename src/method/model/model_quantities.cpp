@@ -265,7 +265,9 @@ ModelQuantity describe(const JointModel& m, const std::vector<OtherSize>& sizes,
     const OfUnknownSize unknown = of_unknown_size(points);
     shift += unknown.shift;
     double extra = unknown.variance;
-    if (effect.key != "offset") extra += std::pow(form * with.dot(theta.segment(at, width)), 2);
+    // An offset has but one form, and what the law misses of friction at a speed is friction there.
+    const bool has_form = effect.key != "offset" && (wanted.quantity || effect.key != "law_misfit");
+    if (has_form) extra += std::pow(form * with.dot(theta.segment(at, width)), 2);
     added += extra;
     own[e] += extra + unknown.shift * unknown.shift;
   }

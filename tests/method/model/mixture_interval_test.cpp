@@ -43,9 +43,8 @@ JointModel model_of(const std::vector<double>& means, const std::vector<double>&
     LawPosterior p;
     p.weight = weights[k];
     p.law.index = {0};
-    p.law.limit = Eigen::Matrix2Xd::Zero(2, 1);
-    p.law.limit(0, 0) = 1;
-    p.law.line = p.law.limit;
+    const Eigen::Matrix2Xd coulomb = Eigen::Vector2d(1, 0);
+    p.law.meanings = {coulomb, coulomb, coulomb};
     p.effects.resize(0);
     p.friction = Eigen::VectorXd::Constant(1, means[k]);
     p.covariance = Eigen::MatrixXd::Constant(1, 1, sd * sd);
