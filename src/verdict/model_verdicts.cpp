@@ -63,17 +63,12 @@ double need_of(const Calibration& c, Quantity quantity, double estimate) {
 /// Whether no interval can hold what this check finds: the numbers are of something else then.
 /// Recordings at rest and of a dead torque have no part in the model.
 bool is_beyond_intervals(CheckName check) {
-  constexpr std::array all{CheckName::effort_provenance,
-                           CheckName::angle_provenance,
-                           CheckName::effort_column,
-                           CheckName::static_torque,
-                           CheckName::angle_unit,
-                           CheckName::motor_speed,
-                           CheckName::torque_noise,
-                           CheckName::torque_saturation,
-                           CheckName::power,
-                           CheckName::friction_dissipates,
-                           CheckName::stick_slip,
+  constexpr std::array all{CheckName::effort_provenance,    CheckName::angle_provenance,
+                           CheckName::speed_provenance,     CheckName::effort_column,
+                           CheckName::static_torque,        CheckName::angle_unit,
+                           CheckName::motor_speed,          CheckName::torque_noise,
+                           CheckName::torque_saturation,    CheckName::power,
+                           CheckName::friction_dissipates,  CheckName::stick_slip,
                            CheckName::gravity_within_torque};
   return std::find(all.begin(), all.end(), check) != all.end();
 }
@@ -85,7 +80,12 @@ bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity
   const bool is_of_gravity =
       quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
   if (rule.rule == "gravity_in_time") return is_of_gravity;
-  if (rule.rule == "angles_apart") return quantity == Quantity::cog_angle;
+  // Over part of a turn a spring that shows has as a rule as much that looks like gravity.
+  constexpr std::array of_angle{"angles_apart", "torque_of_angle_in_angle",
+                                "torque_of_angle_large"};
+  if (std::find(of_angle.begin(), of_angle.end(), rule.rule) != of_angle.end()) {
+    return quantity == Quantity::cog_angle;
+  }
   if (rule.rule == "others_move") {
     return !has_stated_no_gravity(c) || quantity == Quantity::inertia;
   }

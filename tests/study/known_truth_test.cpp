@@ -196,8 +196,13 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
   ASSERT_EQ(c.selection.recommended, method::hysteresis::Estimator::midline);
   c.truth_check.findings = {
       {ReadingName::midline, Statement::verbatim("the mid-line does not come back")}};
-  EXPECT_EQ(verdict_on(joint::Quantity::surrogate_mass), calibration::Verdict::doubtful);
+  // The mass is then that of the model of sweeps and runs, which does not rest on the mid-line.
+  const calibration::Judgement by_model = verdict::judge(c);
+  EXPECT_TRUE(
+      by_model.find(joint::Quantity::surrogate_mass)->estimate->method.is("interval.of_model"));
   EXPECT_EQ(verdict_on(joint::Quantity::cog_angle), calibration::Verdict::usable);
+  c.model = {};
+  EXPECT_EQ(verdict_on(joint::Quantity::surrogate_mass), calibration::Verdict::doubtful);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
   EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
                       Statement::verbatim("the mid-line does not come back")),
