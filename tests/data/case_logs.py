@@ -62,7 +62,7 @@ cases = [
     ("wheel_plain/rad.csv", WHEEL, NEWTON + ["--no-gravity", "--angle-unit", "rad"]),
     ("wheel_plain/turns.csv", WHEEL, NEWTON + ["--no-gravity", "--angle-unit", "turn"]),
     ("wheel_plain/counts.csv", WHEEL, NEWTON + ["--no-gravity", "--angle-unit", "0.087890625 deg", "--time-unit", "s"]),
-    ("warm_up/log.csv", {"gravity_torque": 38.0, "cog_angle": 0.0}, TORQUE + GEAR),
+    ("warm_up/log.csv", {"gravity_torque": 38.0, "cog_angle": 0.0, "inertia": 1.2}, TORQUE + GEAR),
     ("torque_and_constant/joint_torque.csv", ARM, GEAR + ["--torque-constant", "0.1"]),
     ("torque_and_constant/tau.csv", ARM, GEAR + ["--torque-constant", "0.1"]),
     ("torque_and_constant/torque.csv", ARM, GEAR + ["--torque-constant", "0.1"]),

@@ -37,12 +37,18 @@ struct Value {
 struct Meaning {
   std::size_t of_law{1};  ///< FrictionLaw::meanings
   double moment{};
+  double friction_change{};  ///< Of friction at that moment, by its mean over the runs.
 };
 
 struct Wanted {
   std::optional<Quantity> quantity;
   double speed_rad_s{};
 };
+
+bool is_of_friction(const Wanted& wanted) {
+  return !wanted.quantity || *wanted.quantity == Quantity::coulomb_torque ||
+         *wanted.quantity == Quantity::viscous_coefficient;
+}
 
 Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta,
                const Wanted& wanted, const Meaning& meaning) {
@@ -94,6 +100,10 @@ Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta
     const Index row = *wanted.quantity == Quantity::coulomb_torque ? 0 : 1;
     of_law(p.law.meanings[meaning.of_law].row(row));
   }
+  if (is_of_friction(wanted)) {
+    v.value *= 1 + meaning.friction_change;
+    v.gradient *= 1 + meaning.friction_change;
+  }
   const std::size_t gain = m.find("gain_drift");
   if (gain < m.effects.size() && meaning.moment != 0) {
     const double change = meaning.moment * theta[m.first[gain]];
@@ -113,6 +123,22 @@ std::array<double, 3> moments_of(const Cells& cells) {
   const double span = std::max(t.maxCoeff() - t.minCoeff(), 1e-9);
   const double there = 2 * (share * t).sum() / share.sum() / span - 2 * t.minCoeff() / span - 1;
   return {-1 - there, 0, 1 - there};
+}
+
+/// By which share of itself friction differs at the session's begin and end from its mean over the
+/// runs: who asks for friction asks for none of these moments.
+std::array<double, 3> friction_changes(const JointModel& m, const VectorXd& theta) {
+  const std::size_t drift = m.find("drift");
+  if (drift == m.effects.size()) return {0, 0, 0};
+  const ArrayXd changed =
+      (m.effects[drift].columns * theta.segment(m.first[drift], m.width(drift))).array() *
+      m.cells.of(&Cell::direction) / m.point.friction_Nm;
+  Index begin = 0;
+  Index end = 0;
+  const ArrayXd t = m.cells.of(&Cell::time_s);
+  t.minCoeff(&begin);
+  t.maxCoeff(&end);
+  return {changed[begin], 0, changed[end]};
 }
 
 VectorXd coefficients_of(const LawPosterior& p) {
@@ -278,9 +304,10 @@ ModelQuantity describe(const JointModel& m, const std::vector<OtherSize>& sizes,
   const std::size_t meanings = is_of_law ? best.law.meanings.size() : 1;
   for (const LawPosterior& p : m.posteriors) {
     const VectorXd t = coefficients_of(p);
+    const std::array<double, 3> changes = friction_changes(m, t);
     for (std::size_t k = 0; k < meanings; ++k) {
-      for (const double moment : moments) {
-        const Value v = value_of(m, p, t, wanted, {k, moment});
+      for (std::size_t at = 0; at < moments.size(); ++at) {
+        const Value v = value_of(m, p, t, wanted, {k, moments[at], changes[at]});
         const double value = (is_angle ? wrapped(v.value, centre.value) : v.value) + shift;
         const double sd = std::sqrt(v.gradient.dot(p.covariance * v.gradient) + added);
         const double weight = p.weight / static_cast<double>(meanings * moments.size());
@@ -291,6 +318,17 @@ ModelQuantity describe(const JointModel& m, const std::vector<OtherSize>& sizes,
   }
   double between = 0;
   for (const MixturePart& p : parts) between += p.weight * std::pow(p.mean - estimate, 2);
+  if (const std::size_t drift = m.find("drift");
+      drift < m.effects.size() && is_of_friction(wanted)) {
+    const std::array<double, 3> changes = friction_changes(m, theta);
+    const double mean = (changes[0] + changes[1] + changes[2]) / 3;
+    double square = 0;
+    for (const double change : changes) square += std::pow(change - mean, 2) / 3;
+    const double of_time = std::min(between, square * centre.value * centre.value);
+    own[drift] += of_time;
+    added += of_time;
+    between -= of_time;
+  }
   ModelQuantity q{wanted.quantity,        wanted.speed_rad_s,     estimate,
                   quantile(parts, 0.025), quantile(parts, 0.975), {}};
   for (std::size_t e = 0; e < m.effects.size(); ++e) {
