@@ -12,6 +12,13 @@ inline constexpr double normal_975 = 1.959963984540054;
 /// one degree of freedom nothing can be said: infinity.
 double student_t_975(double degrees_of_freedom);
 
+/// Probability below `t` in Student's distribution, a finite sum for an even number of degrees of
+/// freedom (Abramowitz and Stegun, 26.7.4): for use in loops.
+double student_t_probability(double t, int even_freedom);
+
+/// log of the probability below `x` in the normal distribution, in its far tail too.
+double log_normal_probability(double x);
+
 /// Probability of a variance ratio of `f` or more where both variances are of the same noise.
 /// @param above, below degrees of freedom of numerator and denominator, > 0. @return 1 if `f` is
 /// NaN.

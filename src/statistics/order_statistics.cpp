@@ -20,6 +20,14 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double value_at_share(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 double range_without_ends(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t share = 200;

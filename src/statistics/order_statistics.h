@@ -11,6 +11,10 @@ namespace tribolog::statistics {
 /// The middle value (of an even number, the upper of the two); NaN without values.
 double median(std::vector<double> values);
 
+/// The value below which this share of them lies (0 to 1; between two, the lower one); NaN without
+/// values.
+double value_at_share(std::vector<double> values, double share);
+
 /// The largest less the smallest value, a two-hundredth of the values left out at either end: a
 /// start's jump and outliers do not set the scale of a signal. NaN without values.
 double range_without_ends(std::vector<double> values);

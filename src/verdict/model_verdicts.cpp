@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -31,7 +32,6 @@ double usual_need(Quantity quantity) {
     case Quantity::cog_angle:
       return 0.5 * joint::rad_per_degree;
     case Quantity::gravity_torque:
-    case Quantity::surrogate_mass:
       return 0.01;
     case Quantity::viscous_coefficient:
       return 0.15;
@@ -107,13 +107,10 @@ struct Doubt {
   }
 };
 
-/// What contradicts the model where the quantity is read.
-Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules, Quantity quantity,
-                    const ModelQuantity& by_model) {
+/// What contradicts the model wherever this quantity is read.
+Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
+                    Quantity quantity) {
   constexpr double most_far_off = 0.04;
-  constexpr double near_cap = 0.8;
-  constexpr double significant = 4;  // chi-square per coefficient
-  constexpr double matters = 0.25;   // of the variance
   Doubt doubt;
   for (const FailingCheck& failing : failing_checks_on(quantity, c)) {
     const bool is_dead =
@@ -151,7 +148,18 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
       doubt.lower(Verdict::doubtful, {"model.negative_friction"});
     }
   }
-  for (const ModelEffect& effect : m.effects) {
+  return doubt;
+}
+
+/// The same for one number, with the effects that it depends on, and by need.
+/// @param common contradiction() of the quantity.
+Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_model,
+               const Doubt& common) {
+  constexpr double near_cap = 0.8;
+  constexpr double significant = 4;  // chi-square per coefficient
+  constexpr double matters = 0.25;   // of the variance
+  Doubt doubt = common;
+  for (const ModelEffect& effect : c.model.effects) {
     if (!(effect.chi2 > significant * effect.freedom) || effect.size_of_cap < near_cap ||
         effect.key == "law_misfit") {
       continue;
@@ -163,17 +171,10 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
                    {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}});
     }
   }
-  return doubt;
-}
-
-/// By need and contradiction.
-Doubt doubt_of(const Calibration& c, const std::vector<RuleOutcome>& rules, Quantity quantity,
-               const ModelQuantity& by_model) {
   const bool is_angle = quantity == Quantity::cog_angle;
   const double half = (by_model.high - by_model.low) / 2;
   const double width = is_angle ? half : half / std::abs(by_model.estimate);
   const double need = need_of(c, quantity, by_model.estimate);
-  Doubt doubt = contradiction(c, rules, quantity, by_model);
   if (!(width <= need) && !by_model.shares.empty()) {
     const auto& largest = by_model.shares.front();
     const double unit = is_angle ? joint::degrees_per_rad : 100;
@@ -200,7 +201,7 @@ void take(const ModelQuantity& by_model, const Doubt& doubt, QuantityVerdict& q)
 
 /// Whether two intervals of one quantity have nothing in common.
 bool are_apart(const statistics::Estimate& a, const ModelQuantity& b, bool is_angle) {
-  const double turn = 2 * std::acos(-1.0);
+  constexpr double turn = 2 * std::numbers::pi;
   const double shift = is_angle ? turn * std::round((a.value - b.estimate) / turn) : 0;
   return a.low > b.high + shift || a.high < b.low + shift;
 }
@@ -218,7 +219,7 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
     const bool is_of_curve =
         quantity == Quantity::coulomb_torque || quantity == Quantity::viscous_coefficient;
     if (is_of_curve && !q.decides) continue;
-    const Doubt doubt = doubt_of(c, rules, quantity, *by_model);
+    const Doubt doubt = doubt_of(c, quantity, *by_model, contradiction(c, rules, quantity));
     // Starts and stops are in the model with all else that acts there.
     const bool is_of_starts =
         quantity == Quantity::inertia &&
@@ -229,8 +230,10 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
     if (is_of_starts || answers_alone || is_refused) {
       take(*by_model, doubt, q);
       if (quantity == Quantity::gravity_torque && !c.manifest.torque_is_in_amperes) {
-        const double kg_per_Nm = c.manifest.drive.gear_ratio() /
-                                 (c.manifest.gravity_m_s2 * c.manifest.surrogate_distance_m);
+        const joint::Manifest& manifest = c.manifest;
+        const double kg_per_Nm =
+            joint::surrogate_mass_kg(1, manifest.drive.gear_ratio(), manifest.surrogate_distance_m,
+                                     manifest.gravity_m_s2, 1);
         ModelQuantity mass = *by_model;
         mass.estimate *= kg_per_Nm;
         mass.low *= kg_per_Nm;
@@ -253,9 +256,10 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
 std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
     const Calibration& c, const std::vector<RuleOutcome>& rules) {
   std::vector<calibration::FrictionAtSpeed> all;
+  const Doubt common = contradiction(c, rules, Quantity::viscous_curve);
   for (const ModelQuantity& q : c.model.quantities) {
     if (q.quantity) continue;
-    const Doubt doubt = doubt_of(c, rules, Quantity::viscous_curve, q);
+    const Doubt doubt = doubt_of(c, Quantity::viscous_curve, q, common);
     all.push_back({q.speed_rad_s, doubt.verdict, estimate_of(q), doubt.reason});
   }
   return all;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog::method::checks {
 
@@ -28,11 +30,7 @@ double largest_torque_Nm(const std::vector<const CheckedRecording*>& recordings)
   for (const CheckedRecording* r : recordings) {
     for (const double torque : r->recording->torque_Nm) sizes.push_back(std::abs(torque));
   }
-  if (sizes.empty()) return 0;
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(
-                                      beside_spikes * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), at, sizes.end());
-  return *at;
+  return sizes.empty() ? 0 : statistics::value_at_share(std::move(sizes), beside_spikes);
 }
 
 /// A logger that is known to measure behind the gear wrote at least one of the logs.

@@ -48,10 +48,7 @@ std::size_t samples_between_bends(const std::vector<double>& t_s,
     if (std::isfinite(c)) sorted.push_back(c);
   }
   if (sorted.size() < fewest_bends) return 1;
-  const auto at =
-      sorted.begin() + static_cast<std::ptrdiff_t>(large * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  const double least = straight * *at;
+  const double least = straight * statistics::value_at_share(std::move(sorted), large);
   if (!(least > 0)) return 1;
   std::vector<double> apart;
   std::vector<double> bends;

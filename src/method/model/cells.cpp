@@ -34,15 +34,6 @@ struct Motion {
   ArrayXd time_s, q, torque, smooth_torque, cos, sin, speed, acceleration, jerk;
 };
 
-double percentile(const ArrayXd& values, double share) {
-  std::vector<double> sorted(values.begin(), values.end());
-  if (sorted.empty()) return 0;
-  const auto at =
-      sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
-}
-
 /// (x[i+h] - x[i-h]) / (2 h dt); 0 at the ends, of which nothing is used.
 ArrayXd slope(const ArrayXd& x, Index h, double dt) {
   ArrayXd d = ArrayXd::Zero(x.size());
@@ -156,7 +147,7 @@ constexpr double beyond_noise = 4;
 /// Of motor speed: below it a sample belongs to no stroke.
 double slowest_speed(const Motion& m, double top) {
   const ArrayXd rough = m.speed - mean_about(m.speed, 4 * m.half + 1);
-  const double noise = statistics::normal_sd_by_median_size * percentile(rough.abs(), 0.5);
+  const double noise = statistics::normal_sd_by_median_size * value_at_share(rough.abs(), 0.5);
   return std::max(slowest_share * top, beyond_noise * noise);
 }
 
@@ -167,7 +158,7 @@ double acceleration_noise(const Motion& m, double n) {
   const auto at = [&](Index shift) { return m.q.segment(shift, inner); };
   const ArrayXd square = (at(0) - 4 * at(1) + 6 * at(2) - 4 * at(3) + at(4)).square();
   constexpr double all_but_jumps = 0.995;
-  const double most = percentile(square, all_but_jumps);
+  const double most = value_at_share(square, all_but_jumps);
   const double q_variance = (square <= most).select(square, 0).mean() / 70;
   const double reach = 2 * static_cast<double>(m.half) * m.interval_s;
   return n * std::sqrt(6 * q_variance) / (reach * reach);
@@ -179,14 +170,14 @@ class CellMaker {
       : n_(n), width_(bin_width), turning_(turning) {}
 
   void add(const Motion& m, double session_s) {
-    const double top = percentile(m.speed.abs(), 0.95);
+    const double top = value_at_share(m.speed.abs(), 0.95);
     const double slowest = slowest_speed(m, top);
     calm_ = beyond_noise * acceleration_noise(m, n_);
     const Index w = 4 * m.half + 1;
     const Index count = m.q.size();
     const ArrayXd step = m.jerk.abs() * (0.5 * static_cast<double>(w - 1) * m.interval_s);
     const double abrupt =
-        std::max(0.1 * percentile(m.acceleration.abs(), 0.98), 6 * percentile(step, 0.5));
+        std::max(0.1 * value_at_share(m.acceleration.abs(), 0.98), 6 * value_at_share(step, 0.5));
     const auto side = [&](Index i) {
       if (i < w / 2 + 1 || i >= count - w / 2 - 1 || std::abs(m.speed[i]) <= slowest) return 0;
       return m.speed[i] > 0 ? 1 : -1;
@@ -208,7 +199,7 @@ class CellMaker {
                   double abrupt, double session_s) {
     const double way = std::abs(m.q[to - 1] - m.q[from]);
     if (n_ * way < 0.01) return;
-    const double top = percentile(m.speed.segment(from, to - from).abs(), 0.95);
+    const double top = value_at_share(m.speed.segment(from, to - from).abs(), 0.95);
     const double behind_reversal = 0.05 * std::min(way, 0.5);
     std::vector<Index> used;
     for (Index i = from; i < to; ++i) {
@@ -254,14 +245,12 @@ class CellMaker {
     double tt = 0;
     double ty = 0;
     double yy = 0;
-    double y_sum = 0;
     for (Index i : samples) {
       const double t = session_s + m.time_s[i] - c.time_s;
       const double y = m.torque[i] - c.torque_Nm;
       tt += t * t;
       ty += t * y;
       yy += y * y;
-      y_sum += y;
     }
     c.scatter_Nm = samples.size() < 5
                        ? std::numeric_limits<double>::quiet_NaN()
@@ -305,7 +294,65 @@ void add_points(const std::vector<joint::FrictionPoints>& points, int stroke, in
   }
 }
 
+/// What to add to each motion's time for that of the session: recordings one after the other, or
+/// the log's own clock where it goes on.
+std::vector<double> session_shifts(const std::vector<Motion>& motions,
+                                   const std::vector<const joint::Recording*>& recordings) {
+  constexpr double pause_s = 5;
+  std::vector<double> shifts;
+  double now = 0;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const Motion& m = motions[k];
+    const double begin = m.time_s[0];
+    if (k > 0) {
+      const Motion& last = motions[k - 1];
+      const double end = last.time_s[last.time_s.size() - 1];
+      const bool goes_on = recordings[static_cast<std::size_t>(last.recording)]->name ==
+                               recordings[static_cast<std::size_t>(m.recording)]->name &&
+                           begin >= end;
+      now += goes_on ? begin - end : pause_s;
+    }
+    shifts.push_back(now - begin);
+    now += m.time_s[m.time_s.size() - 1] - begin;
+  }
+  return shifts;
+}
+
+/// Larger bins where they are too many.
+std::vector<Cell> cells_of(const std::vector<Motion>& motions,
+                           const std::vector<double>& session_shifts_s, double gear_ratio,
+                           double span_rad, bool is_turning) {
+  std::vector<Cell> cells;
+  for (double coarse = 1; coarse <= 16; coarse *= 2) {
+    double width = std::min(span_rad, 2 * pi) / (is_turning ? 24 : 48) * coarse;
+    if (gear_ratio > 1.5) {  // whole turns of the motor: ripple of whole orders averages out
+      const double turn = 2 * pi / gear_ratio;
+      width = std::max(1.0, std::round(width / turn)) * turn;
+    }
+    CellMaker maker(gear_ratio, std::max(width, 1e-6), is_turning);
+    for (std::size_t k = 0; k < motions.size(); ++k) maker.add(motions[k], session_shifts_s[k]);
+    cells = std::move(maker.cells);
+    if (cells.size() <= most_cells) break;
+  }
+  return cells;
+}
+
 }  // namespace
+
+double value_at_share(const ArrayXd& values, double share) {
+  return statistics::value_at_share({values.begin(), values.end()}, share);
+}
+
+double median(const ArrayXd& values) { return statistics::median({values.begin(), values.end()}); }
+
+Eigen::MatrixXd plain_columns(const Cells& cells) {
+  const ArrayXd s = cells.of(&Cell::direction);
+  Eigen::MatrixXd x(cells.size(), 6);
+  x << cells.of(&Cell::cos_q).matrix(), cells.of(&Cell::sin_q).matrix(),
+      Eigen::VectorXd::Ones(cells.size()), cells.of(&Cell::acceleration_rad_s2).matrix(),
+      s.matrix(), (s * cells.of(&Cell::speed_rad_s)).matrix();
+  return x;
+}
 
 ArrayXd Cells::of(double Cell::* value) const {
   ArrayXd all(size());
@@ -326,47 +373,16 @@ Cells make_cells(const std::vector<const joint::Recording*>& recordings,
     }
   }
   Cells made;
-  if (motions.empty()) {
-    add_points(points, 0, static_cast<int>(recordings.size()), made.rows);
-    return made;
-  }
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Motion& m : motions) {
-    low = std::min(low, m.q.minCoeff());
-    high = std::max(high, m.q.maxCoeff());
-  }
-  const double span = high - low;
-  made.is_turning = span > 1.3 * 2 * pi && !has_gravity;
-
-  // Session time: recordings one after the other, or the log's own clock where it goes on.
-  constexpr double pause_s = 5;
-  std::vector<double> shift(motions.size(), 0);
-  double now = 0;
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    const joint::Recording& r = *recordings[static_cast<std::size_t>(motions[k].recording)];
-    const double begin = motions[k].time_s[0];
-    if (k > 0) {
-      const Motion& last = motions[k - 1];
-      const double end = last.time_s[last.time_s.size() - 1];
-      const bool goes_on =
-          recordings[static_cast<std::size_t>(last.recording)]->name == r.name && begin >= end;
-      now += goes_on ? begin - end : pause_s;
+  if (!motions.empty()) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Motion& m : motions) {
+      low = std::min(low, m.q.minCoeff());
+      high = std::max(high, m.q.maxCoeff());
     }
-    shift[k] = now - begin;
-    now += motions[k].time_s[motions[k].time_s.size() - 1] - begin;
-  }
-
-  for (double coarse = 1; coarse <= 16; coarse *= 2) {
-    double width = std::min(span, 2 * pi) / (made.is_turning ? 24 : 48) * coarse;
-    if (gear_ratio > 1.5) {  // whole turns of the motor: ripple of whole orders averages out
-      const double turn = 2 * pi / gear_ratio;
-      width = std::max(1.0, std::round(width / turn)) * turn;
-    }
-    CellMaker maker(gear_ratio, std::max(width, 1e-6), made.is_turning);
-    for (std::size_t k = 0; k < motions.size(); ++k) maker.add(motions[k], shift[k]);
-    made.rows = std::move(maker.cells);
-    if (made.rows.size() <= most_cells) break;
+    made.is_turning = high - low > 1.3 * 2 * pi && !has_gravity;
+    made.rows = cells_of(motions, session_shifts(motions, recordings), gear_ratio, high - low,
+                         made.is_turning);
   }
   const int strokes = made.rows.empty() ? 0 : made.rows.back().stroke + 1;
   add_points(points, strokes, static_cast<int>(recordings.size()), made.rows);

@@ -58,6 +58,15 @@ struct Cells {
   }
 };
 
+/// The value below which this share of them lies, 0 to 1: statistics::value_at_share().
+double value_at_share(const Eigen::ArrayXd& values, double share);
+/// statistics::median()
+double median(const Eigen::ArrayXd& values);
+
+/// Gravity's two parts, offset, inertia, Coulomb and viscous torque, each per unit: what any joint
+/// has, without an effect of the catalogue.
+Eigen::MatrixXd plain_columns(const Cells& cells);
+
 /// @param recordings sweeps and runs with a torque; of any other role nothing is read.
 /// @param points of the friction curve, each a row.
 /// @param gear_ratio > 0. @param has_gravity false: the joint's axis is vertical, say.

@@ -61,31 +61,19 @@ MatrixXd beside(const ArrayXd& a, const ArrayXd& b) {
 
 Point first_point(const Cells& cells, bool has_gravity) {
   const ArrayXd torque = cells.of(&Cell::torque_Nm);
-  const ArrayXd s = cells.of(&Cell::direction);
   const ArrayXd v = cells.of(&Cell::speed_rad_s);
   const VectorXd count = cells.of(&Cell::count);
-  MatrixXd x(cells.size(), 6);
-  x << cells.of(&Cell::cos_q).matrix(), cells.of(&Cell::sin_q).matrix(),
-      VectorXd::Ones(cells.size()), cells.of(&Cell::acceleration_rad_s2).matrix(), s.matrix(),
-      (s * v).matrix();
+  MatrixXd x = plain_columns(cells);
   const VectorXd size = (x.array().square().colwise().mean().sqrt() + 1e-12).matrix();
   x.array().rowwise() /= size.transpose().array();
   MatrixXd gram = x.transpose() * count.asDiagonal() * x;
   gram.diagonal().array() += 1e-4 * count.sum();
   const VectorXd theta =
       gram.ldlt().solve(x.transpose() * (count.array() * torque).matrix()).cwiseQuotient(size);
-  std::vector<double> sizes(static_cast<std::size_t>(torque.size()));
   Point p;
-  const auto share = [&](const ArrayXd& of, double where) {
-    std::copy(of.begin(), of.end(), sizes.begin());
-    const auto at =
-        sizes.begin() + static_cast<std::ptrdiff_t>(where * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), at, sizes.end());
-    return *at;
-  };
-  p.top_Nm = share(torque.abs(), 0.98);
+  p.top_Nm = value_at_share(torque.abs(), 0.98);
   p.friction_Nm =
-      std::clamp(share((theta[4] + theta[5] * v).abs(), 0.5), 0.03 * p.top_Nm, p.top_Nm);
+      std::clamp(value_at_share((theta[4] + theta[5] * v).abs(), 0.5), 0.03 * p.top_Nm, p.top_Nm);
   p.fastest_rad_s = v.maxCoeff();
   if (has_gravity) {
     p.gravity_cos_Nm = theta[0];

@@ -28,6 +28,8 @@ struct Effect {
   Kind kind{Kind::effect};
   double dof{2};
   double cap{30};
+
+  [[nodiscard]] constexpr double least_precision() const { return 1 / (cap * cap); }
 };
 
 /// What products of effects are linear about: the present estimate, all on the motor's side.

@@ -10,7 +10,8 @@
 
 #include <Eigen/Dense>
 
-#include "method/model/model_quantities.h"
+#include "method/model/unlike_recordings.h"
+#include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::method::model {
@@ -29,19 +30,8 @@ constexpr int rounds = 14;
 // others.
 constexpr double open = 0.01;
 
-double least_precision(const Effect& effect) { return 1 / (effect.cap * effect.cap); }
 bool asks_size(const Effect& effect) {
   return effect.kind == Kind::effect || effect.kind == Kind::random;
-}
-
-/// log of the normal cumulative probability.
-double log_normal_cdf(double x) {
-  if (x < -30) return -0.5 * x * x - std::log(-x * std::sqrt(2 * std::numbers::pi));
-  return std::log(0.5 * std::erfc(-x / std::numbers::sqrt2));
-}
-
-double median_of_array(const ArrayXd& x) {
-  return statistics::median(std::vector<double>(x.begin(), x.end()));
 }
 
 /// Variance of a cell's noise: white per sample, and the same in each cell however many samples.
@@ -139,9 +129,10 @@ class Solve {
     const MatrixXd own = block_of(law).inverse();
     LawPosterior found;
     found.law = law;
-    found.friction = own * right_of(law);
+    const VectorXd friction = own * right_of(law);
     const MatrixXd k = inverse_ * b;
-    found.effects = inverse_ * b_ - k * found.friction;
+    found.mean.resize(p + count);
+    found.mean << inverse_ * b_ - k * friction, friction;
     found.covariance.resize(p + count, p + count);
     const MatrixXd between = -k * own;
     found.covariance.topLeftCorner(p, p) = inverse_ - between * k.transpose();
@@ -169,7 +160,7 @@ class Solve {
                  factor.matrixLLT().diagonal().array().log().sum() + 0.5 * right.dot(mean);
     for (Index k = 0; k < mean.size(); ++k) {
       if (!law.is_positive[static_cast<std::size_t>(k)]) continue;
-      sum += log_normal_cdf(mean[k] / std::sqrt(own(k, k)));
+      sum += statistics::log_normal_probability(mean[k] / std::sqrt(own(k, k)));
     }
     return std::isfinite(sum) ? sum : -1e300;
   }
@@ -183,188 +174,178 @@ class Solve {
   std::vector<double> evidence_;
 };
 
-/// Recordings of which a model that suits the others explains next to nothing, as with the
-/// torque's sign turned.
-std::vector<int> foreign_recordings(const Cells& cells) {
-  std::map<int, std::vector<Index>> rows;
-  for (Index i = 0; i < cells.size(); ++i) {
-    rows[cells.rows[static_cast<std::size_t>(i)].recording].push_back(i);
-  }
-  if (rows.size() < 6) return {};
-  const ArrayXd y = cells.of(&Cell::torque_Nm);
-  const ArrayXd count = cells.of(&Cell::count);
-  const ArrayXd s = cells.of(&Cell::direction);
-  MatrixXd x(cells.size(), 6);
-  x << cells.of(&Cell::cos_q).matrix(), cells.of(&Cell::sin_q).matrix(),
-      VectorXd::Ones(cells.size()), cells.of(&Cell::acceleration_rad_s2).matrix(), s.matrix(),
-      (s * cells.of(&Cell::speed_rad_s)).matrix();
-  x.array().rowwise() /= (x.array().square().colwise().mean().sqrt() + 1e-12);
-  const double some = 0.05 * median_of_array(y.abs());
-  ArrayXd weight(cells.size());
-  std::map<int, double> misfit;
-  std::map<int, double> size;
-  for (const auto& [key, of] : rows) {
-    const double samples = count(of).sum();
-    weight(of) = count(of) / samples;
-    size[key] = std::sqrt((count(of) * y(of).square()).sum() / samples);
-  }
-  const ArrayXd by_recording = weight;
-  constexpr int steps = 15;
-  for (int k = 0; k < steps; ++k) {
-    MatrixXd gram = x.transpose() * weight.matrix().asDiagonal() * x;
-    gram.diagonal().array() += 1e-6 * weight.sum();
-    const ArrayXd r = y - (x * gram.ldlt().solve(x.transpose() * (weight * y).matrix())).array();
-    for (const auto& [key, of] : rows) {
-      misfit[key] = std::sqrt((by_recording(of) * r(of).square()).sum());
-      weight(of) = by_recording(of) / (misfit[key] + some);
-    }
-  }
-  std::vector<double> all;
-  for (const auto& [key, value] : misfit) all.push_back(value);
-  const double usual = statistics::median(all);
-  std::vector<int> foreign;
-  for (const auto& [key, value] : misfit) {
-    if (value > 0.7 * size[key] && value > 6 * usual) foreign.push_back(key);
-  }
-  return foreign;
-}
-
-JointModel fit_all(const Cells& cells, bool has_gravity) {
-  JointModel m;
-  m.cells = cells;
-  // Cells of a stroke one after the other: neighbours' noise is correlated.
-  std::stable_sort(m.cells.rows.begin(), m.cells.rows.end(), [](const Cell& a, const Cell& b) {
-    return std::pair(a.stroke, a.time_s) < std::pair(b.stroke, b.time_s);
-  });
-  m.point = first_point(m.cells, has_gravity);
-  const ArrayXd count = m.cells.of(&Cell::count);
-  const VectorXd y = m.cells.of(&Cell::torque_Nm).matrix();
-  std::vector<int> stroke;
+/// The cells' noise at first, from the scatter of their samples.
+Noise first_noise(const Cells& cells, double top_Nm) {
   std::vector<double> scatter;
-  for (const Cell& row : m.cells.rows) {
-    stroke.push_back(row.stroke);
+  for (const Cell& row : cells.rows) {
     if (std::isfinite(row.scatter_Nm)) scatter.push_back(row.scatter_Nm);
   }
-  const double top = m.point.top_Nm;
   const double white =
-      std::max(scatter.size() > 5 ? statistics::median(scatter) : 0.02 * top, 1e-4 * top);
-  const double dark = 0.05 * white + 1e-4 * top;
-  Noise noise{white * white, dark * dark, 1e-10 * top * top, white * white};
-  ArrayXd variance = noise.of(count);
-  m.weight = ArrayXd::Ones(y.size());
-  double near_speed = 0;
-  double near_span = 0;
-  std::map<std::string_view, double> sizes;
-  MatrixXd x;
-  MatrixXd law_columns;
-  for (int round = 0; round < rounds; ++round) {
-    if (round == 0 || round == 3 || round == 7) {
-      m.effects = effect_columns(m.cells, has_gravity, m.point);
-      m.hats = law_hats(m.cells, m.point);
-      m.laws = candidate_laws(m.cells, m.point, near_speed, near_span);
-      law_columns = m.laws.torque(m.cells);
-      m.first = {0};
-      for (const EffectColumns& e : m.effects) m.first.push_back(m.first.back() + e.columns.cols());
-      x.resize(y.size(), m.first.back());
-      m.precision.resize(static_cast<Index>(m.effects.size()));
-      for (std::size_t e = 0; e < m.effects.size(); ++e) {
-        const Effect& effect = *m.effects[e].effect;
-        x.middleCols(m.first[e], m.width(e)) = m.effects[e].columns;
-        const auto known = sizes.find(effect.key);
-        m.precision[static_cast<Index>(e)] = !asks_size(effect) ? 1
-                                             : known != sizes.end()
-                                                 ? known->second
-                                                 : std::max(open, least_precision(effect));
+      std::max(scatter.size() > 5 ? statistics::median(scatter) : 0.02 * top_Nm, 1e-4 * top_Nm);
+  const double dark = 0.05 * white + 1e-4 * top_Nm;
+  return {white * white, dark * dark, 1e-10 * top_Nm * top_Nm, white * white};
+}
+
+/// The likeliest laws' posteriors.
+std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
+  constexpr std::size_t most_laws = 12;
+  constexpr double least_share = 0.003;
+  const double most = solve.evidence()[solve.likeliest()];
+  std::vector<std::pair<double, std::size_t>> likely;
+  double total = 0;
+  for (std::size_t k = 0; k < solve.evidence().size(); ++k) {
+    const double share = std::exp(solve.evidence()[k] - most);
+    total += share;
+    likely.emplace_back(share, k);
+  }
+  std::sort(likely.rbegin(), likely.rend());
+  std::vector<LawPosterior> posteriors;
+  double kept = 0;
+  for (const auto& [share, k] : likely) {
+    if (posteriors.size() >= most_laws || share < least_share * total) break;
+    posteriors.push_back(solve.posterior(k));
+    posteriors.back().weight = share;
+    kept += share;
+  }
+  for (LawPosterior& one : posteriors) one.weight /= kept;
+  return posteriors;
+}
+
+/// The fit of one joint, round by round.
+class Fit {
+ public:
+  Fit(const Cells& cells, bool has_gravity) : has_gravity_(has_gravity) {
+    m_.cells = cells;
+    // Cells of a stroke one after the other: neighbours' noise is correlated.
+    std::stable_sort(m_.cells.rows.begin(), m_.cells.rows.end(), [](const Cell& a, const Cell& b) {
+      return std::pair(a.stroke, a.time_s) < std::pair(b.stroke, b.time_s);
+    });
+    m_.point = first_point(m_.cells, has_gravity);
+    count_ = m_.cells.of(&Cell::count);
+    y_ = m_.cells.of(&Cell::torque_Nm).matrix();
+    for (const Cell& row : m_.cells.rows) stroke_.push_back(row.stroke);
+    noise_ = first_noise(m_.cells, m_.point.top_Nm);
+    m_.weight = ArrayXd::Ones(y_.size());
+  }
+
+  JointModel run() {
+    double near_speed = 0;
+    double near_span = 0;
+    for (int round = 0;; ++round) {
+      if (round == 0 || round == 3 || round == 7) put_up(near_speed, near_span);
+      const ArrayXd variance = noise_.of(count_);
+      const Solve solve(m_, x_, law_columns_, y_,
+                        m_.weight / (variance * m_.samples_per_independent));
+      const LawPosterior found = solve.posterior(solve.likeliest());
+      MatrixXd full(y_.size(), found.mean.size());
+      full << x_, law_columns_(Eigen::all, found.law.index);
+      m_.residual_Nm = (y_ - full * found.mean).array();
+      if (round == rounds - 1) {
+        m_.posteriors = likely_posteriors(solve);
+        return std::move(m_);
       }
-    }
-    const Solve solve(m, x, law_columns, y, m.weight / (variance * m.samples_per_independent));
-    const std::size_t best = solve.likeliest();
-    const LawPosterior found = solve.posterior(best);
-    const Index p = x.cols();
-    const auto own = static_cast<Index>(found.law.index.size());
-    MatrixXd full(y.size(), p + own);
-    full << x, law_columns(Eigen::all, found.law.index);
-    VectorXd theta(p + own);
-    theta << found.effects, found.friction;
-    m.residual_Nm = (y - full * theta).array();
-    if (round == 2 || round == 6) {
-      near_speed = found.law.has_dip ? found.law.dip.dip_speed : 0;
-      near_span = round == 2 ? 0.35 : 0.12;
-    }
-    if (round == rounds - 1) {
-      const double most = solve.evidence()[best];
-      std::vector<std::pair<double, std::size_t>> likely;
-      double total = 0;
-      for (std::size_t k = 0; k < solve.evidence().size(); ++k) {
-        const double share = std::exp(solve.evidence()[k] - most);
-        total += share;
-        likely.emplace_back(share, k);
+      if (round == 2 || round == 6) {
+        near_speed = found.law.has_dip ? found.law.dip.dip_speed : 0;
+        near_span = round == 2 ? 0.35 : 0.12;
       }
-      std::sort(likely.rbegin(), likely.rend());
-      constexpr std::size_t most_laws = 12;
-      constexpr double least_share = 0.003;
-      double kept = 0;
-      for (const auto& [share, k] : likely) {
-        if (m.posteriors.size() >= most_laws || share < least_share * total) break;
-        m.posteriors.push_back(solve.posterior(k));
-        m.posteriors.back().weight = share;
-        kept += share;
-      }
-      for (LawPosterior& one : m.posteriors) one.weight /= kept;
-      break;
+      improve_noise(m_.residual_Nm.square() +
+                    ((full * found.covariance).array() * full.array()).rowwise().sum());
+      improve_sizes(found);
+      move_point(found);
     }
-    const ArrayXd square =
-        m.residual_Nm.square() + ((full * found.covariance).array() * full.array()).rowwise().sum();
-    noise.improve(square, count);
-    variance = noise.of(count);
-    m.weight = (cell_freedom + 1) / (cell_freedom + square / variance);
-    ArrayXd standardised = m.residual_Nm / variance.sqrt();
-    const std::size_t random = m.find("friction_of_recording");
-    if (random < m.effects.size()) {  // its own: no correlation of neighbours
-      const MatrixXd& own_columns = m.effects[random].columns;
-      const ArrayXd sizes_of = own_columns.array().square().colwise().sum().max(1e-12).transpose();
+  }
+
+ private:
+  /// Effects and laws about the present point.
+  void put_up(double near_speed, double near_span) {
+    m_.effects = effect_columns(m_.cells, has_gravity_, m_.point);
+    m_.hats = law_hats(m_.cells, m_.point);
+    m_.laws = candidate_laws(m_.cells, m_.point, near_speed, near_span);
+    law_columns_ = m_.laws.torque(m_.cells);
+    m_.first = {0};
+    for (const EffectColumns& e : m_.effects) {
+      m_.first.push_back(m_.first.back() + e.columns.cols());
+    }
+    x_.resize(y_.size(), m_.first.back());
+    m_.precision.resize(static_cast<Index>(m_.effects.size()));
+    for (std::size_t e = 0; e < m_.effects.size(); ++e) {
+      const Effect& effect = *m_.effects[e].effect;
+      x_.middleCols(m_.first[e], m_.width(e)) = m_.effects[e].columns;
+      const auto known = known_precision_.find(effect.key);
+      m_.precision[static_cast<Index>(e)] = !asks_size(effect) ? 1
+                                            : known != known_precision_.end()
+                                                ? known->second
+                                                : std::max(open, effect.least_precision());
+    }
+  }
+
+  /// And the cells' weights and correlation. @param square mean squares of the residuals.
+  void improve_noise(const ArrayXd& square) {
+    noise_.improve(square, count_);
+    const ArrayXd variance = noise_.of(count_);
+    m_.weight = (cell_freedom + 1) / (cell_freedom + square / variance);
+    ArrayXd standardised = m_.residual_Nm / variance.sqrt();
+    const std::size_t random = m_.find("friction_of_recording");
+    if (random < m_.effects.size()) {  // its own: no correlation of neighbours
+      const MatrixXd& own = m_.effects[random].columns;
+      const ArrayXd of_each = own.array().square().colwise().sum().max(1e-12).transpose();
       standardised -=
-          (own_columns *
-           ((own_columns.transpose() * standardised.matrix()).array() / sizes_of).matrix())
-              .array();
+          (own * ((own.transpose() * standardised.matrix()).array() / of_each).matrix()).array();
     }
-    m.samples_per_independent = correlation(standardised.max(-4.0).min(4.0), stroke);
-    for (std::size_t e = 0; e < m.effects.size(); ++e) {
-      const Effect& effect = *m.effects[e].effect;
+    m_.samples_per_independent = correlation(standardised.max(-4.0).min(4.0), stroke_);
+  }
+
+  void improve_sizes(const LawPosterior& found) {
+    for (std::size_t e = 0; e < m_.effects.size(); ++e) {
+      const Effect& effect = *m_.effects[e].effect;
       if (!asks_size(effect)) continue;
-      const VectorXd& scale = m.effects[e].scale;
+      const VectorXd& scale = m_.effects[e].scale;
       double unknown = 0;
       double size = 0;
       for (Index k = 0; k < scale.size(); ++k) {
-        const Index i = m.first[e] + k;
+        const Index i = m_.first[e] + k;
         unknown += found.covariance(i, i) / (scale[k] * scale[k]);
-        size += theta[i] * theta[i] / (scale[k] * scale[k]);
+        size += found.mean[i] * found.mean[i] / (scale[k] * scale[k]);
       }
-      double& alpha = m.precision[static_cast<Index>(e)];
+      double& alpha = m_.precision[static_cast<Index>(e)];
       const double known = std::max(0.0, static_cast<double>(scale.size()) - alpha * unknown);
-      alpha = std::max((effect.dof + known) / (effect.dof + size), least_precision(effect));
-      sizes[effect.key] = alpha;
+      alpha = std::max((effect.dof + known) / (effect.dof + size), effect.least_precision());
+      known_precision_[effect.key] = alpha;
     }
-    const auto value_of = [&](std::string_view key, Index k) {
-      const std::size_t e = m.find(key);
-      return e < m.effects.size() ? theta[m.first[e] + k] : 0.0;
-    };
-    if (has_gravity) {
-      m.point.gravity_cos_Nm = value_of("gravity", 0);
-      m.point.gravity_sin_Nm = value_of("gravity", 1);
-    }
-    m.point.inertia_kgm2 = value_of("inertia", 0);
-    m.point.coulomb_Nm = found.friction[0];
-    m.point.viscous_Nms_rad = found.law.meanings[1].row(1) * found.friction;
-    m.point.dip_Nm = found.law.has_dip ? found.friction[own - 1] : 0;
-    m.point.dip_speed_rad_s = found.law.has_dip ? found.law.dip.dip_speed : 0;
-    m.point.dip_power = found.law.has_dip ? found.law.dip.dip_power : 1;
-    const ArrayXd friction =
-        (law_columns(Eigen::all, found.law.index) * found.friction).array().abs();
-    m.point.friction_Nm = std::clamp(median_of_array(friction), 0.03 * top, top);
   }
-  return m;
-}
+
+  /// To what was found.
+  void move_point(const LawPosterior& found) {
+    const auto value_of = [&](std::string_view key, Index k) {
+      const std::size_t e = m_.find(key);
+      return e < m_.effects.size() ? found.mean[m_.first[e] + k] : 0.0;
+    };
+    Point& p = m_.point;
+    if (has_gravity_) {
+      p.gravity_cos_Nm = value_of("gravity", 0);
+      p.gravity_sin_Nm = value_of("gravity", 1);
+    }
+    p.inertia_kgm2 = value_of("inertia", 0);
+    const VectorXd law = found.friction();
+    p.coulomb_Nm = law[0];
+    p.viscous_Nms_rad = found.law.meanings[1].row(1) * law;
+    p.dip_Nm = found.law.has_dip ? law[law.size() - 1] : 0;
+    p.dip_speed_rad_s = found.law.has_dip ? found.law.dip.dip_speed : 0;
+    p.dip_power = found.law.has_dip ? found.law.dip.dip_power : 1;
+    const ArrayXd friction = (law_columns_(Eigen::all, found.law.index) * law).array().abs();
+    p.friction_Nm = std::clamp(median(friction), 0.03 * p.top_Nm, p.top_Nm);
+  }
+
+  bool has_gravity_;
+  JointModel m_;
+  ArrayXd count_;
+  VectorXd y_;
+  std::vector<int> stroke_;
+  Noise noise_;
+  std::map<std::string_view, double> known_precision_;
+  MatrixXd x_;
+  MatrixXd law_columns_;
+};
 
 }  // namespace
 
@@ -379,8 +360,7 @@ bool JointModel::is_finite() const {
   return precision.allFinite() && residual_Nm.allFinite() && weight.allFinite() &&
          std::isfinite(samples_per_independent) &&
          std::all_of(posteriors.begin(), posteriors.end(), [](const LawPosterior& p) {
-           return std::isfinite(p.weight) && p.effects.allFinite() && p.friction.allFinite() &&
-                  p.covariance.allFinite();
+           return std::isfinite(p.weight) && p.mean.allFinite() && p.covariance.allFinite();
          });
 }
 
@@ -395,14 +375,14 @@ JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
   };
   std::vector<int> out = foreign_recordings(cells);
   if (out.size() > recordings.size() / 3) out.clear();
-  JointModel m = fit_all(without(out), has_gravity);
+  JointModel m = Fit(without(out), has_gravity).run();
   if (!m.is_finite()) return {};
   constexpr int most_times = 3;
   for (int k = 0; k < most_times; ++k) {
     const std::vector<int> unlike = unlike_recordings(m);
     if (unlike.empty() || out.size() + unlike.size() > recordings.size() / 3) break;
     out.insert(out.end(), unlike.begin(), unlike.end());
-    m = fit_all(without(out), has_gravity);
+    m = Fit(without(out), has_gravity).run();
   }
   if (!m.is_finite()) return {};
   m.left_out = std::move(out);

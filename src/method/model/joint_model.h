@@ -22,9 +22,11 @@ namespace tribolog::method::model {
 struct LawPosterior {
   double weight{};  ///< Of all laws' evidence.
   FrictionLaw law;
-  Eigen::VectorXd effects;     ///< Means of the effects' coefficients,
-  Eigen::VectorXd friction;    ///< and of the law's.
-  Eigen::MatrixXd covariance;  ///< Of both, in that order.
+  Eigen::VectorXd mean;  ///< Of the effects' coefficients, and behind them the law's.
+  Eigen::MatrixXd covariance;
+
+  /// Of the law's coefficients.
+  [[nodiscard]] auto friction() const { return mean.tail(law.scale.size()); }
 };
 
 struct JointModel {

@@ -59,7 +59,4 @@ ModelResult identify_joint(const std::vector<const joint::Recording*>& recording
                            const std::vector<joint::FrictionPoints>& points, double gear_ratio,
                            bool has_gravity);
 
-/// Recordings whose torque lies far from what all others say: misfit, and what is their own.
-std::vector<int> unlike_recordings(const JointModel& model);
-
 }  // namespace tribolog::method::model

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "statistics/order_statistics.h"
+
 namespace tribolog::method::motion {
 namespace {
 
@@ -33,10 +35,7 @@ std::vector<bool> abrupt_samples(const MotionSegments& motion) {
     if (!is_slow(motion, i)) sizes.push_back(std::abs(motion.acceleration_rad_s2[i]));
   }
   if (sizes.empty()) return abrupt;
-  const auto at = sizes.begin() +
-                  static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), at, sizes.end());
-  const double limit = abrupt_multiple * *at;
+  const double limit = abrupt_multiple * statistics::value_at_share(std::move(sizes), usual_share);
   if (!(limit > 0)) return abrupt;
   const std::size_t margin = 2 * motion.window;
   for (std::size_t i = 0; i < n; ++i) {

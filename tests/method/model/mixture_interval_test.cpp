@@ -45,8 +45,8 @@ JointModel model_of(const std::vector<double>& means, const std::vector<double>&
     p.law.index = {0};
     const Eigen::Matrix2Xd coulomb = Eigen::Vector2d(1, 0);
     p.law.meanings = {coulomb, coulomb, coulomb};
-    p.effects.resize(0);
-    p.friction = Eigen::VectorXd::Constant(1, means[k]);
+    p.law.scale = Eigen::VectorXd::Ones(1);
+    p.mean = Eigen::VectorXd::Constant(1, means[k]);
     p.covariance = Eigen::MatrixXd::Constant(1, 1, sd * sd);
     m.posteriors.push_back(p);
   }
