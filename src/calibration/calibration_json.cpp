@@ -76,6 +76,14 @@ Json stated_uncertainty(const joint::StatedUncertainty& u) {
           {"id", u.id.empty() ? Json::object() : Json(u.id)}};
 }
 
+Json stated_effects(const joint::EffectSizes& sizes) {
+  Json all = Json::object();
+  for (const joint::Effect& effect : joint::statable_effects()) {
+    if (sizes.is_stated(effect)) all[effect.stated_key()] = number(sizes.of(effect));
+  }
+  return all;
+}
+
 Json inputs(const std::vector<joint::InputFile>& files) {
   Json list = Json::array();
   for (const joint::InputFile& file : files) {
@@ -226,6 +234,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["surrogate"] = {{"distance_m", number(c.manifest.surrogate_distance_m)},
                       {"gravity_m_s2", number(c.manifest.gravity_m_s2)}};
   all["uncertainty"] = stated_uncertainty(c.manifest.uncertainty);
+  all["stated_effects"] = stated_effects(c.manifest.effects);
   all["surrogate_masses"] = surrogate_masses(c.masses);
   all["viscous"] = viscous(c.viscous);
   all["quality"] = quality(c.quality);

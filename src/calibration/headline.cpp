@@ -1,5 +1,7 @@
 #include "calibration/headline.h"
 
+#include <cmath>
+
 namespace tribolog::calibration {
 
 namespace {
@@ -17,9 +19,7 @@ method::viscous::SlidingQuantity of_loops(const method::hysteresis::LuGreFit& fi
   return out;
 }
 
-}  // namespace
-
-CurveHeadline curve_headline(const Calibration& c) {
+CurveHeadline headline_without_model(const Calibration& c) {
   CurveHeadline out;
   const method::viscous::SlidingLaw& law = c.curve_model.sliding;
   if (law.fitted) {
@@ -27,6 +27,7 @@ CurveHeadline curve_headline(const Calibration& c) {
     out.coulomb_Nm = law.coulomb_Nm;
     out.stribeck_speed_rad_s = law.stribeck_speed_rad_s;
     out.viscous_Nms_rad = law.viscous_Nms_rad;
+    out.is_of_waiboer = !law.coulomb_Nm.estimate && c.curve_model.carries_five;
     return out;
   }
   if (c.lugre && c.lugre->converged && c.lugre->shown(LuGreParameterName::coulomb_torque)) {
@@ -50,18 +51,46 @@ CurveHeadline curve_headline(const Calibration& c) {
   return out;
 }
 
+}  // namespace
+
+CurveHeadline curve_headline(const Calibration& c) {
+  CurveHeadline out = headline_without_model(c);
+  if (out.is_of_waiboer) return out;
+  const auto* coulomb = c.model.find(joint::Quantity::coulomb_torque);
+  const auto* viscous = c.model.find(joint::Quantity::viscous_coefficient);
+  if (coulomb == nullptr || viscous == nullptr) return out;
+  out.source = HeadlineSource::model;
+  out.coulomb_Nm = {coulomb->as_estimate(), {}};
+  out.viscous_Nms_rad = {viscous->as_estimate(), {}};
+  return out;
+}
+
+namespace {
+
+double relative_half_width(const statistics::Estimate& e) {
+  return e.half_width() / std::abs(e.value);
+}
+
+}  // namespace
+
 InertiaHeadline inertia_headline(const Calibration& c) {
+  std::optional<statistics::Estimate> loops;
+  if (c.lugre) loops = c.lugre->shown(LuGreParameterName::inertia);
+  if (const auto* model = c.model.find(joint::Quantity::inertia)) {
+    constexpr double widest_known = 1;
+    const statistics::Estimate of_model = model->as_estimate();
+    const double width = relative_half_width(of_model);
+    if (loops && relative_half_width(*loops) < width) return {InertiaSource::loops, loops};
+    return width < widest_known ? InertiaHeadline{InertiaSource::model, of_model}
+                                : InertiaHeadline{};
+  }
   const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
   const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
   if (starts && !(sweep && sweep->half_width() <= starts->half_width())) {
     return {InertiaSource::starts, starts};
   }
   if (sweep) return {InertiaSource::sweep, sweep};
-  if (c.lugre) {
-    const auto of_loops = c.lugre->shown(LuGreParameterName::inertia);
-    if (of_loops) return {InertiaSource::loops, of_loops};
-  }
-  return {};
+  return loops ? InertiaHeadline{InertiaSource::loops, loops} : InertiaHeadline{};
 }
 
 }  // namespace tribolog::calibration

@@ -2,9 +2,10 @@
 // Coulomb torque, Stribeck velocity, viscous coefficient and inertia as the calibration states
 // them: one value each, wherever they are printed or used.
 //
-// The curve: from the sliding law of the runs; without runs, from loops that slide far enough to
-// show Coulomb torque; else from the straight line through few runs or the pairs of a sweep; and
-// failing these, from the sweep's own fit.
+// Coulomb torque and viscous coefficient: of the one model of sweeps, runs and points. The rest of
+// the curve, and all of it where there is no such model: from the sliding law of the runs; without
+// runs, from loops that slide far enough to show Coulomb torque; else from the straight line
+// through few runs or the pairs of a sweep; and failing these, from the sweep's own fit.
 
 #include <optional>
 
@@ -13,7 +14,7 @@
 
 namespace tribolog::calibration {
 
-enum class HeadlineSource { sliding_law, loops, line, sweep, none };
+enum class HeadlineSource { model, sliding_law, loops, line, sweep, none };
 
 /// Motor side.
 struct CurveHeadline {
@@ -21,13 +22,16 @@ struct CurveHeadline {
   method::viscous::SlidingQuantity coulomb_Nm;
   method::viscous::SlidingQuantity stribeck_speed_rad_s;
   method::viscous::SlidingQuantity viscous_Nms_rad;
+  /// The curve follows eq. (6), which has neither Coulomb torque nor one viscous coefficient.
+  bool is_of_waiboer{};
 };
 
 CurveHeadline curve_headline(const Calibration& calibration);
 
-/// Inertia shows best where the whole joint accelerates: in starts and stops or in a sweep of
-/// varying speed, whichever interval is narrower. Slow small loops hardly show it.
-enum class InertiaSource { starts, sweep, loops, none };
+/// Inertia shows best where the whole joint accelerates: in sweeps and runs, which the one model
+/// reads; slow small loops hardly show it. Whichever interval is narrower. Without a model: starts
+/// and stops or a sweep of varying speed, and without both the loops.
+enum class InertiaSource { model, starts, sweep, loops, none };
 
 /// Reflected inertia at the motor [kg·m²].
 struct InertiaHeadline {

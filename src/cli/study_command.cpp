@@ -59,7 +59,8 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
           {"truth", q.truth},         {"found", q.found},
           {"usable", q.usable},       {"inside", q.inside},
           {"wrong", q.wrong},         {"wrong_usable", q.wrong_usable},
-          {"by_chance", q.by_chance}, {"worst_usable", q.worst_usable}};
+          {"by_chance", q.by_chance}, {"worst_usable", q.worst_usable},
+          {"rms_error", q.rms_error}, {"half_width", q.half_width}};
     }
     list.push_back({{"joint", c.joint},
                     {"disturbance", c.disturbance},
@@ -245,7 +246,7 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   command.add_flag("--misfit", study.misfit,
                    "joints and logs that the method's model does not describe");
   command.add_flag("--sound", study.sound,
-                   "seven joints that the model describes: coverage, and share called usable");
+                   "twelve joints that the model describes: coverage, and share called usable");
   command.add_option("--disturbance", study.disturbances,
                      "with --misfit: lay this one alone (may be given again); default: all");
   command.add_option("--joint", study.joints,

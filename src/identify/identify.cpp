@@ -233,6 +233,13 @@ std::vector<calibration::LogTrace> traces_of(const joint::Dataset& dataset) {
   return traces;
 }
 
+/// Where the manifest's uncertainties tell of hoses there are some.
+joint::EffectSizes sizes_of_effects(const joint::Manifest& manifest) {
+  joint::EffectSizes sizes = manifest.effects;
+  if (manifest.uncertainty.hoses_percent) sizes.forget(joint::effect::hoses);
+  return sizes;
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be compared
 /// with a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
@@ -249,6 +256,14 @@ constexpr Step papers_chain[] = {
        if (p.finds_lag) p.inertia_of_runs = inertia_of_runs(p);
        p.runs = method::motion::SteadyRuns(p.recordings(Role::constant_speed),
                                            p.inertia_of_runs ? p.n * p.inertia_of_runs->value : 0);
+     }},
+    {"",
+     [](Progress& p) {
+       std::vector<const joint::Recording*> moved;
+       for (const joint::Recording& r : p.used().recordings) moved.push_back(&r);
+       p.c.model = method::model::identify_joint(moved, p.dataset.friction_points, p.n,
+                                                 !p.known_of_sweep().has_no_gravity,
+                                                 sizes_of_effects(p.dataset.manifest));
      }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {
@@ -351,13 +366,6 @@ constexpr Step papers_chain[] = {
 
 /// Whether the data support the chain, what goes beyond the paper, and how certain all of it is.
 constexpr Step further_steps[] = {
-    {"",
-     [](Progress& p) {
-       std::vector<const joint::Recording*> moved;
-       for (const joint::Recording& r : p.used().recordings) moved.push_back(&r);
-       p.c.model = method::model::identify_joint(moved, p.dataset.friction_points, p.n,
-                                                 !p.known_of_sweep().has_no_gravity);
-     }},
     {"checks on the data",
      [](Progress& p) {
        p.c.data_checks =

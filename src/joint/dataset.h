@@ -12,6 +12,7 @@
 #include "base/statement.h"
 #include "joint/certificate.h"
 #include "joint/drive.h"
+#include "joint/effects.h"
 #include "joint/gravity_load.h"
 #include "joint/other_joints.h"
 #include "joint/quantity.h"
@@ -142,6 +143,7 @@ struct Manifest {
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
   StatedUncertainty uncertainty;
+  EffectSizes effects{};
   IntervalSettings intervals;
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.

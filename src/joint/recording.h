@@ -42,6 +42,10 @@ struct Recording {
   /// Gravity that the other joints' motion changes, by a description of the arm [N·m, motor side]:
   /// subtracted from torque_Nm; usually empty.
   std::vector<double> others_gravity_Nm{};
+  /// Angles of the other joints that move in the session, in the order of Manifest::other_joints
+  /// [rad]; of one that this log has not, an empty one. Empty: none moves, or a description tells
+  /// their gravity.
+  std::vector<std::vector<double>> others_q_rad{};
   std::size_t rows_read{};           ///< Data rows in the file.
   std::vector<SkippedRows> skipped;  ///< rows_read = size() + the sum of these counts.
 

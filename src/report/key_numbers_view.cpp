@@ -317,6 +317,7 @@ class KeyNumbers {
     if (headline.source == HeadlineSource::loops) {
       return tr("stage {stage}, loops", {{"stage", stage_number(StageId::parameters)}});
     }
+    if (headline.source == HeadlineSource::model) return tr("one model of all recordings");
     const int stage = stage_number(StageId::parameters);
     return headline.source == HeadlineSource::sliding_law
                ? tr("stage {stage}, sliding law", {{"stage", stage}})
@@ -329,7 +330,8 @@ class KeyNumbers {
     const auto& viscous_Nms_rad = headline.viscous_Nms_rad.estimate;
     const std::string from = source_of(headline);
     const std::string coulomb = tr("Coulomb torque");
-    const bool has_law = headline.source == calibration::HeadlineSource::sliding_law;
+    const bool has_law = headline.source == calibration::HeadlineSource::sliding_law ||
+                         headline.source == calibration::HeadlineSource::model;
     if (refused(Quantity::coulomb_torque) && (coulomb_Nm || has_law)) {
       see_the_verdict(coulomb);
     } else if (coulomb_Nm) {

@@ -260,6 +260,7 @@ joint::Dataset simulated_dataset(const Scenario& scenario,
   manifest.surrogate_distance_m = scenario.surrogate_distance_m;
   manifest.gravity_m_s2 = scenario.load.gravity_m_s2();
   manifest.reference = scenario.known_curve();
+  manifest.effects = absent_effects(scenario);
   dataset.recordings = std::move(recordings);
   return dataset;
 }

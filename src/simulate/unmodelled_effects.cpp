@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "friction/lugre.h"
+#include "friction/static_laws.h"
 #include "simulate/scenario.h"
 #include "statistics/random_stream.h"
 #include "statistics/sampled_signal.h"
@@ -69,6 +71,29 @@ bool LogEffects::any() const {
          outlier_percent != 0 || held_percent != 0 || dead_percent != 0 || speed_scale != 1 ||
          wrap_rad != 0 || jump_rad != 0 || homed_anew_rad != 0 || lost_percent != 0 ||
          mirrored_angle || mirrored_torque;
+}
+
+joint::EffectSizes absent_effects(const Scenario& s) {
+  namespace effect = joint::effect;
+  LogEffects log = s.noise.effects;
+  log.mirrored_angle = log.mirrored_torque = false;
+  joint::EffectSizes absent;
+  if (s.effects.any() || log.any()) return absent;
+  for (const joint::Effect& one : joint::statable_effects()) absent.state(one, 0);
+  // Of Coulomb, viscous and Stribeck's torque alone the candidate laws are exact.
+  const friction::FrictionModel* model = &s.sliding_model();
+  const bool is_exact = dynamic_cast<const friction::LuGreFriction*>(model) != nullptr ||
+                        dynamic_cast<const friction::StribeckFriction*>(model) != nullptr;
+  if (!is_exact) absent.forget(effect::law_misfit);
+  constexpr double slow = 24;  // periods in a turn of the joint, up to which means show a ripple
+  for (const Noise::Ripple& ripple : s.noise.ripple) {
+    if (ripple.amplitude_Nm == 0 || ripple.periods_per_turn * s.gear_ratio > slow) continue;
+    for (const joint::Effect& one :
+         {effect::harmonics, effect::smooth_over_angle, effect::torque_over_turn}) {
+      absent.forget(one);
+    }
+  }
+  return absent;
 }
 
 double torque_of_angle_Nm(const Scenario& s, double q_rad) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "joint/effects.h"
 #include "joint/recording.h"
 
 namespace tribolog::simulate {
@@ -91,6 +92,10 @@ struct MovedJoint {
   double static_Nm{};  ///< Of the contact: friction counts as built up by its share of this. 0: at
                        ///< once.
 };
+
+/// Effects of the catalogue that are not in a scenario, each of size zero. Where joint or log have
+/// an effect none is stated: in a fit it may look like others.
+joint::EffectSizes absent_effects(const Scenario& scenario);
 
 /// Session time of the joint's effects: when a recording begins, and how long all of them take.
 struct SessionClock {

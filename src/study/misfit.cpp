@@ -138,11 +138,17 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       off = std::abs(off) / bound_of(q.quantity, q.truth);
       const bool is_wrong = !inside && off > 1;
       q.inside += inside ? 1 : 0;
+      q.rms_error += off * off;
+      q.half_width += found.half_width() / bound_of(q.quantity, q.truth);
       q.wrong += is_wrong ? 1 : 0;
       q.wrong_usable += is_wrong && is_usable ? 1 : 0;
       if (!is_usable) continue;
       q.worst_usable = std::max(q.worst_usable, off);
       q.by_chance += chance_of_wrong(found.half_width() / bound_of(q.quantity, q.truth));
+    }
+    if (q.found > 0) {
+      q.rms_error = std::sqrt(q.rms_error / static_cast<double>(q.found));
+      q.half_width /= static_cast<double>(q.found);
     }
     out.quantities.push_back(q);
   }

@@ -40,7 +40,7 @@ struct MisfitJoint {
   simulate::Scenario scenario;
 };
 
-/// Seven joints, without noise of their own seed; each with rough sweep, oscillations, runs and
+/// Twelve joints, without noise of their own seed; each with rough sweep, oscillations, runs and
 /// ramps. Disturbances are laid on the first four where nobody chooses.
 std::vector<MisfitJoint> misfit_joints();
 
@@ -57,6 +57,9 @@ struct MisfitQuantity {
   /// matters, one of twenty is, if each holds what it states and errors are normal.
   double by_chance{};
   double worst_usable{};  ///< Largest error of a usable number, as a share of bound_of().
+  /// Of those found, as shares of bound_of(): root mean square of the errors, and mean half width.
+  double rms_error{};
+  double half_width{};
 };
 
 struct MisfitCase {

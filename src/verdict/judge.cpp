@@ -308,7 +308,6 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     if (rule.is_note) add(rule.finding);
   }
   add(what_is_not_stated(c, judgement.quantities));
-  add(what_hoses_could_do(c, judgement));
   order_findings(c, judgement.quantities, checks, findings);
   return findings;
 }

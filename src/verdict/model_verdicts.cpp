@@ -11,6 +11,7 @@
 #include "joint/degrees.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
+#include "verdict/rules.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -73,13 +74,15 @@ bool is_beyond_intervals(CheckName check) {
   return std::find(all.begin(), all.end(), check) != all.end();
 }
 
+bool is_of_gravity(Quantity quantity) {
+  return quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
+}
+
 /// The same of a rule: other joints, and friction that a controller has taken off or added. Other
 /// joints change no gravity of one that has none, and friction turns with the direction, as what
 /// changes in time alone does not.
 bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity quantity) {
-  const bool is_of_gravity =
-      quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
-  if (rule.rule == "gravity_in_time") return is_of_gravity;
+  if (rule.rule == "gravity_in_time") return is_of_gravity(quantity);
   // Over part of a turn a spring that shows has as a rule as much that looks like gravity.
   constexpr std::array of_angle{"angles_apart", "torque_of_angle_in_angle",
                                 "torque_of_angle_large"};
@@ -87,7 +90,8 @@ bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity
     return quantity == Quantity::cog_angle;
   }
   if (rule.rule == "others_move") {
-    return !has_stated_no_gravity(c) || quantity == Quantity::inertia;
+    // Friction turns with the direction; gravity and inertia are others with each posture.
+    return (is_of_gravity(quantity) && !has_stated_no_gravity(c)) || quantity == Quantity::inertia;
   }
   constexpr std::array all{"others_inertia",          "description_differs",
                            "runs_against_ramps",      "runs_against_loops",
@@ -96,14 +100,36 @@ bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity
   return std::find(all.begin(), all.end(), rule.rule) != all.end();
 }
 
+Statement experiment_of(const RuleOutcome& outcome) {
+  const auto of = std::find_if(rules().begin(), rules().end(),
+                               [&](const Rule& rule) { return outcome.rule == rule.name; });
+  return of == rules().end() ? Statement{record_runs} : Statement{of->experiment};
+}
+
+/// What to record where most of an interval comes from an effect, or from the choice of the law.
+Statement remedy_of(std::string_view key) {
+  const std::vector<joint::Effect>& all = joint::effects();
+  const auto of = std::find_if(all.begin(), all.end(),
+                               [&](const joint::Effect& effect) { return effect.key == key; });
+  return of == all.end() || of->remedy.empty() ? Statement{record_runs}
+                                               : Statement{Code::of(std::string(of->remedy))};
+}
+
+bool is_of_friction(Quantity quantity) {
+  return quantity == Quantity::coulomb_torque || quantity == Quantity::viscous_coefficient ||
+         quantity == Quantity::viscous_curve;
+}
+
 struct Doubt {
   Verdict verdict{Verdict::usable};
   Statement reason;
+  Statement experiment;
 
-  void lower(Verdict to, const Statement& why) {
+  void lower(Verdict to, const Statement& why, const Statement& record) {
     if (to <= verdict) return;
     verdict = to;
     reason = why;
+    experiment = record;
   }
 };
 
@@ -118,7 +144,8 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
     if (!is_beyond_intervals(failing.check->name) && !is_dead) continue;
     doubt.lower(is_dead ? Verdict::not_identifiable : failing.lowers_to,
                 {"verdict.check_fails",
-                 {{"found", failing.check->found}, {"consequence", failing.check->consequence}}});
+                 {{"found", failing.check->found}, {"consequence", failing.check->consequence}}},
+                failing.check->experiment);
   }
   for (const RuleOutcome& rule : rules) {
     const auto& touched = rule.quantities;
@@ -127,25 +154,27 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
         std::find(touched.begin(), touched.end(), quantity) == touched.end()) {
       continue;
     }
-    doubt.lower(rule.lowers_to, rule.finding);
+    doubt.lower(rule.lowers_to, rule.finding, experiment_of(rule));
   }
   // Loops and other ways to gravity are not in the model.
   if (c.cross_checks.doubtful && quantity == Quantity::gravity_torque) {
     for (const Statement& finding : c.cross_checks.findings) {
-      doubt.lower(Verdict::doubtful, finding);
+      doubt.lower(Verdict::doubtful, finding, {"record.second_measurement"});
     }
   }
   const ModelResult& m = c.model;
   if (m.cells_far_off > most_far_off) {
-    doubt.lower(Verdict::doubtful, {"model.cells_far_off", {{"percent", 100 * m.cells_far_off}}});
+    doubt.lower(Verdict::doubtful, {"model.cells_far_off", {{"percent", 100 * m.cells_far_off}}},
+                {"record.better_motion"});
   }
   if (m.unlike_left > 0) {
-    doubt.lower(Verdict::doubtful, {"model.recordings_unlike", {{"recordings", m.unlike_left}}});
+    doubt.lower(Verdict::doubtful, {"model.recordings_unlike", {{"recordings", m.unlike_left}}},
+                {"record.repeated_runs"});
   }
   for (const Quantity one : {Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
     const ModelQuantity* found = m.find(one);
     if (found != nullptr && found->high < 0) {
-      doubt.lower(Verdict::doubtful, {"model.negative_friction"});
+      doubt.lower(Verdict::doubtful, {"model.negative_friction"}, record_runs);
     }
   }
   return doubt;
@@ -157,18 +186,39 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
                const Doubt& common) {
   constexpr double near_cap = 0.8;
   constexpr double significant = 4;  // chi-square per coefficient
+  constexpr double plain = 10;       // the same
   constexpr double matters = 0.25;   // of the variance
+  constexpr double most = 0.5;       // the same
+  constexpr double most_of_others = 0.5;
   Doubt doubt = common;
   for (const ModelEffect& effect : c.model.effects) {
-    if (!(effect.chi2 > significant * effect.freedom) || effect.size_of_cap < near_cap ||
-        effect.key == "law_misfit") {
-      continue;
-    }
+    if (effect.key == "law_misfit") continue;
+    // A size that nothing explains is not asked of a chi-square.
+    const bool shows = std::isnan(effect.chi2) || effect.chi2 > significant * effect.freedom;
+    const bool is_at_cap = shows && effect.size_of_cap >= near_cap;
+    // Over part of a turn what looks like gravity has many forms.
+    const bool is_plain = is_of_gravity(quantity) && effect.chi2 > plain * effect.freedom;
     for (const auto& share : by_model.shares) {
-      if (share.effect != effect.key || share.share < matters) continue;
+      if (share.effect != effect.key) continue;
+      if (!(is_at_cap && share.share >= matters) && !(is_plain && share.share >= most)) continue;
       doubt.lower(Verdict::doubtful,
-                  {"model.effect_too_large",
-                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}});
+                  {is_at_cap ? Code{"model.effect_too_large"} : Code{"model.rests_on_effect"},
+                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}},
+                  remedy_of(effect.key));
+    }
+  }
+  // Of other joints' gravity and inertia the angles alone are known: beside the friction they must
+  // be small.
+  const ModelQuantity* coulomb = c.model.find(Quantity::coulomb_torque);
+  if (is_of_friction(quantity) && coulomb != nullptr) {
+    for (const ModelEffect& effect : c.model.effects) {
+      const bool is_of_others = effect.key == "others_gravity" || effect.key == "others_inertia";
+      if (!is_of_others || effect.torque_Nm < most_of_others * std::abs(coulomb->estimate))
+        continue;
+      doubt.lower(Verdict::doubtful,
+                  {"model.others_too_large",
+                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}},
+                  remedy_of(effect.key));
     }
   }
   const bool is_angle = quantity == Quantity::cog_angle;
@@ -182,28 +232,18 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
                 {is_angle ? Code{"model.angle_wide"} : Code{"model.wide"},
                  {{"half_width", unit * width},
                   {"need", unit * need},
-                  {"effect", Statement(Code::of("effect." + std::string(largest.effect)))}}});
+                  {"effect", Statement(Code::of("effect." + std::string(largest.effect)))}}},
+                remedy_of(largest.effect));
   }
   return doubt;
 }
 
-statistics::Estimate estimate_of(const ModelQuantity& q) {
-  return {q.estimate, q.low, q.high, {"interval.of_model"}};
-}
-
 void take(const ModelQuantity& by_model, const Doubt& doubt, QuantityVerdict& q) {
-  q.estimate = estimate_of(by_model);
+  q.estimate = by_model.as_estimate();
   q.verdict = doubt.verdict;
   q.reasons.clear();
   if (!doubt.reason.empty()) q.reasons.push_back(doubt.reason);
-  if (q.verdict == Verdict::usable) q.experiment = {};
-}
-
-/// Whether two intervals of one quantity have nothing in common.
-bool are_apart(const statistics::Estimate& a, const ModelQuantity& b, bool is_angle) {
-  constexpr double turn = 2 * std::numbers::pi;
-  const double shift = is_angle ? turn * std::round((a.value - b.estimate) / turn) : 0;
-  return a.low > b.high + shift || a.high < b.low + shift;
+  q.experiment = doubt.experiment;
 }
 
 }  // namespace
@@ -220,35 +260,20 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
         quantity == Quantity::coulomb_torque || quantity == Quantity::viscous_coefficient;
     if (is_of_curve && !q.decides) continue;
     const Doubt doubt = doubt_of(c, quantity, *by_model, contradiction(c, rules, quantity));
-    // Starts and stops are in the model with all else that acts there.
-    const bool is_of_starts =
+    const bool is_of_loops =
         quantity == Quantity::inertia &&
-        calibration::inertia_headline(c).source != calibration::InertiaSource::loops;
-    const bool answers_alone = q.verdict != Verdict::usable && doubt.verdict == Verdict::usable;
-    const bool is_refused =
-        q.verdict == Verdict::not_identifiable && doubt.verdict < Verdict::not_identifiable;
-    if (is_of_starts || answers_alone || is_refused) {
-      take(*by_model, doubt, q);
-      if (quantity == Quantity::gravity_torque && !c.manifest.torque_is_in_amperes) {
-        const joint::Manifest& manifest = c.manifest;
-        const double kg_per_Nm =
-            joint::surrogate_mass_kg(1, manifest.drive.gear_ratio(), manifest.surrogate_distance_m,
-                                     manifest.gravity_m_s2, 1);
-        ModelQuantity mass = *by_model;
-        mass.estimate *= kg_per_Nm;
-        mass.low *= kg_per_Nm;
-        mass.high *= kg_per_Nm;
-        take(mass, doubt, verdict_on(Quantity::surrogate_mass, quantities));
-      }
-    } else if (q.verdict == Verdict::usable && q.estimate &&
-               are_apart(*q.estimate, *by_model, quantity == Quantity::cog_angle)) {
-      calibration::lower(q, Verdict::doubtful,
-                         {"model.disagrees",
-                          {{"value", by_model->estimate},
-                           {"low", by_model->low},
-                           {"high", by_model->high},
-                           {"unit", q.unit}}},
-                         record_runs);
+        calibration::inertia_headline(c).source == calibration::InertiaSource::loops;
+    if (is_of_loops) continue;
+    take(*by_model, doubt, q);
+    if (quantity == Quantity::gravity_torque && !c.manifest.torque_is_in_amperes) {
+      const joint::Manifest& manifest = c.manifest;
+      const double kg_per_Nm = joint::surrogate_mass_kg(
+          1, manifest.drive.gear_ratio(), manifest.surrogate_distance_m, manifest.gravity_m_s2, 1);
+      ModelQuantity mass = *by_model;
+      mass.estimate *= kg_per_Nm;
+      mass.low *= kg_per_Nm;
+      mass.high *= kg_per_Nm;
+      take(mass, doubt, verdict_on(Quantity::surrogate_mass, quantities));
     }
   }
 }
@@ -260,7 +285,7 @@ std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
   for (const ModelQuantity& q : c.model.quantities) {
     if (q.quantity) continue;
     const Doubt doubt = doubt_of(c, Quantity::viscous_curve, q, common);
-    all.push_back({q.speed_rad_s, doubt.verdict, estimate_of(q), doubt.reason});
+    all.push_back({q.speed_rad_s, doubt.verdict, q.as_estimate(), doubt.reason});
   }
   return all;
 }

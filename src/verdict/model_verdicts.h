@@ -13,8 +13,7 @@
 
 namespace tribolog::verdict {
 
-/// Gives the quantities that only the model answers its number and its verdict, and doubts those
-/// whose number it contradicts.
+/// Gives the quantities that the model answers its number and its verdict.
 /// @param rules as applied.
 void state_by_model(const calibration::Calibration& calibration,
                     const std::vector<calibration::RuleOutcome>& rules,

@@ -313,9 +313,7 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
   // A curve without a dip has no Stribeck velocity, and one that follows eq. (6) neither of the
   // other two.
   verdict_on(Quantity::stribeck_speed, all).decides = false;
-  const bool is_of_waiboer = headline.source == calibration::HeadlineSource::sliding_law &&
-                             !headline.coulomb_Nm.estimate && c.curve_model.carries_five;
-  if (is_of_waiboer) {
+  if (headline.is_of_waiboer) {
     verdict_on(Quantity::coulomb_torque, all).decides = false;
     verdict_on(Quantity::viscous_coefficient, all).decides = false;
   }

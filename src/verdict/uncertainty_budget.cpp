@@ -156,7 +156,13 @@ class BudgetMaker {
   /// Of an influence whose effect was found by identifying again.
   void add_shift(Influence influence, const std::optional<double>& percent) {
     if (!percent) {
-      if (influence == Influence::hoses && depends_on_gravity()) not_stated_.push_back(influence);
+      // Of the model's numbers typical ones are in what the recordings give.
+      const Quantity read =
+          quantity_ == Quantity::surrogate_mass ? Quantity::gravity_torque : quantity_;
+      const bool is_included = c_.model.find(read) != nullptr;
+      if (influence == Influence::hoses && depends_on_gravity() && !is_included) {
+        not_stated_.push_back(influence);
+      }
       return;
     }
     for (const calibration::InfluenceShift& shift : c_.influence_shifts) {
@@ -227,19 +233,6 @@ void doubt_what_influences_hide(const calibration::Calibration& c,
         is_of_hoses ? Code{"cause.hidden_by_hoses"} : Code{"cause.hidden_by_description"},
         is_of_hoses ? Code{"record.without_hoses"} : Code{"record.other_joints_at_rest"});
   }
-}
-
-Statement what_hoses_could_do(const calibration::Calibration& c,
-                              const calibration::Judgement& judgement) {
-  const std::optional<method::gravity::UnseenSpring>& spring = c.rough.unseen_spring;
-  const calibration::QuantityVerdict* angle = judgement.find(Quantity::cog_angle);
-  if (!spring || !c.rough.found || c.manifest.uncertainty.hoses_percent || angle == nullptr)
-    return {};
-  if (angle->verdict != calibration::Verdict::usable || !angle->budget) return {};
-  if (spring->on_angle_rad <= angle->budget->expanded.half_width()) return {};
-  const double percent = 100 * spring->per_radian_Nm / c.rough.gravity_Nm.value;
-  return {"budget.hoses_not_stated",
-          {{"percent", percent}, {"angle_deg", spring->on_angle_rad * joint::degrees_per_rad}}};
 }
 
 Statement what_is_not_stated(const calibration::Calibration& c,

@@ -22,11 +22,6 @@ void doubt_what_influences_hide(const calibration::Calibration& calibration,
 void state_budgets(const calibration::Calibration& calibration,
                    std::vector<calibration::QuantityVerdict>& quantities);
 
-/// What hoses of which nothing is stated could do to a usable angle without being seen; empty:
-/// less than its uncertainty.
-Statement what_hoses_could_do(const calibration::Calibration& calibration,
-                              const calibration::Judgement& judgement);
-
 /// What the reader must know about influences that are not stated; empty: all torques have theirs.
 Statement what_is_not_stated(const calibration::Calibration& calibration,
                              const std::vector<calibration::QuantityVerdict>& quantities);

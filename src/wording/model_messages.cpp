@@ -22,10 +22,24 @@ const Messages& model_messages() {
        text("friction falls with the speed as a whole, or drives the joint: no joint's does")},
       {"model.effect_too_large",
        text("the number depends on {effect}, which is larger here than on any known joint")},
-      {"model.disagrees",
-       text("one model of all sweeps and runs gives {value:.4g} ({low:.4g} to {high:.4g}) {unit}")},
+      {"model.rests_on_effect",
+       text("the recordings show {effect}, and most of what is not known of the number is how it "
+            "goes on")},
+      {"model.others_too_large",
+       text(
+           "{effect} is not small beside the friction, and nothing but the other joints' angles is "
+           "known of it")},
+
+      {"record.whole_turn", text("a sweep over a whole turn of the joint, or as much of it as it "
+                                 "can, in both directions")},
+      {"record.one_session", text("sweeps and runs one after the other, at the same temperature")},
+      {"record.both_directions", text("the same motions in both directions")},
+      {"record.other_days", text("the same again on other days")},
+      {"record.repeated_runs", text("the same runs once more, in random order")},
 
       {"effect.gravity_left", text("gravity of a joint stated to have none")},
+      {"effect.others_gravity", text("gravity that other joints change")},
+      {"effect.others_inertia", text("what the acceleration of other joints takes")},
       {"effect.offset", text("an offset of the torque")},
       {"effect.offset_drift", text("a drift of the torque's offset")},
       {"effect.gain_drift", text("a drift of the torque's scale")},
@@ -37,7 +51,7 @@ const Messages& model_messages() {
       {"effect.load", text("friction that grows with the load")},
       {"effect.position", text("friction that changes with the joint's angle")},
       {"effect.torque_over_turn", text("a torque that repeats with each turn")},
-      {"effect.spring", text("hoses and cables")},
+      {"effect.hoses", text("hoses and cables")},
       {"effect.angle_scale", text("the angle's scale")},
       {"effect.peak_drift", text("a gravity peak that moves")},
       {"effect.harmonics", text("harmonics of gravity: twist of the gear, crosstalk")},

@@ -529,12 +529,6 @@ const Messages& verdict_messages() {
        text("the uncertainty of the torque constant is not stated, and is in no interval: every "
             "torque is wrong by as many percent as the torque constant is; state "
             "torque_constant_percent in [uncertainty]")},
-      {"budget.hoses_not_stated",
-       text(
-           "hoses and cables that pull by up to {percent:.2g} % of gravity a radian would not show "
-           "in this sweep, and would shift the angle of the centre of gravity by {angle_deg:.2g}°; "
-           "nothing is stated of them, and no interval holds them: state hoses_percent in "
-           "[uncertainty], or sweep over a whole turn")},
       {"budget.torque_scale_not_stated",
        text("the uncertainty of the torque's scale is not stated, and is in no interval: every "
             "torque is wrong by as many percent as the calibration of the torque sensor or the "

@@ -125,11 +125,18 @@ TEST(ArchiveExport, WritesTablesOfWhatWasIdentified) {
   EXPECT_EQ(json.status, 0) << json.err;
   const auto exported = nlohmann::json::parse(read_text(archived.file("out.json")));
   ASSERT_EQ(exported["quantities"][0]["quantity"], "cog_angle");
-  EXPECT_EQ(exported["quantities"][0]["value"], calibration["cog"]["q_peak_rad"]["estimate"]);
-  // The log has 0.5 N·m of Coulomb torque at the motor, and the gear ratio is 100.
+  // Those of the verdict; the gear ratio is 100.
+  const auto& judged = calibration["verdict"]["quantities"];
+  EXPECT_EQ(exported["quantities"][0]["value"], judged[0]["estimate"]["estimate"]);
+  EXPECT_NEAR(exported["quantities"][0]["value"].get<double>(), 0.2, 1e-6);
   for (const auto& q : exported["quantities"]) {
     if (q["quantity"] != "coulomb_torque") continue;
-    EXPECT_NEAR(q["value"].get<double>(), q["side"] == "joint" ? 50 : 0.5, 1e-6);
+    for (const auto& one : judged) {
+      if (one["key"] != "coulomb_torque") continue;
+      const double factor = q["side"] == "joint" ? 100 : 1;
+      const double value = one["estimate"]["estimate"].get<double>();
+      EXPECT_NEAR(q["value"].get<double>(), factor * value, 1e-9 * factor * value);
+    }
   }
   EXPECT_EQ(archived.run("export " + id + " --format latex").status, 0);
 }

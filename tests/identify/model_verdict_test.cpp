@@ -143,18 +143,14 @@ TEST(ModelVerdict, LimitsOfTheManifestAreTheNeed) {
   EXPECT_EQ(coulomb_with({}, 46.0), Verdict::usable);
 }
 
-TEST(ModelVerdict, AUsableNumberThatTheModelContradictsIsDoubtful) {
-  for (const bool apart : {false, true}) {
-    const Calibration c = measured();
-    QuantityVerdict q;
-    q.quantity = Quantity::coulomb_torque;
-    q.estimate =
-        apart ? statistics::Estimate{12, 11.5, 12.5, {}} : statistics::Estimate{11, 10.5, 11.5, {}};
-    std::vector<QuantityVerdict> quantities{q};
-    verdict::state_by_model(c, {}, quantities);
-    EXPECT_EQ(quantities[0].verdict, apart ? Verdict::doubtful : Verdict::usable);
-    EXPECT_EQ(quantities[0].estimate->value, q.estimate->value);
-  }
+TEST(ModelVerdict, TheModelsNumberIsTheOneThatIsStated) {
+  const Calibration c = measured();
+  QuantityVerdict q;
+  q.quantity = Quantity::coulomb_torque;
+  q.estimate = statistics::Estimate{12, 11.5, 12.5, {}};
+  std::vector<QuantityVerdict> quantities{q};
+  verdict::state_by_model(c, {}, quantities);
+  EXPECT_EQ(quantities[0].estimate->value, c.model.find(Quantity::coulomb_torque)->estimate);
 }
 
 }  // namespace

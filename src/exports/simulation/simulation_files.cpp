@@ -60,6 +60,17 @@ std::string effort_lines(const simulate::Scenario& scenario) {
   return text;
 }
 
+/// Table of the effects that were not simulated. @param table its name.
+std::string effect_lines(const simulate::Scenario& scenario, const char* table) {
+  const joint::EffectSizes absent = simulate::absent_effects(scenario);
+  std::string text;
+  for (const joint::Effect& effect : joint::statable_effects()) {
+    if (absent.is_stated(effect))
+      text += fmt::format("{} = {}\n", effect.stated_key(), toml_value(absent.of(effect)));
+  }
+  return text.empty() ? text : fmt::format("{}\n{}", table, text);
+}
+
 constexpr const char* speed_column = R"(speed = {name = "dq_rad_s", unit = "rad/s"})";
 
 /// Columns that not every recording has.
@@ -112,6 +123,7 @@ std::string dataset_toml(const simulate::Scenario& scenario,
                   [](const joint::Recording& recording) { return !recording.dq_rad_s.empty(); });
   if (speed_is_common) text += fmt::format("{}\n", speed_column);
   text += reference(scenario.known_curve().get());
+  text += effect_lines(scenario, "\n[effects]");
   for (const joint::Recording& recording : recordings) {
     text +=
         fmt::format("\n[[recording]]\nrole = \"{}\"\nfile = {}\n", joint::to_string(recording.role),
@@ -334,6 +346,7 @@ std::string robot_toml(const std::vector<simulate::Scenario>& scenarios,
     text += fmt::format("[joints.surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
                         ingest::manifest::toml_number(s.surrogate_distance_m),
                         ingest::manifest::toml_number(s.load.gravity_m_s2()));
+    text += effect_lines(s, "[joints.effects]");
     text += fmt::format(
         "[joints.columns]\n"
         "angle = {{name = \"q{}_rad\", unit = \"rad\", side = \"joint\"}}\n"

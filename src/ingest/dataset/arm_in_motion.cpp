@@ -45,6 +45,7 @@ std::vector<double> without_gaps(std::vector<double> values) {
 }
 
 constexpr double turn_rad = 2 * std::numbers::pi;
+constexpr double standing_rad = 0.02;  // a joint that moves by less stands
 
 /// On through the ends of a range of one turn: no joint turns by half a turn from sample to sample.
 void go_on(std::vector<double>& angles_rad) {
@@ -197,6 +198,10 @@ void ArmInMotion::count_motions(joint::Dataset& dataset) const {
       joint.lowest_rad = joint.samples > 0 ? std::min(joint.lowest_rad, low_rad) : low_rad;
       joint.highest_rad = joint.samples > 0 ? std::max(joint.highest_rad, high_rad) : high_rad;
       joint.samples += angles_rad.size();
+    }
+    const bool moves = !arm_ && joint.travel_rad() > standing_rad;
+    for (std::size_t k = 0; moves && k < dataset.recordings.size(); ++k) {
+      dataset.recordings[k].others_q_rad.push_back(other.angles_rad[k]);
     }
     if (!other.is_looked_for || joint.samples > 0) counted.push_back(std::move(joint));
   }

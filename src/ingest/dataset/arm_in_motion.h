@@ -45,9 +45,10 @@ class ArmInMotion {
   /// Keeps the angles of one recording. @param rows of the log, one for each of its samples.
   void keep(const ReadLog& log, const std::vector<std::size_t>& rows);
 
-  /// Once all are kept: counts the motions, and with a description subtracts what they change of
-  /// gravity from the torques, as Recording::others_gravity_Nm says. Held are the others at their
-  /// means over the first rough sweep; without one over the first recording that has them.
+  /// Once all are kept: counts the motions, gives the recordings the angles of joints that move, or
+  /// with a description subtracts what they change of gravity from the torques, as
+  /// Recording::others_gravity_Nm says. Held are the others at their means over the first rough
+  /// sweep; without one over the first recording that has them.
   /// @param dataset with the recordings in the order in which they were kept.
   void take_gravity_off(joint::Dataset& dataset) const;
 

@@ -142,6 +142,24 @@ joint::StatedUncertainty read_uncertainty(const TomlTable& table,
   return stated;
 }
 
+joint::EffectSizes read_effects(const TomlTable& table) {
+  joint::EffectSizes sizes;
+  for (const joint::Effect& effect : joint::statable_effects()) {
+    const std::string key = effect.stated_key();
+    const auto size = table.find_number(key.c_str(), Sign::not_negative);
+    if (!size) continue;
+    const double most = effect.cap * effect.typical;
+    if (*size > most) {
+      table.refuse(key, {"is larger than on any known joint", fmt::format("{}", *size),
+                         fmt::format("from 0 (it has none) to {}", most),
+                         fmt::format("{} is typical", effect.typical)});
+    }
+    sizes.state(effect, *size);
+  }
+  table.refuse_unknown_keys();
+  return sizes;
+}
+
 void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
   if (const auto payload = top.find_table("payload")) {
     manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
@@ -163,6 +181,7 @@ void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
   if (const auto uncertainty = top.find_table("uncertainty")) {
     manifest.uncertainty = read_uncertainty(*uncertainty, manifest.arm_gravity);
   }
+  if (const auto effects = top.find_table("effects")) manifest.effects = read_effects(*effects);
   if (manifest.arm_gravity) {
     std::optional<double>& percent = manifest.uncertainty.description_percent;
     if (!percent) percent = manifest.arm_gravity->description_percent;

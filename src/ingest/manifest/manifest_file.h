@@ -19,6 +19,8 @@
 //   [payload]     mass_kg, distance_m (from the axis of the joint), note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
+//   [effects]     sizes of the catalogue's effects (joint/effects.h), as hoses_percent = 0, where
+//                 they are not the typical ones (optional)
 //   [known_gravity] amplitude_Nm (joint side), q_peak_deg, percent = 10 (half width at 95 %)
 //                 (optional; of the joint, as from its design: a candidate beside those identified;
 //                 where it contradicts what is found, the torque's scale is in doubt)

@@ -19,8 +19,9 @@ using std::numbers::pi;
 
 constexpr std::size_t most_cells = 3000;
 constexpr double kernel_s = 0.01;  // half of it, at high rates
-constexpr double slowest_share = 0.05;
-constexpr double slowest_share_of_run = 0.3;
+constexpr double slowest_share = 0.03;
+constexpr double steady_share = 0.05;  // of a sweep: slower ones are about to turn round
+constexpr double slowest_share_of_run = 0.2;
 constexpr double speed_ratio = 1.3;  // of neighbouring bins
 constexpr Index fewest_repeated = 4;
 constexpr double gap_intervals = 20;
@@ -32,6 +33,10 @@ struct Motion {
   double interval_s{};
   Index half{};  // h of the kernel
   ArrayXd time_s, q, torque, smooth_torque, cos, sin, speed, acceleration, jerk;
+  struct Other {
+    ArrayXd q, acceleration;  // empty: not logged
+  };
+  std::vector<Other> others;
 };
 
 /// (x[i+h] - x[i-h]) / (2 h dt); 0 at the ends, of which nothing is used.
@@ -53,6 +58,15 @@ ArrayXd mean_over(const ArrayXd& x, Index h) {
     if (i + h + 1 < x.size()) sum += x[i + h + 1] - x[i - h];
   }
   return m;
+}
+
+/// Two means by the trapezoidal rule to those of the integrals, as slopes are: less a sixth of the
+/// second difference, which is all that their errors are up to the fourth order.
+ArrayXd as_integrals(const ArrayXd& x) {
+  ArrayXd y = x;
+  const Index inner = x.size() - 2;
+  y.segment(1, inner) -= (x.head(inner) - 2 * x.segment(1, inner) + x.tail(inner)) / 6;
+  return y;
 }
 
 /// Samples that say something: of a row that is repeated for a while, the first alone.
@@ -101,19 +115,30 @@ void add_motions(const joint::Recording& r, int index, double n, std::vector<Mot
       m.interval_s = dt;
       m.half = h;
       m.time_s = ArrayXd::LinSpaced(count, from, from + static_cast<double>(count - 1) * dt);
-      m.q.resize(count);
-      m.torque.resize(count);
-      std::size_t k = first;
-      for (Index i = 0; i < count; ++i) {
-        while (k + 1 < last && r.t_s[kept[k + 1]] < m.time_s[i]) ++k;
-        const std::size_t a = kept[k];
-        const std::size_t b = kept[std::min(k + 1, last)];
-        const double step = r.t_s[b] - r.t_s[a];
-        const double share = step > 0 ? std::clamp((m.time_s[i] - r.t_s[a]) / step, 0.0, 1.0) : 0;
-        m.q[i] = r.q_rad[a] + share * (r.q_rad[b] - r.q_rad[a]);
-        m.torque[i] = r.torque_Nm[a] + share * (r.torque_Nm[b] - r.torque_Nm[a]);
+      const auto at_even_times = [&](const std::vector<double>& values) {
+        ArrayXd even(count);
+        std::size_t k = first;
+        for (Index i = 0; i < count; ++i) {
+          while (k + 1 < last && r.t_s[kept[k + 1]] < m.time_s[i]) ++k;
+          const std::size_t a = kept[k];
+          const std::size_t b = kept[std::min(k + 1, last)];
+          const double step = r.t_s[b] - r.t_s[a];
+          const double share = step > 0 ? std::clamp((m.time_s[i] - r.t_s[a]) / step, 0.0, 1.0) : 0;
+          even[i] = values[a] + share * (values[b] - values[a]);
+        }
+        return even;
+      };
+      m.q = at_even_times(r.q_rad);
+      m.torque = at_even_times(r.torque_Nm);
+      for (const std::vector<double>& other : r.others_q_rad) {
+        Motion::Other& one = m.others.emplace_back();
+        if (other.empty()) continue;
+        one.q = at_even_times(other);
+        one.acceleration = slope(slope(one.q, h, dt), h, dt);
       }
-      const auto smooth = [h](const ArrayXd& x) { return mean_over(mean_over(x, h), h); };
+      const auto smooth = [h](const ArrayXd& x) {
+        return as_integrals(mean_over(mean_over(x, h), h));
+      };
       const ArrayXd once = n * slope(m.q, h, dt);
       m.speed = mean_over(once, h);
       m.acceleration = slope(once, h, dt);
@@ -142,7 +167,7 @@ ArrayXd mean_about(const ArrayXd& x, Index reach) {
   return mean;
 }
 
-constexpr double beyond_noise = 4;
+constexpr double beyond_noise = 3;
 
 /// Of motor speed: below it a sample belongs to no stroke.
 double slowest_speed(const Motion& m, double top) {
@@ -162,6 +187,28 @@ double acceleration_noise(const Motion& m, double n) {
   const double q_variance = (square <= most).select(square, 0).mean() / 70;
   const double reach = 2 * static_cast<double>(m.half) * m.interval_s;
   return n * std::sqrt(6 * q_variance) / (reach * reach);
+}
+
+/// Cell::others
+std::vector<double> others_of(const Motion& m, const std::vector<Index>& samples) {
+  std::vector<double> means(values_of_other * m.others.size(), 0.0);
+  const double share = 1 / static_cast<double>(samples.size());
+  for (std::size_t k = 0; k < m.others.size(); ++k) {
+    const Motion::Other& other = m.others[k];
+    if (other.q.size() == 0) continue;
+    double* const mean = means.data() + values_of_other * k;
+    for (const Index i : samples) {
+      const double q = m.q[i];
+      const double its = other.q[i];
+      std::size_t at = 0;
+      for (const double angle : {its, q + its, q - its}) {
+        mean[at++] += share * std::cos(angle);
+        mean[at++] += share * std::sin(angle);
+      }
+      mean[at] += share * other.acceleration[i];
+    }
+  }
+  return means;
 }
 
 class CellMaker {
@@ -242,6 +289,7 @@ class CellMaker {
       c.sin_rate += std::cos(m.q[i]) * rate / count;
       c.time_s += (session_s + m.time_s[i]) / count;
     }
+    c.others = others_of(m, samples);
     double tt = 0;
     double ty = 0;
     double yy = 0;
@@ -339,6 +387,24 @@ std::vector<Cell> cells_of(const std::vector<Motion>& motions,
 
 }  // namespace
 
+double slowest_stated(const Cells& cells) {
+  std::map<int, std::vector<double>> sweeps;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Cell& row : cells.rows) {
+    if (row.is_run == 0) {
+      sweeps[row.recording].push_back(row.speed_rad_s);
+    } else {
+      slowest = std::min(slowest, row.speed_rad_s);
+    }
+  }
+  for (const auto& [recording, speeds] : sweeps) {
+    const double least = *std::min_element(speeds.begin(), speeds.end());
+    const double top = statistics::value_at_share(speeds, 0.95);
+    slowest = std::min(slowest, std::max(least, steady_share * top));
+  }
+  return slowest;
+}
+
 double value_at_share(const ArrayXd& values, double share) {
   return statistics::value_at_share({values.begin(), values.end()}, share);
 }
@@ -366,8 +432,9 @@ Cells make_cells(const std::vector<const joint::Recording*>& recordings,
   std::vector<Motion> motions;
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     const joint::Recording& r = *recordings[i];
-    const bool is_used =
-        r.role == joint::Role::rough_sweep || r.role == joint::Role::constant_speed;
+    const bool is_used = r.role == joint::Role::rough_sweep ||
+                         r.role == joint::Role::precise_sweep ||
+                         r.role == joint::Role::constant_speed;
     if (is_used && !r.torque_Nm.empty()) {
       add_motions(r, static_cast<int>(i), gear_ratio, motions);
     }

@@ -34,9 +34,14 @@ struct Cell {
   double has_place{1};  ///< 0: a point of the friction curve, which has no angle and no gravity.
   double scatter_Nm{};  ///< Of the samples about a line over time; NaN: too few of them.
   double interval_s{};  ///< Between samples.
+  /// Of each other joint that moves: cos and sin of its angle, of q + its angle and q - its angle,
+  /// and its acceleration [rad/s²].
+  std::vector<double> others{};
   int stroke{};
   int recording{};  ///< Index among those given, points behind recordings.
 };
+
+inline constexpr std::size_t values_of_other = 7;
 
 struct Cells {
   std::vector<Cell> rows;
@@ -44,6 +49,10 @@ struct Cells {
 
   [[nodiscard]] bool empty() const { return rows.empty(); }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows.size()); }
+  /// Other joints that move.
+  [[nodiscard]] std::size_t others() const {
+    return rows.empty() ? 0 : rows.front().others.size() / values_of_other;
+  }
   /// One value of all rows.
   [[nodiscard]] Eigen::ArrayXd of(double Cell::* value) const;
   /// Those for which `keep` holds, with their strokes and recordings numbered as before.
@@ -62,6 +71,10 @@ struct Cells {
 double value_at_share(const Eigen::ArrayXd& values, double share);
 /// statistics::median()
 double median(const Eigen::ArrayXd& values);
+
+/// From which on the friction of these cells is that of steady motion: next to where a sweep turns
+/// round it is not.
+double slowest_stated(const Cells& cells);
 
 /// Gravity's two parts, offset, inertia, Coulomb and viscous torque, each per unit: what any joint
 /// has, without an effect of the catalogue.

@@ -19,34 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
-using Kind = Effect::Kind;
-
-constexpr Effect gravity{"gravity", Kind::core};
-constexpr Effect inertia{"inertia", Kind::core};
-constexpr Effect gravity_left{"gravity_left", Kind::effect, 2, 10};
-constexpr Effect offset{"offset", Kind::effect, 2, 10};
-constexpr Effect offset_drift{"offset_drift", Kind::effect, 2, 15};
-// Gains: magnets and sensors change by parts in a thousand, never by more than 4 %. A real log
-// always misfits somewhere, and without a cap a wrong gain of 40 % explains some of it.
-constexpr Effect gain_drift{"gain_drift", Kind::effect, 4, 20};
-constexpr Effect torque_nonlinear{"torque_nonlinear", Kind::effect, 4, 30};
-constexpr Effect gain_of_speed{"gain_of_speed", Kind::effect, 4, 30};
-constexpr Effect gain_of_runs{"gain_of_runs", Kind::effect, 4, 25};
-constexpr Effect lag{"lag", Kind::effect, 2, 20};
-constexpr Effect asymmetry{"asymmetry", Kind::effect, 2, 15};
-constexpr Effect load{"load", Kind::effect, 2, 10};
-constexpr Effect position{"position", Kind::effect, 2, 15};
-constexpr Effect torque_over_turn{"torque_over_turn", Kind::effect, 2, 20};
-constexpr Effect spring{"spring", Kind::effect, 2, 50};
-constexpr Effect angle_scale{"angle_scale", Kind::effect, 4, 15};
-constexpr Effect peak_drift{"peak_drift", Kind::effect, 2, 30};
-constexpr Effect harmonics{"harmonics", Kind::effect, 2, 100};
-constexpr Effect smooth_over_angle{"smooth_over_angle", Kind::effect, 2, 40};
-constexpr Effect drift{"drift", Kind::effect, 2, 50};
-constexpr Effect law_misfit{"law_misfit", Kind::effect, 2, 5};
-constexpr Effect law_at_its_ends{"law_at_its_ends", Kind::fixed};
-constexpr Effect friction_of_session{"friction_of_session", Kind::fixed};
-constexpr Effect friction_of_recording{"friction_of_recording", Kind::random, 2, 300};
 
 /// Beyond it a random effect says no more than the noise of neighbouring cells does.
 constexpr std::size_t most_random = 120;
@@ -55,6 +27,21 @@ MatrixXd beside(const ArrayXd& a, const ArrayXd& b) {
   MatrixXd both(a.size(), 2);
   both << a.matrix(), b.matrix();
   return both;
+}
+
+/// Cell::others of all rows.
+MatrixXd others_of(const Cells& cells) {
+  MatrixXd all(cells.size(), static_cast<Index>(values_of_other * cells.others()));
+  for (Index i = 0; i < cells.size(); ++i) {
+    const std::vector<double>& row = cells.rows[static_cast<std::size_t>(i)].others;
+    // Points of the friction curve have none.
+    if (row.empty()) {
+      all.row(i).setZero();
+    } else {
+      all.row(i) = Eigen::Map<const RowVectorXd>(row.data(), all.cols());
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -112,8 +99,9 @@ RowVectorXd LawHats::bent(double speed_rad_s) const {
   return whole(speed_rad_s) - on_line.row(0) - speed_rad_s / fastest_rad_s * on_line.row(1);
 }
 
-std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
-                                          const Point& point) {
+std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, const Point& point,
+                                          const joint::EffectSizes& sizes) {
+  namespace effect = joint::effect;
   const Index n = cells.size();
   const ArrayXd s = cells.of(&Cell::direction);
   const ArrayXd v = cells.of(&Cell::speed_rad_s);
@@ -128,11 +116,15 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
   const double top = point.top_Nm;
   const double friction = point.friction_Nm;
   std::vector<EffectColumns> all;
-  const auto add = [&](const Effect& effect, const MatrixXd& columns, const ArrayXd& scale) {
-    all.push_back({&effect, columns, scale.matrix()});
+  const auto add = [&](const Effect& of, const MatrixXd& columns, const ArrayXd& scale) {
+    if ((scale > 0).all()) all.push_back({&of, columns, scale.matrix()});
   };
-  const auto add_one = [&](const Effect& effect, const ArrayXd& column, double scale) {
-    add(effect, column.matrix(), ArrayXd::Constant(1, scale));
+  const auto add_one = [&](const Effect& of, const ArrayXd& column, double scale) {
+    add(of, column.matrix(), ArrayXd::Constant(1, scale));
+  };
+  // Percent as shares, mrad and ms in SI.
+  const auto size_of = [&](const Effect& of) {
+    return sizes.of(of) * (of.unit == "percent" ? 0.01 : 0.001);
   };
 
   const bool has_runs = (run > 0).any();
@@ -153,41 +145,72 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
   const ArrayXd age = (t - t.minCoeff()) / std::max(t.maxCoeff() - t.minCoeff(), 1e-9);
 
   if (has_gravity && has_place) {
-    add(gravity, beside(cos_q, sin_q), ArrayXd::Constant(2, 3 * top));
+    add(effect::gravity, beside(cos_q, sin_q), ArrayXd::Constant(2, 3 * top));
   } else if (!cells.is_turning && has_place) {
-    add(gravity_left, beside(cos_q, sin_q), ArrayXd::Constant(2, 0.02 * top));
+    add(effect::gravity_left, beside(cos_q, sin_q),
+        ArrayXd::Constant(2, size_of(effect::gravity_left) * top));
   }
-  if (has_place) add_one(inertia, a, 3 * top / std::max(a.abs().maxCoeff(), 1e-9));
+  if (has_place) add_one(effect::inertia, a, 3 * top / std::max(a.abs().maxCoeff(), 1e-9));
+
+  const MatrixXd others = others_of(cells);
+  const auto of_others = [&](auto keep) -> MatrixXd {
+    std::vector<Index> columns;
+    for (Index k = 0; k < others.cols(); ++k) {
+      const bool is_acceleration = k % values_of_other == values_of_other - 1;
+      if (is_acceleration == keep && others.col(k).cwiseAbs().maxCoeff() > 0) columns.push_back(k);
+    }
+    return others(Eigen::all, columns);
+  };
+  if (const MatrixXd moved = of_others(false); has_gravity && moved.cols() > 0) {
+    add(effect::others_gravity, moved,
+        ArrayXd::Constant(moved.cols(), size_of(effect::others_gravity) * top));
+  }
+  if (const MatrixXd accelerated = of_others(true); accelerated.cols() > 0) {
+    add(effect::others_inertia, accelerated,
+        size_of(effect::others_inertia) * top /
+            accelerated.cwiseAbs().colwise().maxCoeff().array().transpose());
+  }
 
   // What the torque's signal does.
   const double rising = (count * (s > 0).cast<double>()).sum() / count.sum();
   const bool one_way = std::min(rising, 1 - rising) < 0.05;
-  add_one(offset, one,
-          one_way ? std::max(0.05 * top, friction) : std::hypot(0.005 * top, 0.05 * friction));
-  add_one(offset_drift, 2 * age - 1, 0.002 * top);
-  if (has_gravity && has_place) add_one(gain_drift, g * about_runs(2 * age - 1), 0.002);
+  // Friction that differs with the direction has a part that does not differ from an offset.
+  const double offset_Nm =
+      std::hypot(size_of(effect::offset) * top, size_of(effect::asymmetry) * friction);
+  add_one(effect::offset, one,
+          one_way && offset_Nm > 0 ? std::max(0.05 * top, friction) : offset_Nm);
+  add_one(effect::offset_drift, 2 * age - 1, size_of(effect::offset_drift) * top);
+  if (has_gravity && has_place) {
+    add_one(effect::gain_drift, g * about_runs(2 * age - 1), size_of(effect::gain_drift));
+  }
   const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
   const ArrayXd dip = (-(v / dip_speed).pow(point.dip_power)).exp();
   const ArrayXd own_friction =
       s * (point.coulomb_Nm + point.viscous_Nms_rad * v + point.dip_Nm * dip);
   const ArrayXd model = g + point.inertia_kgm2 * a + own_friction;
-  add(torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
-      ArrayXd::Constant(2, 0.001));
-  add_one(gain_of_speed, model * v / point.fastest_rad_s, 0.001);
-  if (has_runs && has_sweeps) add_one(gain_of_runs, model * run, 0.002);
+  add(effect::torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
+      ArrayXd::Constant(2, size_of(effect::torque_nonlinear)));
+  add_one(effect::gain_of_speed, model * v / point.fastest_rad_s, size_of(effect::gain_of_speed));
+  if (has_runs && has_sweeps) {
+    add_one(effect::gain_of_runs, model * run, size_of(effect::gain_of_runs));
+  }
   const ArrayXd rate = point.gravity_cos_Nm * cells.of(&Cell::cos_rate) +
                        point.gravity_sin_Nm * cells.of(&Cell::sin_rate) +
                        point.inertia_kgm2 * cells.of(&Cell::jerk_rad_s3) +
                        point.viscous_Nms_rad * a;
   ArrayXd intervals = cells.of(&Cell::interval_s);
   std::nth_element(intervals.begin(), intervals.begin() + n / 2, intervals.end());
-  add_one(lag, -rate, std::max(1e-3, 0.3 * intervals[n / 2]));
+  const double lag_s = size_of(effect::lag);
+  add_one(effect::lag, -rate,
+          sizes.is_stated(effect::lag) ? lag_s : std::max(lag_s, 0.3 * intervals[n / 2]));
 
   // Direction.
-  add(asymmetry, beside(v / point.fastest_rad_s, dip), ArrayXd::Constant(2, 0.02 * friction));
+  add(effect::asymmetry, beside(v / point.fastest_rad_s, dip),
+      ArrayXd::Constant(2, 0.4 * size_of(effect::asymmetry) * friction));
 
   // Friction by load, place and time; torque by place.
-  if (has_gravity && has_place) add_one(load, s * about_runs(g.abs()), 0.01);
+  if (has_gravity && has_place)
+    add_one(effect::load, s * about_runs(g.abs()), size_of(effect::load));
   if (!has_place) {
     // Points alone: no angle.
   } else if (cells.is_turning) {
@@ -200,31 +223,34 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
       turn.col(2 * k + 1) = place * (multiple * q).sin();
       order[2 * k] = order[2 * k + 1] = multiple;
     }
-    add(position, s.matrix().asDiagonal() * turn, 0.02 * friction / order);
-    add(torque_over_turn, turn, 0.005 * top / order);
+    add(effect::position, s.matrix().asDiagonal() * turn,
+        size_of(effect::position) * friction / order);
+    add(effect::torque_over_turn, turn, size_of(effect::torque_over_turn) * top / order);
   } else {
     const auto mode = [&](double k) -> ArrayXd { return place * (pi * k * (x + 1) / 2).cos(); };
     MatrixXd places(n, 5);
     for (Index k = 0; k < 5; ++k) {
       places.col(k) = s * about_runs(mode(static_cast<double>(k + 1)));
     }
-    add(position, places, 0.02 * friction / ArrayXd::LinSpaced(5, 1, 5));
+    add(effect::position, places,
+        size_of(effect::position) * friction / ArrayXd::LinSpaced(5, 1, 5));
     if (has_gravity) {
-      add_one(spring, x, 0.001 * top);
+      add_one(effect::hoses, x, size_of(effect::hoses) * top);
       const ArrayXd steep = place * (point.gravity_sin_Nm * cos_q - point.gravity_cos_Nm * sin_q);
-      add_one(angle_scale, steep * (q - middle), 0.001);
-      add_one(peak_drift, steep * (2 * age - 1), 0.001);
+      add_one(effect::angle_scale, steep * (q - middle), size_of(effect::angle_scale));
+      add_one(effect::peak_drift, steep * (2 * age - 1), size_of(effect::peak_drift));
       const double peak = std::atan2(point.gravity_sin_Nm, point.gravity_cos_Nm);
       MatrixXd waves(n, 4);
       for (Index k = 0; k < 2; ++k) {
         waves.col(2 * k) = place * (static_cast<double>(k + 2) * (q - peak)).cos();
         waves.col(2 * k + 1) = place * (static_cast<double>(k + 2) * (q - peak)).sin();
       }
-      add(harmonics, waves, ArrayXd::Constant(4, 0.0005 * top));
+      add(effect::harmonics, waves, ArrayXd::Constant(4, size_of(effect::harmonics) * top));
     }
     MatrixXd modes(n, 6);
     for (Index k = 0; k < 6; ++k) modes.col(k) = mode(static_cast<double>(k + 3));
-    add(smooth_over_angle, modes, 0.0005 * top / ArrayXd::LinSpaced(6, 1, 6));
+    add(effect::smooth_over_angle, modes,
+        size_of(effect::smooth_over_angle) * top / ArrayXd::LinSpaced(6, 1, 6));
   }
   std::set<int> strokes;
   std::map<int, Index> recordings;
@@ -236,11 +262,10 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
     MatrixXd ages(n, 3);
     ages << (s * about_runs((-age / 0.12).exp())).matrix(),
         (s * about_runs((-age / 0.4).exp())).matrix(), (s * about_runs(age)).matrix();
-    add(drift, ages, ArrayXd::Constant(3, 0.01 * friction));
+    add(effect::drift, ages, ArrayXd::Constant(3, size_of(effect::drift) * friction));
   }
 
-  // On another day friction is another: temperature, lubricant, wear.
-  add_one(friction_of_session, own_friction, 0.02);
+  add_one(effect::friction_of_session, own_friction, size_of(effect::friction_of_session));
 
   // What no law of friction over the speed is exact about.
   const LawHats hats = law_hats(cells, point);
@@ -251,8 +276,10 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
       bent.row(i) = s[i] * hats.bent(v[i]);
       whole.row(i) = s[i] * hats.whole(v[i]);
     }
-    add(law_misfit, bent, ArrayXd::Constant(bent.cols(), 0.01 * friction));
-    add(law_at_its_ends, whole, ArrayXd::Constant(whole.cols(), 0.002 * friction));
+    const double misfit = size_of(effect::law_misfit) * friction;
+    add(effect::law_misfit, bent, ArrayXd::Constant(bent.cols(), misfit));
+    add(effect::law_at_its_ends, whole,
+        ArrayXd::Constant(whole.cols(), effect::law_at_its_ends.typical * misfit));
   }
 
   // What nothing explains: friction of its own in each recording; of few recordings, each stroke.
@@ -267,7 +294,8 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity,
       const Cell& row = cells.rows[static_cast<std::size_t>(i)];
       own(i, groups.at(by_recording ? row.recording : row.stroke)) = s[i];
     }
-    add(friction_of_recording, own, ArrayXd::Constant(next, 0.001 * friction));
+    add(effect::friction_of_recording, own,
+        ArrayXd::Constant(next, size_of(effect::friction_of_recording) * friction));
   }
   return all;
 }

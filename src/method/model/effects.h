@@ -1,36 +1,22 @@
 #pragma once
-// The catalogue of what acts on a joint's torque beside gravity, inertia and one friction law.
+// The columns of the catalogue's effects (joint/effects.h): the torque that each coefficient of an
+// effect makes in each cell.
 //
-// Each effect is a row: a prior of physically typical size with a heavy tail and a cap, and its
-// columns, the torque that each of its coefficients makes in each cell. All are always in the
-// model. What the data show of an effect is taken off by the fit, what they cannot exclude widens
-// the intervals; no effect is detected first and allowed then.
+// All effects that are not stated to be absent are in the model. What the data show of an effect is
+// taken off by the fit, what they cannot exclude widens the intervals; no effect is detected first
+// and allowed then.
 
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "joint/effects.h"
 #include "method/model/cells.h"
 
 namespace tribolog::method::model {
 
-/// Coefficients are scale x lambda x N(0,1); lambda^2 ~ inverse gamma(dof/2, dof/2), so that the
-/// coefficients of an effect are Student-t together; lambda <= cap.
-struct Effect {
-  enum class Kind {
-    core,    ///< Gravity, inertia: free.
-    effect,  ///< Its size is asked of the data.
-    fixed,   ///< Its size stays as typical.
-    random,  ///< One coefficient for each recording: what nothing explains.
-  };
-  std::string_view key;  ///< "lag"; of messages too.
-  Kind kind{Kind::effect};
-  double dof{2};
-  double cap{30};
-
-  [[nodiscard]] constexpr double least_precision() const { return 1 / (cap * cap); }
-};
+using joint::Effect;
 
 /// What products of effects are linear about: the present estimate, all on the motor's side.
 struct Point {
@@ -59,7 +45,8 @@ struct EffectColumns {
 
 /// All effects that these cells can have. The law of friction is that at the mean load, place and
 /// time of the runs (of all cells without runs): what depends on them is counted from there.
-std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, const Point& point);
+std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, const Point& point,
+                                          const joint::EffectSizes& sizes);
 
 /// Of "law_misfit" and "law_at_its_ends" at other speeds than the cells'.
 struct LawHats {

@@ -22,7 +22,6 @@ struct Family {
 constexpr std::array families{Family{"line", {1, 0}, 0}, Family{"parabola", {1, 2}, -1},
                               Family{"power_0.7", {0.7, 0}, -2}, Family{"power_1.5", {1.5, 0}, -2}};
 constexpr std::array dip_powers{0.7, 1.0, 1.4, 2.0};
-constexpr double coarse_step = 0.35;  // of log speed, between dips
 
 /// Level at zero speed and slope of the straight line nearest to a column; of one speed alone, the
 /// line from zero.
@@ -68,12 +67,12 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
   all.columns.push_back({});  // Coulomb torque
 
   std::vector<LawColumn> dips;
-  double step = coarse_step;
+  double step = coarse_dip_step;
   if (top / low > 3) {
     std::vector<double> speeds;
     if (near_speed_rad_s > 0) {
-      step = half_span / 4;
-      for (int k = -4; k <= 4; ++k) {
+      step = half_span / dips_each_side;
+      for (int k = -dips_each_side; k <= dips_each_side; ++k) {
         speeds.push_back(std::min(near_speed_rad_s * std::exp(k * step), top / 3));
       }
     } else {
@@ -85,7 +84,7 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
       for (double power : dip_powers) dips.push_back({0, speed, power});
     }
   }
-  const double each_dip = std::log(step / std::max(std::log(top / 3 / low), coarse_step) /
+  const double each_dip = std::log(step / std::max(std::log(top / 3 / low), coarse_dip_step) /
                                    static_cast<double>(dip_powers.size()));
   const auto first_dip = static_cast<Index>(all.columns.size());
   all.columns.insert(all.columns.end(), dips.begin(), dips.end());

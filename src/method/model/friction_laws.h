@@ -47,6 +47,10 @@ struct FrictionLaws {
   [[nodiscard]] Eigen::MatrixXd torque(const Cells& cells) const;
 };
 
+/// Of log speed, between dips before one is known.
+inline constexpr double coarse_dip_step = 0.35;
+inline constexpr int dips_each_side = 4;
+
 /// @param near_speed_rad_s 0: dips from the slowest speed to a quarter of the fastest; else dips
 /// about it, within `half_span` of log speed.
 FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s = 0,

@@ -1,6 +1,7 @@
 #include "method/model/joint_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -25,10 +26,14 @@ using Kind = Effect::Kind;
 
 constexpr Index fewest_cells = 12;
 constexpr double cell_freedom = 6;  // of Student's t of a cell's noise
+/// By which a Student's location is less certain than its weights, taken as known, say.
+constexpr double beyond_weights = (cell_freedom + 3) / (cell_freedom + 1);
 constexpr int rounds = 14;
 // Sizes start ten times their typical one: from small ones a large effect stays hidden behind
-// others.
+// others. What the laws miss starts at its typical one: a large one is rather another law.
 constexpr double open = 0.01;
+/// Rounds before which effects and laws are put up about what was found.
+constexpr std::array put_up_at{0, 3, 6, 9, 11};
 
 bool asks_size(const Effect& effect) {
   return effect.kind == Kind::effect || effect.kind == Kind::random;
@@ -188,7 +193,7 @@ Noise first_noise(const Cells& cells, double top_Nm) {
 
 /// The likeliest laws' posteriors.
 std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
-  constexpr std::size_t most_laws = 12;
+  constexpr std::size_t most_laws = 24;
   constexpr double least_share = 0.003;
   const double most = solve.evidence()[solve.likeliest()];
   std::vector<std::pair<double, std::size_t>> likely;
@@ -214,7 +219,8 @@ std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
 /// The fit of one joint, round by round.
 class Fit {
  public:
-  Fit(const Cells& cells, bool has_gravity) : has_gravity_(has_gravity) {
+  Fit(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes)
+      : has_gravity_(has_gravity), sizes_(sizes) {
     m_.cells = cells;
     // Cells of a stroke one after the other: neighbours' noise is correlated.
     std::stable_sort(m_.cells.rows.begin(), m_.cells.rows.end(), [](const Cell& a, const Cell& b) {
@@ -229,13 +235,11 @@ class Fit {
   }
 
   JointModel run() {
-    double near_speed = 0;
-    double near_span = 0;
     for (int round = 0;; ++round) {
-      if (round == 0 || round == 3 || round == 7) put_up(near_speed, near_span);
+      if (std::find(put_up_at.begin(), put_up_at.end(), round) != put_up_at.end()) put_up();
       const ArrayXd variance = noise_.of(count_);
       const Solve solve(m_, x_, law_columns_, y_,
-                        m_.weight / (variance * m_.samples_per_independent));
+                        m_.weight / (variance * m_.samples_per_independent * beyond_weights));
       const LawPosterior found = solve.posterior(solve.likeliest());
       MatrixXd full(y_.size(), found.mean.size());
       full << x_, law_columns_(Eigen::all, found.law.index);
@@ -244,9 +248,8 @@ class Fit {
         m_.posteriors = likely_posteriors(solve);
         return std::move(m_);
       }
-      if (round == 2 || round == 6) {
-        near_speed = found.law.has_dip ? found.law.dip.dip_speed : 0;
-        near_span = round == 2 ? 0.35 : 0.12;
+      if (std::find(put_up_at.begin(), put_up_at.end(), round + 1) != put_up_at.end()) {
+        look_nearer(solve);
       }
       improve_noise(m_.residual_Nm.square() +
                     ((full * found.covariance).array() * full.array()).rowwise().sum());
@@ -257,10 +260,10 @@ class Fit {
 
  private:
   /// Effects and laws about the present point.
-  void put_up(double near_speed, double near_span) {
-    m_.effects = effect_columns(m_.cells, has_gravity_, m_.point);
+  void put_up() {
+    m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, sizes_);
     m_.hats = law_hats(m_.cells, m_.point);
-    m_.laws = candidate_laws(m_.cells, m_.point, near_speed, near_span);
+    m_.laws = candidate_laws(m_.cells, m_.point, dip_speed_, dip_span_);
     law_columns_ = m_.laws.torque(m_.cells);
     m_.first = {0};
     for (const EffectColumns& e : m_.effects) {
@@ -272,11 +275,38 @@ class Fit {
       const Effect& effect = *m_.effects[e].effect;
       x_.middleCols(m_.first[e], m_.width(e)) = m_.effects[e].columns;
       const auto known = known_precision_.find(effect.key);
-      m_.precision[static_cast<Index>(e)] = !asks_size(effect) ? 1
-                                            : known != known_precision_.end()
-                                                ? known->second
+      m_.precision[static_cast<Index>(e)] = !asks_size(effect)                ? 1
+                                            : known != known_precision_.end() ? known->second
+                                            : effect.key == joint::effect::law_misfit.key
+                                                ? 1
                                                 : std::max(open, effect.least_precision());
     }
+  }
+
+  /// Dips about the likeliest one, as far as their evidence reaches.
+  void look_nearer(const Solve& solve) {
+    const FrictionLaw& best = m_.laws.laws[solve.likeliest()];
+    if (!best.has_dip) {
+      dip_speed_ = 0;
+      return;
+    }
+    const double most = solve.evidence()[solve.likeliest()];
+    double total = 0;
+    double mean = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
+      if (!m_.laws.laws[k].has_dip) continue;
+      const double share = std::exp(solve.evidence()[k] - most);
+      const double away = std::log(m_.laws.laws[k].dip.dip_speed / best.dip.dip_speed);
+      total += share;
+      mean += share * away;
+      square += share * away * away;
+    }
+    mean /= total;
+    const double sd = std::sqrt(std::max(0.0, square / total - mean * mean));
+    const double step = dip_speed_ > 0 ? dip_span_ / dips_each_side : coarse_dip_step;
+    dip_speed_ = best.dip.dip_speed * std::exp(mean);
+    dip_span_ = std::clamp(dips_each_side * sd, step, coarse_dip_step);
   }
 
   /// And the cells' weights and correlation. @param square mean squares of the residuals.
@@ -337,12 +367,15 @@ class Fit {
   }
 
   bool has_gravity_;
+  const joint::EffectSizes& sizes_;
   JointModel m_;
   ArrayXd count_;
   VectorXd y_;
   std::vector<int> stroke_;
   Noise noise_;
   std::map<std::string_view, double> known_precision_;
+  double dip_speed_{};  // 0: none is known
+  double dip_span_{};   // of log speed, on either side
   MatrixXd x_;
   MatrixXd law_columns_;
 };
@@ -364,7 +397,7 @@ bool JointModel::is_finite() const {
          });
 }
 
-JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
+JointModel fit_joint_model(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes) {
   if (cells.size() < fewest_cells) return {};
   std::set<int> recordings;
   for (const Cell& row : cells.rows) recordings.insert(row.recording);
@@ -375,14 +408,14 @@ JointModel fit_joint_model(const Cells& cells, bool has_gravity) {
   };
   std::vector<int> out = foreign_recordings(cells);
   if (out.size() > recordings.size() / 3) out.clear();
-  JointModel m = Fit(without(out), has_gravity).run();
+  JointModel m = Fit(without(out), has_gravity, sizes).run();
   if (!m.is_finite()) return {};
   constexpr int most_times = 3;
   for (int k = 0; k < most_times; ++k) {
     const std::vector<int> unlike = unlike_recordings(m);
     if (unlike.empty() || out.size() + unlike.size() > recordings.size() / 3) break;
     out.insert(out.end(), unlike.begin(), unlike.end());
-    m = Fit(without(out), has_gravity).run();
+    m = Fit(without(out), has_gravity, sizes).run();
   }
   if (!m.is_finite()) return {};
   m.left_out = std::move(out);

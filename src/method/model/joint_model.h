@@ -54,6 +54,8 @@ struct JointModel {
 };
 
 /// @param cells of sweeps and runs; too few of them, or without a torque: the model is empty.
-JointModel fit_joint_model(const Cells& cells, bool has_gravity);
+/// @param sizes that the manifest states: of what is zero, the model has nothing.
+JointModel fit_joint_model(const Cells& cells, bool has_gravity,
+                           const joint::EffectSizes& sizes = {});
 
 }  // namespace tribolog::method::model

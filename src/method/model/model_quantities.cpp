@@ -25,6 +25,7 @@ using Kind = Effect::Kind;
 /// What an effect takes off a quantity is known no better than the effect's form: one standard
 /// deviation of it.
 constexpr double form = 0.2;
+constexpr double far_off_share = 0.01;  // of the friction: less matters to nobody
 constexpr double far_off_weight = 0.3;
 
 double wrapped(double angle, double about) {
@@ -269,7 +270,10 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
   result.left_out = model.left_out;
   if (model.empty()) return result;
   result.samples_per_independent = model.samples_per_independent;
-  result.cells_far_off = (model.weight < far_off_weight).cast<double>().mean();
+  result.cells_far_off = (model.weight < far_off_weight &&
+                          model.residual_Nm.abs() > far_off_share * model.point.friction_Nm)
+                             .cast<double>()
+                             .mean();
   result.unlike_left = unlike_recordings(model).size();
   std::vector<Wanted> wanted;
   if (model.find("gravity") < model.effects.size()) {
@@ -278,9 +282,10 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
   wanted.push_back({Quantity::coulomb_torque});
   wanted.push_back({Quantity::viscous_coefficient});
   if (model.find("inertia") < model.effects.size()) wanted.push_back({Quantity::inertia});
-  const ArrayXd v = model.cells.of(&Cell::speed_rad_s);
+  const double slowest = slowest_stated(model.cells);
+  const double fastest = model.cells.of(&Cell::speed_rad_s).maxCoeff();
   for (const double speed : speeds_rad_s) {
-    if (speed >= 0.95 * v.minCoeff() && speed <= 1.05 * v.maxCoeff()) wanted.push_back({{}, speed});
+    if (speed >= 0.95 * slowest && speed <= 1.05 * fastest) wanted.push_back({{}, speed});
   }
   const Describer describer(model);
   for (const Wanted& one : wanted) result.quantities.push_back(describer.describe(one));
@@ -292,15 +297,14 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
 
 ModelResult identify_joint(const std::vector<const joint::Recording*>& recordings,
                            const std::vector<joint::FrictionPoints>& points, double gear_ratio,
-                           bool has_gravity) {
+                           bool has_gravity, const joint::EffectSizes& sizes) {
   constexpr double step = 0.039;  // of log speed: within 2 % of any
   const Cells cells = make_cells(recordings, points, gear_ratio, has_gravity);
-  const JointModel model = fit_joint_model(cells, has_gravity);
+  const JointModel model = fit_joint_model(cells, has_gravity, sizes);
   std::vector<double> speeds;
   if (!model.empty()) {
-    const ArrayXd v = model.cells.of(&Cell::speed_rad_s);
-    const double low = v.minCoeff();
-    const double span = std::log(v.maxCoeff() / low);
+    const double low = slowest_stated(model.cells);
+    const double span = std::log(model.cells.of(&Cell::speed_rad_s).maxCoeff() / low);
     constexpr double one_speed = 1e-9;  // apart by rounding alone
     const auto steps = static_cast<int>(std::ceil((span - one_speed) / step));
     for (int k = 0; k <= steps; ++k) {

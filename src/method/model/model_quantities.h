@@ -8,6 +8,7 @@
 
 #include "joint/quantity.h"
 #include "method/model/joint_model.h"
+#include "statistics/estimate.h"
 
 namespace tribolog::method::model {
 
@@ -25,6 +26,10 @@ struct ModelQuantity {
   double low{};                             ///< 95 % credible interval.
   double high{};
   std::vector<VarianceShare> shares;  ///< Largest first.
+
+  [[nodiscard]] statistics::Estimate as_estimate() const {
+    return {estimate, low, high, {"interval.of_model"}};
+  }
 };
 
 /// An effect as the data show it.
@@ -41,7 +46,7 @@ struct ModelResult {
   std::vector<ModelEffect> effects;
   std::size_t cells{};
   double samples_per_independent{};
-  double cells_far_off{};     ///< Share of cells whose weight fell below 0.3.
+  double cells_far_off{};     ///< Share of cells whose weight fell below 0.3, and that matter.
   std::size_t unlike_left{};  ///< Recordings unlike the others that are still in it.
   std::vector<int> left_out;  ///< Recordings, by their index.
 
@@ -57,6 +62,6 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
 /// from the slowest to the fastest measured, a step of a few percent apart.
 ModelResult identify_joint(const std::vector<const joint::Recording*>& recordings,
                            const std::vector<joint::FrictionPoints>& points, double gear_ratio,
-                           bool has_gravity);
+                           bool has_gravity, const joint::EffectSizes& sizes = {});
 
 }  // namespace tribolog::method::model

@@ -63,8 +63,9 @@ std::vector<InputCase> manifest_cases() {
           "min <= max"),
       manifest(
           "48j", "Include", in_front_of_effort("[include]\nfile = \"dataset.toml\""),
-          ":7:1: unknown key 'include'; hint: known here: 'certificate', 'columns', 'effort', "
-          "'intervals', 'joint', 'known_gravity', 'known_load', 'limit', 'log', 'other_joint', "
+          ":7:1: unknown key 'include'; hint: known here: 'certificate', 'columns', 'effects', "
+          "'effort', 'intervals', 'joint', 'known_gravity', 'known_load', 'limit', 'log', "
+          "'other_joint', "
           "'payload', 'recording', "
           "'reference', 'robot', 'schema', 'surrogate', 'temperature', 'uncertainty'"),
       manifest("48k", "DeepNesting", in_front_of_effort("x = " + std::string(10'000, '[')),

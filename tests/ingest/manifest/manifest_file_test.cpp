@@ -398,6 +398,34 @@ TEST(ManifestLimits, AreReadWithTheirNumbers) {
   EXPECT_EQ(m.manifest.limits[1].min, -23);
 }
 
+TEST(ManifestEffects, SizesAreReadAndTheRestIsTypical) {
+  namespace effect = joint::effect;
+  const joint::EffectSizes sizes =
+      ingest::manifest::parse_manifest(minimal + "[effects]\nhoses_percent = 0\nlag_ms = 0.25\n",
+                                       "m.toml")
+          .manifest.effects;
+  EXPECT_TRUE(sizes.is_stated(effect::hoses));
+  EXPECT_EQ(sizes.of(effect::hoses), 0);
+  EXPECT_EQ(sizes.of(effect::lag), 0.25);
+  EXPECT_FALSE(sizes.is_stated(effect::offset));
+  EXPECT_EQ(sizes.of(effect::offset), effect::offset.typical);
+}
+
+TEST(ManifestEffects, AreRefusedWhereNoneIsSoCalledOrSoLarge) {
+  const auto expect_refused = [](const std::string& line, const std::string& because) {
+    try {
+      (void)ingest::manifest::parse_manifest(minimal + "[effects]\n" + line + "\n", "m.toml");
+      ADD_FAILURE() << line << " is accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(because), std::string::npos) << error.what();
+    }
+  };
+  expect_refused("hose_percent = 1", "hoses_percent");
+  expect_refused("hoses_percent = -1", "hoses_percent");
+  expect_refused("hoses_percent = 60", "from 0 (it has none) to 5");
+  expect_refused("law_at_its_ends_percent = 0", "law_at_its_ends_percent");
+}
+
 TEST(ManifestUncertainty, IsReadAsHalfWidths) {
   const ingest::manifest::ManifestFile m =
       ingest::manifest::parse_manifest(minimal +

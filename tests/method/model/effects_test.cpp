@@ -91,15 +91,15 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Injected{"offset", {"offset"}, [](SmallEffects& e) { e.offset = 0.04; }},
         Injected{"offset_drift", {"offset_drift"}, [](SmallEffects& e) { e.offset_drift = 0.006; }},
-        Injected{"lag", {"lag", "position"}, [](SmallEffects& e) { e.lag_s = 0.003; }},
+        Injected{"lag", {"lag", "position"}, [](SmallEffects& e) { e.lag_s = 0.004; }},
         Injected{"load", {"load"}, [](SmallEffects& e) { e.load = 0.03; }},
         Injected{"asymmetry", {"asymmetry"}, [](SmallEffects& e) { e.asymmetry_of_speed = 0.06; }},
         Injected{"position",
                  {"position", "load"},
                  [](SmallEffects& e) { e.place = {0.06, -0.03, 0.02, 0.015, -0.012}; }},
         Injected{"drift", {"drift", "law_misfit"}, [](SmallEffects& e) { e.warm_up[1] = 0.1; }},
-        Injected{"spring",
-                 {"spring", "harmonics", "smooth_over_angle", "angle_scale"},
+        Injected{"hoses",
+                 {"hoses", "harmonics", "smooth_over_angle", "angle_scale"},
                  [](SmallEffects& e) { e.spring = 0.003; },
                  wide()},
         Injected{"torque_nonlinear", {"torque_nonlinear"}, [](SmallEffects& e) { e.cube = 0.01; }},
@@ -113,6 +113,70 @@ INSTANTIATE_TEST_SUITE_P(
                  {"harmonics", "smooth_over_angle"},
                  [](SmallEffects& e) { e.harmonics = {0, 0.002, 0.0015, 0}; }}),
     [](const testing::TestParamInfo<Injected>& one) { return one.param.name; });
+
+TEST(EffectSizes, StatedAsTypicalIsTheSameToTheBit) {
+  const KnownJoint joint;
+  const test::JointLog log = record(joint, {}, 1);
+  joint::EffectSizes typical;
+  for (const joint::Effect& one : joint::statable_effects()) {
+    // Of a coarse log the lag that nobody states is a share of the interval.
+    if (one.key != joint::effect::lag.key) typical.state(one, one.typical);
+  }
+  const auto of = [&](const joint::EffectSizes& sizes) {
+    return method::model::identify_joint(log.all(), {}, joint.gear_ratio, true, sizes);
+  };
+  const ModelResult plain = of({});
+  const ModelResult stated = of(typical);
+  ASSERT_EQ(plain.quantities.size(), stated.quantities.size());
+  for (std::size_t k = 0; k < plain.quantities.size(); ++k) {
+    EXPECT_EQ(plain.quantities[k].estimate, stated.quantities[k].estimate);
+    EXPECT_EQ(plain.quantities[k].low, stated.quantities[k].low);
+    EXPECT_EQ(plain.quantities[k].high, stated.quantities[k].high);
+  }
+}
+
+TEST(EffectSizes, StatedAsZeroIsNotInTheModel) {
+  const KnownJoint joint;
+  const test::JointLog log = record(joint, {}, 1);
+  joint::EffectSizes none;
+  for (const joint::Effect& one : joint::statable_effects()) none.state(one, 0);
+  const ModelResult result =
+      method::model::identify_joint(log.all(), {}, joint.gear_ratio, true, none);
+  for (const method::model::ModelEffect& one : result.effects) {
+    EXPECT_TRUE(one.key == "gravity" || one.key == "inertia") << one.key;
+  }
+  const ModelResult plain = log.identified(joint.gear_ratio);
+  for (const Quantity quantity : {Quantity::gravity_torque, Quantity::cog_angle,
+                                  Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
+    EXPECT_LT(test::half_width(found(result, quantity)), test::half_width(found(plain, quantity)));
+  }
+}
+
+/// Another joint swings beside the tested one, and the log has its angle.
+test::JointLog beside_another(const KnownJoint& joint, double its_gravity_Nm) {
+  test::JointLog log = record(joint, {}, 3);
+  for (joint::Recording& r : log.recordings) {
+    std::vector<double> other;
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      other.push_back(0.3 + 0.9 * std::sin(0.7 * r.t_s[i]));
+      r.torque_Nm[i] += its_gravity_Nm * std::cos(r.q_rad[i] + other.back());
+    }
+    r.others_q_rad = {other};
+  }
+  return log;
+}
+
+TEST(OtherJoints, WhoseAnglesAreLoggedLeaveTheFrictionInItsInterval) {
+  const KnownJoint joint;
+  for (const double its_gravity_Nm : {0.0, 0.05, 0.2}) {
+    const test::JointLog log = beside_another(joint, its_gravity_Nm);
+    const ModelResult result = log.identified(joint.gear_ratio);
+    EXPECT_TRUE(holds(found(result, Quantity::coulomb_torque), joint.coulomb_Nm));
+    EXPECT_TRUE(holds(found(result, Quantity::viscous_coefficient), joint.viscous_Nms_rad));
+    EXPECT_LT(test::half_width(found(result, Quantity::coulomb_torque)), 0.1 * joint.coulomb_Nm);
+    EXPECT_GE(found(result, "others_gravity").torque_Nm, 0.5 * its_gravity_Nm);
+  }
+}
 
 }  // namespace
 }  // namespace tribolog::model_effects_test

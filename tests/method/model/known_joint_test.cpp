@@ -142,7 +142,7 @@ TEST(KnownJoint, OfALineWithSmallEffectsIsFound) {
 }
 
 TEST(KnownJoint, WithADipIsFound) {
-  expect_coverage(with_dip(), false, {0.010, 0.0072, 0.070, 0.14, 0.012, 0.054});
+  expect_coverage(with_dip(), false, {0.010, 0.0072, 0.072, 0.14, 0.012, 0.054});
 }
 
 TEST(KnownJoint, WithADipAndSmallEffectsIsFound) {
