@@ -97,16 +97,18 @@ struct StudyCommandOptions {
   std::string scenario;  ///< Empty: the paper's joint with realistic noise, which is built in.
   std::string output;    ///< The page (HTML).
   std::string json;      ///< All numbers; empty: only within the page.
-  std::size_t runs{200};
+  /// Of each case; with `mixed` joints. None: as many as the study has by itself.
+  std::optional<std::size_t> runs;
   unsigned long long seed{1};
   std::size_t threads{0};            ///< 0: all cores.
   std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   bool misfit{false};  ///< On joints and logs that the method's model does not describe.
   bool sound{false};   ///< The same on joints that it does describe.
+  bool mixed{false};   ///< On joints drawn at random, with many small effects at once.
   std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
   std::vector<std::string> joints;        ///< With `misfit`: keys; none: all.
-  std::string logs;  ///< With `misfit` or `sound`: directory for the first run of each case.
+  std::string logs;  ///< With these three: directory for the first run of each case or joint.
   int processes{2};
   wording::Language language;
 };

@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,6 +34,7 @@ namespace {
 
 constexpr const char* usual_scenario = "scenario_noise.toml";
 constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
+constexpr std::size_t usual_runs = 200;
 
 struct NamedScenario {
   std::string file;
@@ -55,12 +60,17 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
   for (const study::MisfitCase& c : cases) {
     nlohmann::json quantities = nlohmann::json::object();
     for (const study::MisfitQuantity& q : c.quantities) {
-      quantities[to_string(q.quantity)] = {
-          {"truth", q.truth},         {"found", q.found},
-          {"usable", q.usable},       {"inside", q.inside},
-          {"wrong", q.wrong},         {"wrong_usable", q.wrong_usable},
-          {"by_chance", q.by_chance}, {"worst_usable", q.worst_usable},
-          {"rms_error", q.rms_error}, {"half_width", q.half_width}};
+      quantities[to_string(q.quantity)] = {{"truth", q.truth},
+                                           {"found", q.found},
+                                           {"judged", q.judged},
+                                           {"usable", q.usable},
+                                           {"inside", q.inside},
+                                           {"wrong", q.wrong},
+                                           {"wrong_usable", q.wrong_usable},
+                                           {"by_chance", q.by_chance},
+                                           {"worst_usable", q.worst_usable},
+                                           {"rms_error", q.rms_error},
+                                           {"half_width", q.half_width}};
     }
     list.push_back({{"joint", c.joint},
                     {"disturbance", c.disturbance},
@@ -75,8 +85,10 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
 /// What the study is made for, in a few lines: wrong numbers that are called usable, and causes
 /// that are not named. What no log can show, such as a wrong torque constant, is left out.
 void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) {
-  std::map<std::string, study::Disturbance> laid;
-  for (const study::Disturbance& d : study::disturbances()) laid[d.key] = d;
+  std::set<std::string> hidden;
+  for (const study::Disturbance& d : study::disturbances()) {
+    if (d.is_hidden) hidden.insert(d.key);
+  }
   std::size_t numbers = 0;
   std::size_t usable = 0;
   std::size_t wrong = 0;
@@ -88,7 +100,7 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
       named[c.disturbance].first += c.named;
       named[c.disturbance].second += c.runs;
     }
-    if (!c.disturbance.empty() && laid.at(c.disturbance).is_hidden) continue;
+    if (hidden.contains(c.disturbance)) continue;
     for (const study::MisfitQuantity& q : c.quantities) {
       numbers += q.found;
       usable += q.usable;
@@ -122,43 +134,87 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
                           seldom.empty() ? "none" : fmt::format("{}", fmt::join(seldom, ", "))));
 }
 
-ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
-  if (options.json.empty()) throw UsageError("study --misfit and --sound need --json FILE");
-  if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
-    throw UsageError(
-        "--misfit and --sound have joints of their own: SCENARIO, --factor and -o do not apply");
+/// How each quantity fared in a case, a line each.
+void say_quantities(const study::MisfitCase& c, Console& console) {
+  console.say(fmt::format("{}, {} {:g}:", c.joint, c.disturbance, c.size));
+  for (const study::MisfitQuantity& q : c.quantities) {
+    const double judged = std::max(1.0, static_cast<double>(q.judged));
+    console.say(fmt::format(
+        "  {}: found {} of {}, inside {:.0f} %, usable {}, wrong and usable {}; error (RMS) {:.2g} "
+        "and half width {:.2g} times what matters",
+        to_string(q.quantity), q.found, c.runs, 100 * static_cast<double>(q.inside) / judged,
+        q.usable, q.wrong_usable, q.rms_error, q.half_width));
   }
-  check_output_can_be_written(options.json, {});
-  console.make_way_for(options.json);
+}
+
+study::KeepLogs keep_in(const std::string& directory) {
+  if (directory.empty()) return {};
+  return [directory](const study::MisfitCase& of, const simulate::Scenario& laid,
+                     const std::vector<joint::Recording>& logs) {
+    const std::string name = of.disturbance.empty()
+                                 ? of.joint
+                                 : fmt::format("{}-{}-{:g}", of.joint, of.disturbance, of.size);
+    exports::simulation::write_simulation(laid, logs, directory + "/" + name);
+  };
+}
+
+std::vector<study::MisfitCase> run_mixed_cases(const StudyCommandOptions& options,
+                                               const study::MisfitProgress& progress) {
+  study::MixedOptions study;
+  study.joints = options.runs.value_or(study.joints);
+  study.seed = options.seed;
+  study.threads = options.threads;
+  study.resamples = options.resamples;
+  study.keep_logs = keep_in(options.logs);
+  return study::run_mixed_study(study, progress);
+}
+
+/// @throw std::invalid_argument as run_misfit_study().
+std::vector<study::MisfitCase> run_misfit_cases(const StudyCommandOptions& options,
+                                                const study::MisfitProgress& progress) {
   study::MisfitOptions study;
-  study.runs = options.runs;
+  study.runs = options.runs.value_or(usual_runs);
   study.seed = options.seed;
   study.threads = options.threads;
   study.resamples = options.resamples;
   study.disturbances = options.disturbances;
   study.joints = options.joints;
   study.only_sound = options.sound;
-  if (!options.logs.empty()) {
-    study.keep_logs = [&](const study::MisfitCase& of, const simulate::Scenario& laid,
-                          const std::vector<joint::Recording>& logs) {
-      const std::string name = of.disturbance.empty()
-                                   ? of.joint
-                                   : fmt::format("{}-{}-{:g}", of.joint, of.disturbance, of.size);
-      exports::simulation::write_simulation(laid, logs, options.logs + "/" + name);
-    };
+  study.keep_logs = keep_in(options.logs);
+  return study::run_misfit_study(study, progress);
+}
+
+bool has_joints_of_its_own(const StudyCommandOptions& options) {
+  return options.misfit || options.sound || options.mixed;
+}
+
+ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
+  if (options.json.empty()) {
+    throw UsageError("study --misfit, --sound and --mixed need --json FILE");
   }
+  if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
+    throw UsageError(
+        "--misfit, --sound and --mixed have joints of their own: SCENARIO, --factor and -o do not "
+        "apply");
+  }
+  check_output_can_be_written(options.json, {});
+  console.make_way_for(options.json);
+  const auto progress = [&](const std::string& name, std::size_t done, std::size_t all) {
+    console.progress(name, done, all);
+  };
   std::vector<study::MisfitCase> cases;
   try {
-    cases = study::run_misfit_study(
-        study, [&](const std::string& name, std::size_t done, std::size_t all) {
-          console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
-        });
+    cases =
+        options.mixed ? run_mixed_cases(options, progress) : run_misfit_cases(options, progress);
   } catch (const std::invalid_argument& refused) {
     throw UsageError(refused.what());
   }
   AtomicFiles files;
   files.add(options.json, misfit_json(cases).dump(1) + "\n");
   files.commit();
+  if (options.mixed) {
+    for (const study::MisfitCase& c : cases) say_quantities(c, console);
+  }
   say_outcome(cases, console);
   console.say("numbers: " + options.json);
   return ExitStatus::done;
@@ -171,12 +227,18 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   if (options.sound && !options.disturbances.empty()) {
     throw UsageError("--sound lays no --disturbance: choose one of them");
   }
-  if (!options.logs.empty() && !options.misfit && !options.sound) {
-    throw UsageError("--logs keeps what --misfit or --sound simulates: neither is given");
+  if (options.mixed && (options.misfit || options.sound)) {
+    throw UsageError("--mixed is a study of its own, beside --misfit and --sound: choose one");
   }
-  if (options.misfit || options.sound) return run_misfit_command(options, console);
+  if (options.mixed && !(options.disturbances.empty() && options.joints.empty())) {
+    throw UsageError("--mixed draws joints and effects: --joint and --disturbance do not apply");
+  }
+  if (!options.logs.empty() && !has_joints_of_its_own(options)) {
+    throw UsageError("--logs keeps what --misfit, --sound or --mixed simulates: none is given");
+  }
+  if (has_joints_of_its_own(options)) return run_misfit_command(options, console);
   if (options.output.empty() && options.json.empty()) {
-    throw UsageError("study needs -o FILE, --json FILE, --misfit or --sound");
+    throw UsageError("study needs -o FILE, --json FILE, --misfit, --sound or --mixed");
   }
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
@@ -194,7 +256,7 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   std::optional<render::workers::FigureRenderer> renderer;
   if (!options.output.empty()) renderer.emplace(options.processes);  // starts while the study runs
   study::StudyOptions study;
-  study.runs = options.runs;
+  study.runs = options.runs.value_or(usual_runs);
   study.seed = options.seed;
   study.threads = options.threads;
   study.resamples = options.resamples;
@@ -202,7 +264,7 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   try {
     report.study = study::run_study(
         named.scenario, study, [&](const std::string& name, std::size_t done, std::size_t all) {
-          console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
+          console.progress(fmt::format("{} runs: {}", study.runs, name), done, all);
         });
   } catch (const std::invalid_argument& refused) {
     throw InputError({report.scenario_file, 0, 0},
@@ -247,15 +309,18 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
                    "joints and logs that the method's model does not describe");
   command.add_flag("--sound", study.sound,
                    "twelve joints that the model describes: coverage, and share called usable");
+  command.add_flag("--mixed", study.mixed,
+                   "joints drawn at random, with many small effects at once");
   command.add_option("--disturbance", study.disturbances,
                      "with --misfit: lay this one alone (may be given again); default: all");
   command.add_option("--joint", study.joints,
                      "with --misfit or --sound: on this joint alone (may be given again)");
   command.add_option("--logs", study.logs,
-                     "with --misfit or --sound: directory for the logs of each case's first run");
-  command.add_option("--runs", study.runs, "runs per case")
+                     "with --misfit or --sound: directory for the logs of each case's first run; "
+                     "with --mixed: of each joint");
+  command.add_option("--runs", study.runs, "runs per case; with --mixed joints, else 100")
       ->check(CLI::Range(std::size_t{2}, most))
-      ->capture_default_str();
+      ->default_str(std::to_string(usual_runs));
   command.add_option("--seed", study.seed, "seed of all noise")
       ->check(whole_number())
       ->capture_default_str();

@@ -90,7 +90,8 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
   const double n = s.gear_ratio;
   const double inertia = s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (n * n);
   require_positive(inertia, Code{"parameter.inertia_of_motor_and_arm"}, "kg·m²");
-  const double held_Nm = s.load.torque_Nm(e.centre_rad) / n;
+  const auto load_Nm = [&](double q) { return load_torque_Nm(s, q, joint::Role::break_away) / n; };
+  const double held_Nm = load_Nm(e.centre_rad);
   const auto torque_at = [&](double t) { return held_Nm + direction * e.rate_Nm_s * t; };
   ForcedMotionSetup setup;
   setup.inertia_kgm2 = inertia;
@@ -98,7 +99,7 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
   // Over the little way of a ramp it is the same.
   const double of_angle_Nm = torque_of_angle_Nm(s, e.centre_rad);
   setup.applied_Nm = [&](double t, double motor_rad, double) {
-    return torque_at(t) - s.load.torque_Nm(motor_rad / n) / n - of_angle_Nm;
+    return torque_at(t) - load_Nm(motor_rad / n) - of_angle_Nm;
   };
   setup.duration_s = e.largest_torque_Nm / e.rate_Nm_s;
   setup.sample_s = 1 / e.sample_rate_Hz;
@@ -121,7 +122,7 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
     r.q_rad.push_back(q);
     r.dq_rad_s.push_back(motion.speed_rad_s[i] / n);
     r.torque_Nm.push_back(torque_at(motion.t_s[i]) + s.effects.torque_offset_Nm +
-                          s.effects.offset_drift_Nm);
+                          s.effects.offset_drift_Nm - left_out_Nm(s, q, r.role));
   }
   r.rows_read = r.size();
   return r;

@@ -75,7 +75,7 @@ std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, doubl
 MovedJoint sliding(const Scenario& s, const Motion& motion, std::size_t samples,
                    double sample_rate_Hz, std::string name, joint::Role role) {
   const std::vector<double> friction = sliding_torque(s, motion, sample_rate_Hz, samples);
-  MovedJoint moved{empty_recording(std::move(name), role, samples), {}, 0};
+  MovedJoint moved{empty_recording(std::move(name), role, samples), {}, 0, 0};
   joint::Recording& r = moved.recording;
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / sample_rate_Hz;
@@ -134,7 +134,8 @@ MovedJoint oscillation(const Scenario& s, const OscillationExperiment& e, std::s
   BristleResponse response = dynamic_response(s, motor, e.sample_rate_Hz, samples);
   MovedJoint moved{empty_recording(std::move(name), joint::Role::oscillation, samples),
                    {},
-                   std::abs(s.presliding->steady_torque_Nm(1e-9))};
+                   std::abs(s.presliding->steady_torque_Nm(1e-9)),
+                   0};
   joint::Recording& r = moved.recording;
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
@@ -157,8 +158,11 @@ MovedJoint constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, s
   require_positive(motor_speed, "motor_speeds_rad_s", "rad/s");
   require_positive(e.largest_travel_rad, "largest_travel_rad", "rad");
   require_positive(e.longest_plateau_s, "longest_plateau_s", "s");
-  return travel(s, run_at(motor_speed, e, s.gear_ratio), e.sample_rate_Hz,
-                fmt::format("constant_speed_{:02}.csv", index + 1), joint::Role::constant_speed);
+  MovedJoint moved =
+      travel(s, run_at(motor_speed, e, s.gear_ratio), e.sample_rate_Hz,
+             fmt::format("constant_speed_{:02}.csv", index + 1), joint::Role::constant_speed);
+  moved.run = index + 1;
+  return moved;
 }
 
 /// Driving torques, one recording after the other.

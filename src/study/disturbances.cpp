@@ -302,6 +302,71 @@ std::vector<Disturbance> all_disturbances() {
                                      s.load.q_peak_rad());
        },
        {"cause.no_gravity"}},
+      {"coulomb_model_added",
+       {0.04, 0.2, 0.5},
+       [](Scenario& s, double x) {
+         const LuGreParameters& p = lugre_of(s);
+         s.noise.effects.coulomb_model_Nm = x * p.coulomb_Nm;
+         s.noise.effects.coulomb_model_from_rad_s = 0.1 * p.stribeck_speed_rad_s / s.gear_ratio;
+       },
+       {"cause.runs_against_ramps", "cause.runs_against_loops"}},
+      {"loop_torque_scale",
+       {1.02, 0.95, 1.2},
+       [](Scenario& s, double x) { s.noise.effects.scale_of_loops = x; },
+       {"cause.scale_of_loops", "cause.loops_against_ramps"}},
+      {"run_torque_scale",
+       {1.005, 0.98, 1.1},
+       [](Scenario& s, double x) { s.noise.effects.scale_of_runs = x; },
+       {"effect.gain_of_runs"}},
+      {"uneven_gear_stiffness",
+       {0.1, 0.5, 1},
+       [](Scenario& s, double x) {
+         s.effects.gear_windup_rad = x * joint::rad_per_degree;
+         s.effects.uneven_windup = 0.5;
+       },
+       {"cause.elastic_gear"}},
+      {"resonant_filter",
+       {100, 50, 20},
+       [](Scenario& s, double x) { s.noise.effects.resonance_Hz = x; },
+       {"cause.lag"}},
+      // The part with one period in a turn is another gravity: the angle is off by that, unseen.
+      {"angle_crosstalk",
+       {0.001, 0.005, 0.02},
+       [](Scenario& s, double x) {
+         s.noise.effects.crosstalk_Nm = x * motor_gravity(s);
+         s.noise.effects.crosstalk_zero_rad = s.load.q_peak_rad();
+       },
+       {"cause.torque_of_angle", "cause.course_of_angle", "effect.harmonics"}},
+      {"touch",
+       {0.01, 0.05, 0.2},
+       [](Scenario& s, double x) { s.noise.effects.touch_Nm = x * motor_gravity(s); },
+       {"model.recordings_unlike", "model.cells_far_off", "cause.outliers_of_speeds",
+        "cause.outliers_between_directions", "cause.stray_within_dip"}},
+      // No finding names a tool; that runs and sweep disagree about the mass tells as much.
+      {"tool_changed",
+       {0.01, 0.03, 0.1},
+       [](Scenario& s, double x) { s.effects.tool_gravity = x; },
+       {"cross_check.disagree"}},
+      {"held_messages",
+       {1, 5, 20},
+       [](Scenario& s, double x) { s.noise.effects.repeated_percent = x; },
+       {"check.torque_alive", "check.torque_held"}},
+      {"foreign_recording",
+       {1.2, 2, 5},
+       [](Scenario& s, double x) {
+         s.effects.foreign_run = s.constant_speed->motor_speeds_rad_s.size() / 2;
+         s.effects.foreign_friction = x;
+       },
+       {"model.recordings_unlike", "cause.outliers_of_speeds", "cause.outliers_between_directions",
+        "cause.stray_within_dip"}},
+      {"gravity_left_out",
+       {0.3, 0.9, 1},
+       [](Scenario& s, double x) { s.effects.gravity_left_out = x; },
+       {"cause.no_gravity_or_removed"}},
+      {"tare_between",
+       {0.002, 0.01, 0.05},
+       [](Scenario& s, double x) { s.noise.effects.tare_Nm = x * motor_gravity(s); },
+       {"cause.drift_of_offset", "effect.offset_drift"}},
       {"mirrored",
        {1, 2, 3},
        [](Scenario& s, double x) {

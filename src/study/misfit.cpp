@@ -13,12 +13,12 @@
 
 #include "base/parallel_for.h"
 #include "base/requirements.h"
-#include "friction/lugre.h"
 #include "identify/identify.h"
 #include "joint/degrees.h"
 #include "simulate/simulate_joint.h"
 #include "statistics/distributions.h"
-#include "study/misfit_scenario.h"
+#include "study/misfit_runs.h"
+#include "study/misfit_truths.h"
 #include "study/study.h"
 
 namespace tribolog::study {
@@ -28,39 +28,6 @@ using joint::Quantity;
 using simulate::Scenario;
 
 constexpr std::size_t joints_of_the_study = 4;
-constexpr double no_truth = std::numeric_limits<double>::quiet_NaN();
-
-/// What an error-free identification would find, by the verdict's keys; SI, motor side.
-std::map<Quantity, double> truths_of(const Scenario& undisturbed, const Scenario& laid) {
-  const LuGreParameters& p = lugre_of(undisturbed);
-  double q_peak = laid.load.q_peak_rad();
-  if (laid.noise.effects.mirrored_angle) q_peak = -q_peak;
-  // With the torque mirrored too the joint is one whose peak lies where the trough was.
-  if (laid.noise.effects.mirrored_angle && laid.noise.effects.mirrored_torque) {
-    q_peak += std::numbers::pi;
-  }
-  const double n = laid.gear_ratio;
-  std::map<Quantity, double> t{
-      {Quantity::cog_angle, q_peak},
-      {Quantity::gravity_torque, motor_gravity(laid)},
-      {Quantity::surrogate_mass,
-       laid.load.amplitude_Nm() / (laid.load.gravity_m_s2() * laid.surrogate_distance_m)},
-      {Quantity::break_away_torque, p.static_Nm},
-      {Quantity::bristle_stiffness, p.bristle_stiffness_Nm_rad},
-      {Quantity::bristle_damping, p.bristle_damping_Nms_rad},
-      {Quantity::inertia, laid.motor_inertia_kgm2 + laid.arm_inertia_kgm2 / (n * n)},
-      {Quantity::coulomb_torque, p.coulomb_Nm},
-      {Quantity::stribeck_speed, p.stribeck_speed_rad_s},
-      {Quantity::viscous_coefficient, p.viscous_Nms_rad}};
-  if (const auto* now = dynamic_cast<const friction::LuGreFriction*>(laid.presliding.get())) {
-    t[Quantity::stribeck_speed] = now->parameters().stribeck_speed_rad_s;
-  }
-  // A slope that goes on growing is none of the definition's.
-  if (laid.effects.viscous_exponent != 1) t[Quantity::viscous_coefficient] = no_truth;
-  const std::string model = laid.presliding->name();
-  if (model != "lugre") t[Quantity::bristle_damping] = no_truth;
-  return t;
-}
 
 bool names(const calibration::Judgement& judgement, const Disturbance& d) {
   const std::function<bool(const Statement&)> is_named = [&](const Statement& s) {
@@ -75,11 +42,6 @@ bool names(const calibration::Judgement& judgement, const Disturbance& d) {
   return std::any_of(judgement.findings.begin(), judgement.findings.end(), is_named);
 }
 
-struct RunOutcome {
-  std::vector<calibration::QuantityVerdict> quantities;
-  bool named{};
-};
-
 /// Of a normal error, to be beyond its 95 % interval and beyond what matters.
 /// @param half_width of the interval, in terms of what matters.
 double chance_of_wrong(double half_width) {
@@ -88,71 +50,77 @@ double chance_of_wrong(double half_width) {
   return std::erfc(std::max(matters, statistics::normal_975) / std::numbers::sqrt2);
 }
 
+/// What one run found, if anything, against the truth in it.
+void count(const calibration::QuantityVerdict& run, double truth, MisfitQuantity& q) {
+  if (!run.estimate || run.verdict == calibration::Verdict::not_identifiable) return;
+  const statistics::Estimate& found = present(run.estimate);
+  ++q.found;
+  const bool is_usable = run.verdict == calibration::Verdict::usable;
+  q.usable += is_usable ? 1 : 0;
+  if (std::isnan(truth)) return;
+  ++q.judged;
+  const double matters = bound_of(q.quantity, truth);
+  const bool inside = found.low <= truth && truth <= found.high;
+  double off = found.value - truth;
+  if (q.quantity == Quantity::cog_angle) off = std::remainder(off, 2 * std::numbers::pi);
+  off = std::abs(off) / matters;
+  const bool is_wrong = !inside && off > 1;
+  q.inside += inside ? 1 : 0;
+  q.rms_error += off * off;
+  q.half_width += found.half_width() / matters;
+  q.wrong += is_wrong ? 1 : 0;
+  q.wrong_usable += is_wrong && is_usable ? 1 : 0;
+  if (!is_usable) return;
+  q.worst_usable = std::max(q.worst_usable, off);
+  q.by_chance += chance_of_wrong(found.half_width() / matters);
+}
+
+/// Over all runs. @param truths of the quantity in each of them.
+MisfitQuantity counted(Quantity quantity, const std::vector<MisfitRun>& runs,
+                       const std::vector<double>& truths) {
+  const bool is_one = std::all_of(truths.begin(), truths.end(),
+                                  [&](double truth) { return truth == truths.front(); });
+  MisfitQuantity q{quantity, is_one ? truths.front() : std::numeric_limits<double>::quiet_NaN()};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto& found = runs[k].quantities;
+    const auto it = std::find_if(found.begin(), found.end(),
+                                 [&](const auto& one) { return one.quantity == quantity; });
+    if (it != found.end()) count(*it, truths[k], q);
+  }
+  if (q.judged > 0) {
+    q.rms_error = std::sqrt(q.rms_error / static_cast<double>(q.judged));
+    q.half_width /= static_cast<double>(q.judged);
+  }
+  return q;
+}
+
 MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturbance, double size,
                            const MisfitOptions& options) {
   Scenario laid = joint.scenario;
   if (disturbance != nullptr) disturbance->lay(laid, size);
   const std::vector<simulate::IdealRecording> ideal = simulate::simulate_ideal_joint(laid);
+  const std::map<Quantity, double> truths = truths_of(joint.scenario, laid, ideal);
   MisfitCase out;
   out.joint = joint.key;
   if (disturbance != nullptr) out.disturbance = disturbance->key;
   out.size = size;
   out.runs = options.runs;
   out.has_cause = disturbance != nullptr && disturbance->sound_at != size;
-  std::vector<RunOutcome> runs(options.runs);
+  std::vector<MisfitRun> runs(options.runs);
+  std::vector<char> is_named(options.runs);
   parallel_for(
       options.runs,
       [&](std::size_t run) {
         const simulate::Noise noise = noise_of_run(laid.noise, options.seed, run);
-        std::vector<joint::Recording> logs = simulate::with_noise(ideal, noise, laid.gear_ratio);
-        if (run == 0 && options.keep_logs) options.keep_logs(out, laid, logs);
-        const joint::Dataset dataset = simulate::simulated_dataset(laid, std::move(logs));
-        identify::IdentifyOptions how;
-        how.resamples = options.resamples;
-        how.seed = noise.seed;
-        how.threads = 1;
-        calibration::Calibration c = identify::identify(dataset, how);
-        runs[run].named = out.has_cause && names(c.judgement, *disturbance);
-        runs[run].quantities = std::move(c.judgement.quantities);
+        const auto keep = run == 0 ? options.keep_logs : KeepLogs{};
+        const calibration::Judgement judgement =
+            identified(out, laid, ideal, noise, options.resamples, keep);
+        is_named[run] = out.has_cause && names(judgement, *disturbance) ? 1 : 0;
+        runs[run] = {judgement.quantities, truths};
       },
       options.threads);
-  const auto truths = truths_of(joint.scenario, laid);
-  for (const auto& quantity : runs.front().quantities) {
-    const auto truth = truths.find(quantity.quantity);
-    if (truth == truths.end()) continue;
-    MisfitQuantity q{quantity.quantity, truth->second};
-    for (const RunOutcome& run : runs) {
-      const auto it = std::find_if(run.quantities.begin(), run.quantities.end(),
-                                   [&](const auto& one) { return one.quantity == q.quantity; });
-      if (it == run.quantities.end() || !it->estimate ||
-          it->verdict == calibration::Verdict::not_identifiable)
-        continue;
-      const statistics::Estimate& found = present(it->estimate);
-      ++q.found;
-      const bool is_usable = it->verdict == calibration::Verdict::usable;
-      q.usable += is_usable ? 1 : 0;
-      if (std::isnan(q.truth)) continue;
-      const bool inside = found.low <= q.truth && q.truth <= found.high;
-      double off = found.value - q.truth;
-      if (q.quantity == Quantity::cog_angle) off = std::remainder(off, 2 * std::numbers::pi);
-      off = std::abs(off) / bound_of(q.quantity, q.truth);
-      const bool is_wrong = !inside && off > 1;
-      q.inside += inside ? 1 : 0;
-      q.rms_error += off * off;
-      q.half_width += found.half_width() / bound_of(q.quantity, q.truth);
-      q.wrong += is_wrong ? 1 : 0;
-      q.wrong_usable += is_wrong && is_usable ? 1 : 0;
-      if (!is_usable) continue;
-      q.worst_usable = std::max(q.worst_usable, off);
-      q.by_chance += chance_of_wrong(found.half_width() / bound_of(q.quantity, q.truth));
-    }
-    if (q.found > 0) {
-      q.rms_error = std::sqrt(q.rms_error / static_cast<double>(q.found));
-      q.half_width /= static_cast<double>(q.found);
-    }
-    out.quantities.push_back(q);
-  }
-  for (const RunOutcome& run : runs) out.named += run.named ? 1 : 0;
+  out.quantities = count_runs(runs);
+  out.named = static_cast<std::size_t>(std::count(is_named.begin(), is_named.end(), 1));
   return out;
 }
 
@@ -176,6 +144,34 @@ std::vector<Item> picked(const std::vector<Item>& all, const std::vector<std::st
 }
 
 }  // namespace
+
+calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
+                                  std::vector<simulate::IdealRecording> ideal,
+                                  const simulate::Noise& noise, std::size_t resamples,
+                                  const KeepLogs& keep) {
+  std::vector<joint::Recording> logs =
+      simulate::with_noise(std::move(ideal), noise, laid.gear_ratio);
+  if (keep) keep(of, laid, logs);
+  identify::IdentifyOptions how;
+  how.resamples = resamples;
+  how.seed = noise.seed;
+  how.threads = 1;
+  return identify::identify(simulate::simulated_dataset(laid, std::move(logs)), how).judgement;
+}
+
+std::vector<MisfitQuantity> count_runs(const std::vector<MisfitRun>& runs) {
+  std::vector<MisfitQuantity> all;
+  for (const auto& quantity : runs.front().quantities) {
+    std::vector<double> truths;
+    for (const MisfitRun& run : runs) {
+      const auto truth = run.truths.find(quantity.quantity);
+      if (truth != run.truths.end()) truths.push_back(truth->second);
+    }
+    if (truths.size() < runs.size()) continue;
+    all.push_back(counted(quantity.quantity, runs, truths));
+  }
+  return all;
+}
 
 double bound_of(joint::Quantity quantity, double truth) {
   static const std::map<Quantity, double> shares{{Quantity::gravity_torque, 0.001},

@@ -47,17 +47,18 @@ std::vector<MisfitJoint> misfit_joints();
 /// How a quantity fared over the runs of one case.
 struct MisfitQuantity {
   joint::Quantity quantity{};
-  double truth{};  ///< SI, motor side; NaN: it has none on this joint.
+  double truth{};  ///< SI, motor side; NaN: it has none on this joint, or one in each run.
   std::size_t found{};
+  std::size_t judged{};  ///< Of those found, where there is a truth.
   std::size_t usable{};
-  std::size_t inside{};        ///< Runs whose interval holds the truth, of those found.
+  std::size_t inside{};        ///< Runs whose interval holds the truth, of those judged.
   std::size_t wrong{};         ///< Outside the interval and off by more than matters.
   std::size_t wrong_usable{};  ///< And called usable: must be 0.
   /// Of the usable, how many would be wrong by chance: where 95 % intervals are wider than what
   /// matters, one of twenty is, if each holds what it states and errors are normal.
   double by_chance{};
   double worst_usable{};  ///< Largest error of a usable number, as a share of bound_of().
-  /// Of those found, as shares of bound_of(): root mean square of the errors, and mean half width.
+  /// Of those judged, as shares of bound_of(): root mean square of the errors, and mean half width.
   double rms_error{};
   double half_width{};
 };
@@ -72,6 +73,10 @@ struct MisfitCase {
   std::vector<MisfitQuantity> quantities;
 };
 
+/// Given logs with the scenario behind them.
+using KeepLogs = std::function<void(const MisfitCase& of, const simulate::Scenario& laid,
+                                    const std::vector<joint::Recording>& logs)>;
+
 struct MisfitOptions {
   std::size_t runs{50};
   std::uint64_t seed{1};
@@ -80,10 +85,7 @@ struct MisfitOptions {
   std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
   std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
   bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
-  /// Given the logs of each case's first run, with the scenario behind them; may be empty.
-  std::function<void(const MisfitCase& of, const simulate::Scenario& laid,
-                     const std::vector<joint::Recording>& logs)>
-      keep_logs;
+  KeepLogs keep_logs;                     ///< Of each case's first run; may be empty.
 };
 
 using MisfitProgress =
@@ -92,6 +94,21 @@ using MisfitProgress =
 /// @throw std::invalid_argument for a key that there is not, naming those there are.
 std::vector<MisfitCase> run_misfit_study(const MisfitOptions& options = {},
                                          const MisfitProgress& progress = {});
+
+struct MixedOptions {
+  std::size_t joints{100};
+  std::uint64_t seed{1};  ///< Of the joints, their effects and their noise.
+  std::size_t threads{0};
+  std::size_t resamples{0};
+  /// Of each joint, in a case of that one alone; may be empty, and called from several threads.
+  KeepLogs keep_logs;
+};
+
+/// Joints drawn at random about misfit_joints(), one run each, with more than a dozen small effects
+/// at once of which the manifest says nothing: what most real joints are. All are run twice, with
+/// effects of the usual sizes and of twice those; each is one case, whose runs are the joints.
+std::vector<MisfitCase> run_mixed_study(const MixedOptions& options = {},
+                                        const MisfitProgress& progress = {});
 
 /// Error of a quantity from which on it matters: 0.05° of the angle, shares of the others.
 double bound_of(joint::Quantity quantity, double truth);

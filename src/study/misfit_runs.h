@@ -1,0 +1,30 @@
+#pragma once
+// Internal to the studies of misfit: runs, and what they count.
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "joint/quantity.h"
+#include "simulate/scenario.h"
+#include "simulate/simulate_joint.h"
+#include "study/misfit.h"
+
+namespace tribolog::study {
+
+struct MisfitRun {
+  std::vector<calibration::QuantityVerdict> quantities;
+  std::map<joint::Quantity, double> truths;  ///< SI, motor side; NaN: none.
+};
+
+/// One run by the whole chain. @param of the case that `keep`, if any, is told.
+calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
+                                  std::vector<simulate::IdealRecording> ideal,
+                                  const simulate::Noise& noise, std::size_t resamples,
+                                  const KeepLogs& keep);
+
+/// Each quantity that has a truth. @param runs one or more.
+std::vector<MisfitQuantity> count_runs(const std::vector<MisfitRun>& runs);
+
+}  // namespace tribolog::study
