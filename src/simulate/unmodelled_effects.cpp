@@ -53,7 +53,7 @@ double scaled_friction(const Scenario& s, double q_rad, double friction_Nm,
 
 /// What a viscous torque that is no straight line of the speed has beside the straight one.
 double bend_of_viscous_Nm(const JointEffects& e, double motor_rad_s) {
-  if (e.viscous_exponent == 1) return 0;
+  if (e.viscous_exponent == 1 || motor_rad_s == 0) return 0;
   const double share = std::abs(motor_rad_s) / e.bent_viscous_rad_s;
   return e.bent_viscous_Nms_rad * motor_rad_s * (std::pow(share, e.viscous_exponent - 1) - 1);
 }
