@@ -62,7 +62,7 @@ struct JointEffects {
 struct LogEffects {
   double torque_delay_s{};    ///< The torque is logged so much later than the angle; < 0: earlier.
   double torque_filter_Hz{};  ///< First-order low pass of the torque; 0: none.
-  double resonance_Hz{};      ///< Second-order low pass of the torque, undamped; 0: none.
+  double resonance_Hz{};      ///< Resonance of a second-order low pass of the torque; 0: none.
   double resonance_quality{3};  ///< Its gain there, > 0.5.
   double torque_mean_s{};    ///< The torque is logged as its mean over so long before; 0: as it is.
   double torque_scale{1.0};  ///< Logged over true: a torque constant that is off.

@@ -137,6 +137,11 @@ TEST(Commands, AStudyRefusesWhatCannotBe) {
   EXPECT_EQ(run_shell(program + "study -o /no/such/directory/study.html").status, 4);
   EXPECT_EQ(run_shell(program + "study '" + directory.file("nothing.toml") + "'" + out).status, 3);
   EXPECT_EQ(run_shell(program + "study '" + directory.file("dataset.toml") + "'" + out).status, 3);
+  const std::string numbers = " --json '" + directory.file("study.json") + "'";
+  EXPECT_EQ(run_shell(program + "study --mixed").status, 2);
+  EXPECT_EQ(run_shell(program + "study" + numbers + " --sound --mixed").status, 2);
+  EXPECT_EQ(run_shell(program + "study --joint geared_arm --mixed" + numbers).status, 2);
+  EXPECT_EQ(run_shell(program + "study --mixed" + numbers + out).status, 2);
   const std::string itself = directory.file("dataset.toml");
   EXPECT_EQ(run_shell(program + "study '" + itself + "' -o '" + itself + "'").status, 2);
   EXPECT_FALSE(std::filesystem::exists(directory.file("study.html")));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -222,6 +224,224 @@ TEST(UnmodelledEffects, AMirroredLogIsTheSameJointTheOtherWayRound) {
     EXPECT_EQ(mirrored.front().q_rad[i], -plain.front().q_rad[i]);
     EXPECT_EQ(mirrored.front().torque_Nm[i], -plain.front().torque_Nm[i]);
   }
+}
+
+/// Share of the recordings of a role whose torque is another one.
+double share_changed(const std::vector<joint::Recording>& before,
+                     const std::vector<joint::Recording>& after, joint::Role role) {
+  double all = 0;
+  double changed = 0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k].role != role) continue;
+    ++all;
+    changed += before[k].torque_Nm == after[k].torque_Nm ? 0 : 1;
+  }
+  return changed / all;
+}
+
+Scenario joint_with_ramps() {
+  Scenario s = short_joint();
+  s.break_away = {.centre_rad = s.load.q_peak_rad(), .rate_Nm_s = 0.5, .largest_torque_Nm = 2};
+  return s;
+}
+
+TEST(UnmodelledEffects, AViscousTorqueBentTheOtherWayIsNoneAtRest) {
+  Scenario s = short_joint();
+  s.effects.viscous_exponent = 0.9;
+  s.effects.bent_viscous_Nms_rad = 0.002;
+  s.effects.bent_viscous_rad_s = 30;
+  for (const joint::Recording& r : simulate::simulate_joint(s)) {
+    EXPECT_TRUE(std::all_of(r.torque_Nm.begin(), r.torque_Nm.end(), [](double torque) {
+      return std::isfinite(torque);
+    })) << r.name;
+  }
+}
+
+TEST(UnmodelledEffects, AControllersCoulombModelIsAddedWithTheSignOfTheSpeed) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.coulomb_model_Nm = 0.2;
+  s.noise.effects.coulomb_model_from_rad_s = 0.01;
+  const auto with = simulate::simulate_joint(s);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    for (std::size_t i = 0; i < plain[k].size(); i += 50) {
+      EXPECT_NEAR(with[k].torque_Nm[i] - plain[k].torque_Nm[i],
+                  0.2 * std::tanh(plain[k].dq_rad_s[i] / 0.01), 1e-12);
+    }
+  }
+}
+
+TEST(UnmodelledEffects, OscillationsAndRunsHaveScalesOfTheirOwn) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.scale_of_loops = 1.2;
+  s.noise.effects.scale_of_runs = 0.9;
+  const auto with = simulate::simulate_joint(s);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const double scale = plain[k].role == joint::Role::oscillation      ? 1.2
+                         : plain[k].role == joint::Role::constant_speed ? 0.9
+                                                                        : 1;
+    for (std::size_t i = 0; i < plain[k].size(); i += 50) {
+      EXPECT_DOUBLE_EQ(with[k].torque_Nm[i], scale * plain[k].torque_Nm[i]);
+    }
+  }
+}
+
+TEST(UnmodelledEffects, AnUnevenGearTwistsByWhereTheLoadStands) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  const double windup = s.effects.gear_windup_rad = 0.5 * joint::rad_per_degree;
+  const double uneven = s.effects.uneven_windup = 0.5;
+  const auto with = simulate::simulate_joint(s);
+  const joint::Recording& a = plain.front();
+  const joint::Recording& b = with.front();
+  const double gravity = s.load.amplitude_Nm() / s.gear_ratio;
+  for (std::size_t i = 0; i < a.size(); i += 50) {
+    const double away = a.q_rad[i] - s.load.q_peak_rad();
+    if (std::abs(std::sin(away)) < 0.2) continue;  // there an angle is not known by its cosine
+    const double cosine = std::cos(away) + (b.torque_Nm[i] - a.torque_Nm[i]) / gravity;
+    const double load = a.q_rad[i] - away + std::copysign(std::acos(cosine), away);
+    EXPECT_NEAR(a.q_rad[i] - load, windup * (1 + uneven * std::sin(load)) * cosine, 1e-9);
+  }
+}
+
+TEST(UnmodelledEffects, AResonantFilterOvershootsAStepAsItsQualitySays) {
+  joint::Recording r;
+  constexpr double rate_Hz = 10000;
+  for (int i = 0; i < 10000; ++i) {
+    r.t_s.push_back(i / rate_Hz);
+    r.q_rad.push_back(0);
+    r.dq_rad_s.push_back(0);
+    r.torque_Nm.push_back(i < 100 ? 1 : 3);
+  }
+  simulate::add_torque_effects(r, {.resonance_Hz = 50, .resonance_quality = 3}, rate_Hz, 1, 0);
+  EXPECT_DOUBLE_EQ(r.torque_Nm[99], 1);
+  const double overshoot = 2 * std::exp(-std::numbers::pi / std::sqrt(4.0 * 9 - 1));
+  EXPECT_NEAR(*std::max_element(r.torque_Nm.begin(), r.torque_Nm.end()), 3 + overshoot, 1e-3);
+  EXPECT_NEAR(r.torque_Nm.back(), 3, 1e-9);
+}
+
+TEST(UnmodelledEffects, CrosstalkHasOneAndTwoPeriodsInATurn) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.crosstalk_Nm = 0.05;
+  s.noise.effects.crosstalk_zero_rad = 0.3;
+  const auto with = simulate::simulate_joint(s);
+  for (std::size_t i = 0; i < plain.front().size(); i += 50) {
+    const double angle = plain.front().q_rad[i] - 0.3;
+    EXPECT_NEAR(with.front().torque_Nm[i] - plain.front().torque_Nm[i],
+                0.05 * (std::sin(angle) + std::sin(2 * angle)), 1e-12);
+  }
+}
+
+TEST(UnmodelledEffects, AHandLeansOnSweepsAndSomeRunsForASecondOrTwo) {
+  Scenario s = short_joint();
+  s.constant_speed->motor_speeds_rad_s.assign(20, 10);
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.touch_Nm = 0.3;
+  const auto with = simulate::simulate_joint(s);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::rough_sweep), 1);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::oscillation), 0);
+  EXPECT_NEAR(share_changed(plain, with, joint::Role::constant_speed), 1.0 / 3, 0.25);
+  double touched_s = 0;
+  double largest = 0;
+  const joint::Recording& sweep = plain.front();
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const double change = with.front().torque_Nm[i] - sweep.torque_Nm[i];
+    touched_s += change != 0 ? sweep.t_s[1] - sweep.t_s[0] : 0;
+    largest = std::max(largest, change);
+  }
+  EXPECT_NEAR(touched_s, std::min(1.5, sweep.t_s.back() / 4), 0.01);
+  EXPECT_NEAR(largest, 0.3, 1e-3);
+}
+
+TEST(UnmodelledEffects, AnotherToolIsThereFromTheFirstRunOn) {
+  Scenario s = joint_with_ramps();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.tool_gravity = 0.1;
+  const auto with = simulate::simulate_joint(s);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::rough_sweep), 0);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::oscillation), 0);
+  for (const joint::Role role : {joint::Role::constant_speed, joint::Role::break_away}) {
+    const joint::Recording& a = of_role(plain, role);
+    const joint::Recording& b = of_role(with, role);
+    EXPECT_NEAR(b.torque_Nm.front() - a.torque_Nm.front(),
+                0.1 * s.load.torque_Nm(a.q_rad.front()) / s.gear_ratio, 1e-9);
+  }
+}
+
+TEST(UnmodelledEffects, RowsOfMessagesThatDoNotComeRepeatAllChannels) {
+  Scenario s = short_joint();
+  s.noise.effects.repeated_percent = 20;
+  double all = 0;
+  double repeated = 0;
+  for (const joint::Recording& r : simulate::simulate_joint(s)) {
+    if (r.role != joint::Role::rough_sweep) continue;
+    for (std::size_t i = 1; i < r.size(); ++i) {
+      const bool is_stuck = r.q_rad[i] == r.q_rad[i - 1] && r.dq_rad_s[i] == r.dq_rad_s[i - 1] &&
+                            r.torque_Nm[i] == r.torque_Nm[i - 1];
+      repeated += is_stuck ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_NEAR(repeated / all, 0.2, 0.07);
+}
+
+TEST(UnmodelledEffects, OneRunIsOfAnotherJoint) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.foreign_run = 2;
+  s.effects.foreign_friction = 3;
+  const auto with = simulate::simulate_joint(s);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::constant_speed), 0.5);
+  EXPECT_EQ(share_changed(plain, with, joint::Role::rough_sweep), 0);
+  const std::size_t upwards = plain.back().size() / 4;
+  EXPECT_NEAR(with.back().torque_Nm[upwards] - plain.back().torque_Nm[upwards],
+              2 * s.sliding->torque_Nm(30), 1e-6);
+}
+
+TEST(UnmodelledEffects, GravityThatAControllerKeepsToItselfIsInNoRecording) {
+  Scenario s = joint_with_ramps();
+  const auto plain = simulate::simulate_joint(s);
+  s.effects.gravity_left_out = 0.9;
+  const auto with = simulate::simulate_joint(s);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    ASSERT_EQ(plain[k].size(), with[k].size());
+    for (std::size_t i = 0; i < plain[k].size(); i += 50) {
+      EXPECT_NEAR(with[k].torque_Nm[i] - plain[k].torque_Nm[i],
+                  -0.9 * s.load.torque_Nm(plain[k].q_rad[i]) / s.gear_ratio, 1e-9);
+    }
+  }
+}
+
+TEST(UnmodelledEffects, EachRecordingHasATareOfItsOwn) {
+  Scenario s = short_joint();
+  const auto plain = simulate::simulate_joint(s);
+  s.noise.effects.tare_Nm = 0.1;
+  const auto with = simulate::simulate_joint(s);
+  EXPECT_EQ(with.back().torque_Nm, simulate::simulate_joint(s).back().torque_Nm);
+  std::vector<double> tares;
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    tares.push_back(with[k].torque_Nm.front() - plain[k].torque_Nm.front());
+    for (std::size_t i = 0; i < plain[k].size(); i += 50) {
+      EXPECT_NEAR(with[k].torque_Nm[i] - plain[k].torque_Nm[i], tares.back(), 1e-12);
+    }
+    EXPECT_LT(std::abs(tares.back()), 0.5);
+  }
+  EXPECT_GT(std::abs(tares.front() - tares.back()), 1e-3);
+}
+
+TEST(FrictionChange, IsWhatEffectsMakeOfSlidingFriction) {
+  Scenario s = short_joint();
+  s.effects.direction_asymmetry = 0.1;
+  s.effects.warm_up = 0.2;
+  s.effects.load_friction = 0.03;
+  const double q = s.load.q_peak_rad();
+  const auto rising = friction_change(s, q, 1, 0, joint::Role::constant_speed);
+  EXPECT_DOUBLE_EQ(rising.factor, 1.1);
+  EXPECT_DOUBLE_EQ(rising.of_load_Nm, 0.03 * s.load.amplitude_Nm() / s.gear_ratio);
+  const auto falling = friction_change(s, q, -1, 1, joint::Role::constant_speed);
+  EXPECT_NEAR(falling.factor, 0.9 * (1 - 0.2 * (1 - std::exp(-3.0))), 1e-12);
 }
 
 }  // namespace

@@ -55,6 +55,26 @@ TEST(MisfitStudy, LaysWhatJointsHaveThatNoLawOfTheSpeedAloneDescribes) {
   }
 }
 
+TEST(MisfitStudy, LaysEachDisturbanceAtEachSize) {
+  for (const study::MisfitJoint& joint : study::misfit_joints()) {
+    for (const char* key :
+         {"coulomb_model_added", "loop_torque_scale", "run_torque_scale", "uneven_gear_stiffness",
+          "resonant_filter", "angle_crosstalk", "touch", "tool_changed", "held_messages",
+          "foreign_recording", "gravity_left_out", "tare_between"}) {
+      const auto& all = study::disturbances();
+      const auto at =
+          std::find_if(all.begin(), all.end(), [&](const auto& d) { return d.key == key; });
+      ASSERT_NE(at, all.end()) << key;
+      for (const double size : at->sizes) {
+        simulate::Scenario laid = joint.scenario;
+        at->lay(laid, size);
+        EXPECT_TRUE(laid.effects.any() || laid.noise.effects.any()) << key << " " << size;
+        EXPECT_TRUE(simulate::absent_effects(laid).stated().empty()) << key << " " << size;
+      }
+    }
+  }
+}
+
 TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
   for (const study::MisfitCase& c :
        study::run_misfit_study(on_the_arm("friction_by_motor_angle"))) {
