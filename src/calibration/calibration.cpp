@@ -4,24 +4,6 @@
 
 namespace tribolog::calibration {
 
-std::string to_string(Unexcluded effect) {
-  switch (effect) {
-    case Unexcluded::lag:
-      return "lag";
-    case Unexcluded::asymmetry:
-      return "asymmetry";
-    case Unexcluded::load:
-      return "load";
-    case Unexcluded::angle:
-      return "angle";
-    case Unexcluded::warm_up:
-      return "warm_up";
-    case Unexcluded::offset_drift:
-      break;
-  }
-  return "offset_drift";
-}
-
 const ReturnedQuantity* TruthCheckResult::find(ReadingName name) const {
   const auto it = std::find_if(quantities.begin(), quantities.end(),
                                [&](const ReturnedQuantity& q) { return q.name == name; });

@@ -23,16 +23,11 @@
 #include "method/model/model_quantities.h"
 #include "method/motion/false_stamps.h"
 #include "method/motion/plateaus.h"
-#include "method/motion/torque_lag.h"
 #include "method/motion/torque_outliers.h"
 #include "method/selection/friction_parameters.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
-#include "method/session/session_friction.h"
-#include "method/viscous/direction_lines.h"
-#include "method/viscous/load_dependence.h"
 #include "method/viscous/model_choice.h"
-#include "method/viscous/torque_balance.h"
 #include "method/viscous/viscous_curves.h"
 
 namespace tribolog::calibration {
@@ -77,35 +72,6 @@ struct TruthFinding {
   Statement finding;
 };
 
-/// Effects that the model leaves out, of a size that the recordings cannot exclude.
-enum class Unexcluded {
-  lag,           ///< Of the torque behind the angle [s].
-  asymmetry,     ///< Share of the friction by which it is larger while the angle rises.
-  load,          ///< Friction per newton metre of gravity torque.
-  angle,         ///< Share of the friction by which it changes with the joint's angle.
-  warm_up,       ///< Share of the friction by which it changes over the session.
-  offset_drift,  ///< Of the torque over the session, motor side [N·m].
-};
-
-std::string to_string(Unexcluded effect);
-
-/// One number, identified with the effect and without it in the same noise.
-struct WhatIfShift {
-  ReadingName name{};
-  std::string unit;
-  double without{};
-  double shift{};
-  double half_width{};  ///< Of the interval that is stated without the effect.
-};
-
-/// How far an effect of that size would shift the numbers.
-struct WhatIf {
-  Unexcluded effect{};
-  double size{};
-  std::string unit;  ///< Of `size`; empty: a share.
-  std::vector<WhatIfShift> shifts;
-};
-
 struct TruthCheckResult {
   std::size_t runs{};  ///< 0: the check was not made.
   std::uint64_t seed{};
@@ -115,7 +81,6 @@ struct TruthCheckResult {
   std::vector<ReturnedQuantity> quantities;
   std::vector<Statement> left_out;     ///< What could not be simulated, and why.
   std::vector<TruthFinding> findings;  ///< What is not recovered.
-  std::vector<WhatIf> what_if;         ///< Effects that the recordings were examined for.
 
   [[nodiscard]] const ReturnedQuantity* find(ReadingName name) const;
 };
@@ -151,7 +116,6 @@ struct Calibration {
 
   method::motion::FalseStamps false_stamps;
   method::motion::TorqueOutliers torque_outliers;
-  method::motion::TorqueLag torque_lag;
   method::checks::DataChecksResult data_checks;
   method::gravity::CogSweepResult rough;
   method::gravity::CogSweepResult precise;
@@ -162,16 +126,11 @@ struct Calibration {
   method::hysteresis::HysteresisResult hysteresis;
   std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
   method::gravity::RunGravityResult run_gravity;
-  method::session::SessionFriction session;
   method::hysteresis::SurrogateMassesResult masses;
   method::viscous::ViscousCurvesResult viscous;
   method::selection::QualityErrorsResult quality;
   method::selection::SelectionResult selection;
   method::selection::FrictionParametersResult friction;
-  method::viscous::DirectionLinesResult direction_lines;
-  method::viscous::LoadDependenceResult load_dependence;
-  method::viscous::DirectionAsymmetryResult direction_asymmetry;
-  method::viscous::TorqueBalance torque_balance;
   method::viscous::CurveModelChoice curve_model;
   std::vector<method::hysteresis::LoopShape>
       loop_shapes;  ///< Of the oscillations, without any model.

@@ -163,28 +163,6 @@ Json speeds(const std::vector<method::motion::SpeedSource>& sources) {
   return list;
 }
 
-Json torque_lag(const method::motion::TorqueLag& lag, double gear_ratio) {
-  const bool is_found = lag.inertia_kgm2.has_value();
-  Json rivals = Json::array();
-  for (const method::motion::LagRival& rival : lag.rivals) {
-    rivals.push_back({{"shape", to_string(rival.shape)},
-                      {"size_s", number(rival.size_s)},
-                      {"half_width_s", number(rival.half_width_s)},
-                      {"residual_Nm", number(rival.residual_Nm)}});
-  }
-  return {{"lag_s", interval(lag.lag_s)},
-          {"is_clear", lag.is_clear()},
-          {"shape", lag.shape ? Json(to_string(*lag.shape)) : Json(nullptr)},
-          {"rivals", rivals},
-          {"inertia_kgm2",
-           is_found ? both_sides(*lag.inertia_kgm2, gear_ratio * gear_ratio) : Json(nullptr)},
-          {"change_s", interval(lag.change_s)},
-          {"inertia_apart", is_found ? number(lag.inertia_apart) : Json(nullptr)},
-          {"starts_and_stops", lag.transients},
-          {"why_not", words_or_null(lag.why_not)},
-          {"why_not_code", code_of(lag.why_not)}};
-}
-
 // The whole.
 
 namespace {
@@ -241,12 +219,6 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
   all["curve_model"] = curve_model(c.curve_model);
-  all["direction_lines"] = direction_lines(c.direction_lines, n);
-  all["direction_asymmetry"] = direction_asymmetry(c.direction_asymmetry);
-  all["torque_balance"] = torque_balance(c.torque_balance);
-  all["load_dependence"] = load_dependence(c.load_dependence);
-  all["torque_lag"] = torque_lag(c.torque_lag, n);
-  all["session"] = session(c.session);
   all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);

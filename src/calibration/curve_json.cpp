@@ -73,7 +73,7 @@ Json friction(const Calibration& c, double n) {
   return made;
 }
 
-// Stage 8: the ladder of models, and each direction by itself.
+// Stage 8: the ladder of models.
 
 namespace {
 
@@ -96,17 +96,6 @@ Json trials(const std::vector<method::viscous::CurveModelTrial>& all) {
     list.push_back(std::move(made));
   }
   return list;
-}
-
-Json line(const std::optional<method::viscous::DirectionLine>& l, double n) {
-  if (!l) return nullptr;
-  return {{"coulomb_Nm", both_sides(l->coulomb_Nm, n)},
-          {"viscous_Nms_rad", both_sides(l->viscous_Nms_rad, n * n)},
-          {"residual_Nm", number(l->residual_Nm)},
-          {"slowest_rad_s", number(l->slowest_rad_s)},
-          {"fastest_rad_s", number(l->fastest_rad_s)},
-          {"runs", l->runs},
-          {"runs_left_out", l->runs_left_out}};
 }
 
 }  // namespace
@@ -132,26 +121,6 @@ Json curve_model(const method::viscous::CurveModelChoice& c) {
           {"carries_waiboer", c.carries_five},
           {"on_waiboer", words_or_null(c.five_sentence)},
           {"on_waiboer_code", code_of(c.five_sentence)}};
-}
-
-Json direction_lines(const method::viscous::DirectionLinesResult& r, double n) {
-  Json made = Json::object();
-  for (const method::viscous::CurveDirectionLines& c : r.curves) {
-    made[to_string(c.estimator)] = {{"rising", line(c.rising, n)}, {"falling", line(c.falling, n)}};
-  }
-  return made;
-}
-
-Json direction_asymmetry(const method::viscous::DirectionAsymmetryResult& a) {
-  const auto if_examined = [&](double value) { return a.examined ? number(value) : Json(nullptr); };
-  return {{"examined", a.examined},
-          {"found", a.found},
-          {"sentence", wording::words(a.sentence)},
-          {"sentence_code", code_of(a.sentence)},
-          {"mean_Nm", interval_if(a.examined, a.mean_Nm)},
-          {"gravity_could_explain_Nm", if_examined(a.gravity_could_explain_Nm)},
-          {"speed_rad_s", numbers(a.speed_rad_s)},
-          {"asymmetry_Nm", numbers(a.asymmetry_Nm)}};
 }
 
 }  // namespace tribolog::calibration

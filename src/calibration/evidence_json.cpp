@@ -51,21 +51,6 @@ Json returned(const ReturnedQuantity& q) {
           {"comes_back", q.comes_back}};
 }
 
-Json what_if(const WhatIf& effect) {
-  Json shifts = Json::array();
-  for (const WhatIfShift& s : effect.shifts) {
-    shifts.push_back({{"name", to_string(s.name)},
-                      {"unit", wording::shown_units(s.unit)},
-                      {"without", number(s.without)},
-                      {"shift", number(s.shift)},
-                      {"half_width", number(s.half_width)}});
-  }
-  return {{"effect", to_string(effect.effect)},
-          {"size", number(effect.size)},
-          {"unit", unit_or_null(effect.unit)},
-          {"shifts", std::move(shifts)}};
-}
-
 }  // namespace
 
 Json truth_check(const TruthCheckResult& t) {
@@ -74,8 +59,6 @@ Json truth_check(const TruthCheckResult& t) {
   for (const ReturnedQuantity& q : t.quantities) quantities.push_back(returned(q));
   std::vector<Statement> findings;
   for (const TruthFinding& one : t.findings) findings.push_back(one.finding);
-  Json effects = Json::array();
-  for (const WhatIf& effect : t.what_if) effects.push_back(what_if(effect));
   return {{"runs", t.runs},
           {"seed", t.seed},
           {"noise",
@@ -83,7 +66,6 @@ Json truth_check(const TruthCheckResult& t) {
             {"torque_step_Nm", number(t.torque_step_Nm)},
             {"ripple_Nm", number(t.ripple_Nm)}}},
           {"quantities", std::move(quantities)},
-          {"what_if", std::move(effects)},
           {"left_out", wording::words(t.left_out)},
           {"left_out_code", code_of(t.left_out)},
           {"findings", wording::words(findings)},
@@ -150,7 +132,16 @@ Json budget(const std::optional<UncertaintyBudget>& b) {
   }
   Json not_stated = Json::array();
   for (const Influence influence : b->not_stated) not_stated.push_back(to_string(influence));
+  Json effects = Json::array();
+  for (const BudgetEffect& one : b->effects) {
+    effects.push_back({{"effect", one.effect},
+                       {"share", number(one.share)},
+                       {"size", one.unit.empty() ? Json(nullptr) : number(one.size)},
+                       {"unit", unit_or_null(one.unit)},
+                       {"is_stated", one.is_stated}});
+  }
   return {{"parts", std::move(parts)},
+          {"effects", std::move(effects)},
           {"not_included", std::move(not_stated)},
           {"standard_uncertainty", number(b->standard_uncertainty)},
           {"degrees_of_freedom", freedom(b->freedom)},

@@ -149,13 +149,7 @@ Json selection(const method::selection::SelectionResult& s) {
           {"q_c_rad", interval(s.q_c_rad)}};
 }
 
-Json torque_balance(const method::viscous::TorqueBalance& b) {
-  return {{"offset_Nm", interval(b.offset_Nm)},
-          {"asymmetry", interval(b.asymmetry)},
-          {"pairs", b.pairs}};
-}
-
-// Gravity from the runs, what was stated about loads, and friction against load.
+// Gravity from the runs, and what was stated about loads.
 
 Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
   const auto if_found = [&](double value) { return r.found ? number(value) : Json(nullptr); };
@@ -173,37 +167,6 @@ Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
       {"runs_left_out", r.runs_left_out},
       {"samples_used", r.samples_used},
       {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
-}
-
-Json out_of_proportion(const std::optional<method::viscous::TorqueProportion>& torque) {
-  if (!torque) return nullptr;
-  return {{"form", to_string(torque->form)}, {"share", interval(torque->share)}};
-}
-
-Json load_dependence(const method::viscous::LoadDependenceResult& l) {
-  const auto if_examined = [&](double value) { return l.examined ? number(value) : Json(nullptr); };
-  Json points = Json::array();
-  for (const method::viscous::LoadPoint& p : l.points) {
-    points.push_back({{"q_rad", number(p.q_rad)},
-                      {"load_Nm", number(p.load_Nm)},
-                      {"speed_rad_s", number(p.speed_rad_s)},
-                      {"friction_Nm", number(p.friction_Nm)},
-                      {"fit_Nm", number(p.fit_Nm)}});
-  }
-  return {{"examined", l.examined},
-          {"found", l.found},
-          {"sentence", wording::words(l.sentence)},
-          {"sentence_code", code_of(l.sentence)},
-          {"per_load", interval_if(l.examined, l.per_load)},
-          {"unloaded_Nm", interval_if(l.examined, l.unloaded_Nm)},
-          {"viscous_Nms_rad", interval(l.viscous_Nms_rad)},
-          {"lowest_load_Nm", if_examined(l.lowest_load_Nm)},
-          {"highest_load_Nm", if_examined(l.highest_load_Nm)},
-          {"held_out_Nm", if_examined(l.held_out_Nm)},
-          {"held_out_without_load_Nm", if_examined(l.held_out_without_load_Nm)},
-          {"held_out_speed_alone_Nm", if_examined(l.held_out_speed_alone_Nm)},
-          {"out_of_proportion", out_of_proportion(l.out_of_proportion)},
-          {"points", std::move(points)}};
 }
 
 Json other_joints(const std::vector<joint::OtherJoint>& others) {

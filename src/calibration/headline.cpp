@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/requirements.h"
+
 namespace tribolog::calibration {
 
 namespace {
@@ -80,15 +82,14 @@ InertiaHeadline inertia_headline(const Calibration& c) {
     constexpr double widest_known = 1;
     const statistics::Estimate of_model = model->as_estimate();
     const double width = relative_half_width(of_model);
-    if (loops && relative_half_width(*loops) < width) return {InertiaSource::loops, loops};
+    // Of another contact than LuGre's the loops' inertia is none.
+    const bool is_lugre =
+        loops && present(c.lugre->misfit_share()) < method::hysteresis::lugre_misfit;
+    if (is_lugre && relative_half_width(*loops) < width) return {InertiaSource::loops, loops};
     return width < widest_known ? InertiaHeadline{InertiaSource::model, of_model}
                                 : InertiaHeadline{};
   }
   const std::optional<statistics::Estimate>& sweep = c.rough.inertia_kgm2;
-  const std::optional<statistics::Estimate>& starts = c.torque_lag.inertia_kgm2;
-  if (starts && !(sweep && sweep->half_width() <= starts->half_width())) {
-    return {InertiaSource::starts, starts};
-  }
   if (sweep) return {InertiaSource::sweep, sweep};
   return loops ? InertiaHeadline{InertiaSource::loops, loops} : InertiaHeadline{};
 }

@@ -29,9 +29,9 @@ struct CurveHeadline {
 CurveHeadline curve_headline(const Calibration& calibration);
 
 /// Inertia shows best where the whole joint accelerates: in sweeps and runs, which the one model
-/// reads; slow small loops hardly show it. Whichever interval is narrower. Without a model: starts
-/// and stops or a sweep of varying speed, and without both the loops.
-enum class InertiaSource { model, starts, sweep, loops, none };
+/// reads; slow small loops hardly show it. Whichever interval is narrower. Without a model: a sweep
+/// of varying speed, and without one the loops.
+enum class InertiaSource { model, sweep, loops, none };
 
 /// Reflected inertia at the motor [kg·m²].
 struct InertiaHeadline {

@@ -43,14 +43,20 @@ Json model(const method::model::ModelResult& model) {
                        {"coefficients", static_cast<int>(e.freedom)},
                        {"chi2", std::isfinite(e.chi2) ? number(e.chi2) : Json(nullptr)},
                        {"torque_Nm", number(e.torque_Nm)},
-                       {"size_of_cap", number(e.size_of_cap)}});
+                       {"largest_Nm", interval(e.largest_Nm)},
+                       {"size_of_cap", number(e.size_of_cap)},
+                       {"coefficient", interval(e.coefficient)}});
   }
   return {{"cells", model.cells},
+          {"friction_Nm", number(model.friction_Nm)},
+          {"top_Nm", number(model.top_Nm)},
           {"cells_far_off", number(model.cells_far_off)},
           {"samples_per_independent", number(model.samples_per_independent)},
           {"recordings_left_out", model.left_out.size()},
           {"quantities", std::move(quantities)},
-          {"effects", std::move(effects)}};
+          {"effects", std::move(effects)},
+          {"friction_of_loops", interval(model.friction_of_loops)},
+          {"friction_of_ramps", interval(model.friction_of_ramps)}};
 }
 
 }  // namespace tribolog::calibration

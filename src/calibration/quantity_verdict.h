@@ -74,7 +74,7 @@ std::string to_string(RuleState state);
 
 /// Outcome of one rule of the verdict: a number found in the data, compared with a threshold.
 struct RuleOutcome {
-  std::string rule;  ///< Stable: "torque_lag".
+  std::string rule;  ///< Stable: "loop_misfit".
   RuleState state{RuleState::not_computed};
   std::optional<double> value;
   double threshold{};                       ///< Broken above it.

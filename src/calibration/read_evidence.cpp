@@ -69,6 +69,14 @@ std::optional<UncertaintyBudget> budget_of(const ReadJson& listed) {
     if (!part) return std::nullopt;
     budget.parts.push_back(*part);
   }
+  const ReadJson& effects = member(listed, "effects");
+  if (effects.is_array()) {
+    for (const ReadJson& one : effects) {
+      budget.effects.push_back({text(one, "effect"), finite(one, "share").value_or(0),
+                                finite(one, "size").value_or(0), text(one, "unit"),
+                                member(one, "is_stated") == true});
+    }
+  }
   const ReadJson& left_out = member(listed, "not_included");
   if (left_out.is_array()) {
     for (const ReadJson& one : left_out) {

@@ -42,8 +42,19 @@ struct BudgetPart {
   std::string id{};
 };
 
+/// What an effect of the one model has of the variance that the recordings leave: what would go if
+/// its size were known. Effects that the recordings cannot tell from one another overlap.
+struct BudgetEffect {
+  std::string effect;  ///< Its key, or "choice_of_law".
+  double share{};
+  double size{};     ///< As stated, or as is typical; 0: it has none.
+  std::string unit;  ///< Of the size: "percent", "ms", "mrad".
+  bool is_stated{};
+};
+
 struct UncertaintyBudget {
   std::vector<BudgetPart> parts;      ///< The largest first.
+  std::vector<BudgetEffect> effects;  ///< Of the part `recordings`, the largest first.
   std::vector<Influence> not_stated;  ///< Affect the quantity, and are not included.
   double standard_uncertainty{};
   double freedom{};  ///< Effective.

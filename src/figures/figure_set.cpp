@@ -41,8 +41,6 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
   candidates.push_back(torque_choice_figure(calibration));
   candidates.push_back(lugre_loop_figure(calibration));
   candidates.push_back(curve_model_figure(calibration));
-  candidates.push_back(direction_lines_figure(calibration));
-  candidates.push_back(load_dependence_figure(calibration));
   candidates.push_back(break_away_figure(dataset, calibration));
   candidates.push_back(mass_comparison_figure(calibration));
   candidates.push_back(truth_check_figure(calibration));

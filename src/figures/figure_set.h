@@ -1,7 +1,7 @@
 #pragma once
 // The figures of one calibration, in the paper's order (figures 11 and 13 to 22), and behind
-// them those that the paper has not: the models of the curve, each direction by itself, friction
-// against load, break-away ramps.
+// them those that the paper has not: the models of the curve, each direction by itself, break-away
+// ramps.
 //
 // Nothing is estimated here: every number is the calibration's or the recording's; it is selected,
 // scaled and offset for display. A figure whose stage found nothing is left out: a log that holds a

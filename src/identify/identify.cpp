@@ -18,7 +18,6 @@
 #include "method/model/model_quantities.h"
 #include "method/motion/steady_runs.h"
 #include "method/selection/independent_gravity.h"
-#include "method/session/session_friction.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -37,11 +36,6 @@ struct Progress {
 
   const joint::Dataset& dataset;
   const IdentifyOptions& options;
-  /// false in a simulation of a joint that showed no drift: what looks like one comes from the
-  /// models.
-  bool corrects_drift{true};
-  /// false in a simulation: its runs start and stop without inertia and show no lag.
-  bool finds_lag{true};
   joint::Dataset
       cleaned;  ///< Without outliers of the torque and false stamps, where there are some.
   std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
@@ -49,9 +43,9 @@ struct Progress {
   const double n = dataset.manifest.drive.gear_ratio();
   method::motion::Sweep rough_sweep;
   method::motion::Sweep precise_sweep;
-  /// From the runs' own starts and stops.
-  std::optional<statistics::Estimate> inertia_of_runs;
-  method::motion::SteadyRuns runs;  ///< At constant speed.
+  std::optional<statistics::Estimate> inertia_kgm2;  ///< By the model, known to a half.
+  method::motion::SteadyRuns runs;                   ///< At constant speed.
+  method::hysteresis::LoopTiming loop_timing;
   /// Oscillations without the lag of their torque, and without the ripple within them.
   std::vector<joint::Recording> prepared;
   method::gravity::CogSweep rough;
@@ -91,35 +85,24 @@ struct Step {
   void (*run)(Progress& p);
 };
 
-/// A sweep's gravity peak, corrected for the change of friction during the sweep.
-statistics::Estimate without_drift(const statistics::Estimate& q_peak,
-                                   const std::optional<method::session::SweepShift>& shift) {
-  if (!shift) return q_peak;
-  return statistics::symmetric_estimate(
-      q_peak.value - shift->q_peak_rad, std::hypot(q_peak.half_width(), shift->q_peak_slack_rad),
-      {"interval.without_drift_of_friction", {{"interval", q_peak.method}}});
-}
-
-/// From their starts and stops.
-std::optional<statistics::Estimate> inertia_of_runs(const Progress& p) {
+/// By the model, where it is known well enough to be taken off.
+std::optional<statistics::Estimate> inertia_of_model(const method::model::ModelResult& model) {
   constexpr double widest = 0.5;
-  const std::optional<statistics::Estimate> inertia =
-      method::motion::find_torque_lag(p.recordings(Role::constant_speed), p.n).inertia_kgm2;
-  if (!inertia || inertia->half_width() > widest * inertia->value) return std::nullopt;
+  const method::model::ModelQuantity* found = model.find(joint::Quantity::inertia);
+  if (found == nullptr) return std::nullopt;
+  const statistics::Estimate inertia = found->as_estimate();
+  if (!(inertia.half_width() < widest * inertia.value)) return std::nullopt;
   return inertia;
 }
 
 /// The gravity peak: from the sweep with the narrower interval; without sweeps, from the runs.
-void choose_gravity_peak(Calibration& c, bool corrects_drift) {
+void choose_gravity_peak(Calibration& c) {
   using method::gravity::PeakSource;
   for (const PeakSource source : {PeakSource::rough_sweep, PeakSource::precise_sweep}) {
     const method::gravity::CogSweepResult& sweep =
         source == PeakSource::rough_sweep ? c.rough : c.precise;
     if (!sweep.found) continue;
-    const bool is_rough = source == PeakSource::rough_sweep;
-    const auto& shift = is_rough ? c.session.rough_shift : c.session.precise_shift;
-    const statistics::Estimate angle =
-        corrects_drift ? without_drift(sweep.q_peak_rad, shift) : sweep.q_peak_rad;
+    const statistics::Estimate& angle = sweep.q_peak_rad;
     if (!c.q_peak_rad || angle.half_width() < c.q_peak_rad->half_width()) {
       c.q_peak_rad = angle;
       c.q_peak_source = source;
@@ -163,8 +146,8 @@ method::hysteresis::BehindTorque behind_torque(const Progress& p) {
   // Of another contact neither is the joint's.
   if (fit.contacts.winner && fit.contacts.winner != method::hysteresis::ContactLaw::lugre)
     return {};
-  const double lag_s = p.c.torque_lag.is_clear() ? present(p.c.torque_lag.lag_s).value : 0;
-  return {damping->value / stiffness->value - lag_s, damping->half_width() / stiffness->value};
+  return {damping->value / stiffness->value - p.loop_timing.lag_s,
+          damping->half_width() / stiffness->value};
 }
 
 /// The loop fit as it is stated once curve and ramps are known: with the experiments that would
@@ -178,9 +161,9 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
     motor_angles.push_back(p.n * o.centre_rad);
   }
   fit = method::hysteresis::with_friction_of_angle(std::move(fit), p.c.rough, motor_angles);
-  const double unknown_rounding_s = p.c.torque_lag.unknown_rounding_s();
-  if (unknown_rounding_s > 0) {
-    fit = method::hysteresis::with_lag_as_filter(std::move(fit), unknown_rounding_s);
+  fit = method::hysteresis::with_unknown_lag(std::move(fit), p.loop_timing);
+  if (p.loop_timing.lag_s > 0) {
+    fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.loop_timing.lag_s);
   }
   fit = method::hysteresis::with_rival_contacts(std::move(fit));
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
@@ -188,7 +171,8 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
     fit = method::hysteresis::with_experiments(
         std::move(fit), p.n, dip ? dip->value : p.friction.waiboer->stribeck_speed_rad_s.value);
   }
-  return method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
+  fit = method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
+  return method::hysteresis::with_friction_of_runs(std::move(fit), p.c.model.friction_of_loops);
 }
 
 std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p) {
@@ -253,23 +237,28 @@ constexpr Step papers_chain[] = {
      }},
     {"",
      [](Progress& p) {
-       if (p.finds_lag) p.inertia_of_runs = inertia_of_runs(p);
-       p.runs = method::motion::SteadyRuns(p.recordings(Role::constant_speed),
-                                           p.inertia_of_runs ? p.n * p.inertia_of_runs->value : 0);
+       std::vector<const joint::Recording*> all;
+       for (const joint::Recording& r : p.used().recordings) all.push_back(&r);
+       p.c.model = method::model::identify_joint(all, p.dataset.friction_points, p.n,
+                                                 !p.known_of_sweep().has_no_gravity,
+                                                 sizes_of_effects(p.dataset.manifest));
+       p.inertia_kgm2 = inertia_of_model(p.c.model);
+       const method::model::ModelEffect* lag = p.c.model.find(joint::effect::lag.key);
+       p.loop_timing =
+           method::hysteresis::timing_of_loops(lag == nullptr ? std::nullopt : lag->coefficient);
      }},
     {"",
      [](Progress& p) {
-       std::vector<const joint::Recording*> moved;
-       for (const joint::Recording& r : p.used().recordings) moved.push_back(&r);
-       p.c.model = method::model::identify_joint(moved, p.dataset.friction_points, p.n,
-                                                 !p.known_of_sweep().has_no_gravity,
-                                                 sizes_of_effects(p.dataset.manifest));
+       p.runs = method::motion::SteadyRuns(p.recordings(Role::constant_speed),
+                                           p.inertia_kgm2 ? p.n * p.inertia_kgm2->value : 0);
      }},
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
        method::gravity::KnownOfSweep known = p.known_of_sweep();
-       if (!p.rough_sweep.samples.constant_speed) known.inertia_kgm2 = p.inertia_of_runs;
+       // Of a model of the sweep alone it is the sweep's own.
+       const bool has_runs = !p.recordings(Role::constant_speed).empty();
+       if (!p.rough_sweep.samples.constant_speed && has_runs) known.inertia_kgm2 = p.inertia_kgm2;
        p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n, known);
        p.c.rough = p.rough.result;
      }},
@@ -295,33 +284,15 @@ constexpr Step papers_chain[] = {
        p.c.run_gravity =
            method::gravity::identify_run_gravity(p.runs.recordings(), p.n, p.c.rough.of_angle);
      }},
-    {"",
-     [](Progress& p) {
-       p.c.session = method::session::examine_session_friction({p.used().recordings, p.rough_sweep,
-                                                                p.c.rough, p.precise_sweep,
-                                                                p.c.precise, p.c.run_gravity, p.n});
-     }},
-    {"", [](Progress& p) { choose_gravity_peak(p.c, p.corrects_drift); }},
-    {"",
-     [](Progress& p) {
-       if (!p.finds_lag) return;
-       std::vector<const joint::Recording*> moved = p.recordings(Role::rough_sweep);
-       for (const joint::Recording* r : p.recordings(Role::constant_speed)) moved.push_back(r);
-       p.c.torque_lag = method::motion::find_torque_lag(moved, p.n);
-     }},
+    {"", [](Progress& p) { choose_gravity_peak(p.c); }},
     {"hysteresis loop",
      [](Progress& p) {
-       const method::motion::TorqueLag& lag = p.c.torque_lag;
        std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
-       method::hysteresis::KnownOfStarts known;
-       if (lag.lag_s) known.lag_half_width_s = lag.lag_s->half_width();
-       known.rounding = lag.rounding();
-       known.unknown_rounding_s = lag.unknown_rounding_s();
-       known.inertia_kgm2 = lag.inertia_kgm2;
+       const method::hysteresis::KnownOfLoops known{p.loop_timing, p.inertia_kgm2};
        p.prepared.clear();
        p.prepared.reserve(loops.size());
        for (const joint::Recording*& r : loops) {
-         p.prepared.push_back(lag.is_clear() ? method::motion::aligned(*r, lag.lag_s->value) : *r);
+         p.prepared.push_back(method::hysteresis::aligned(*r, p.loop_timing.lag_s));
          method::hysteresis::take_ripple_off_loop(p.c.rough, p.n, p.prepared.back());
          r = &p.prepared.back();
        }
@@ -371,28 +342,13 @@ constexpr Step further_steps[] = {
        p.c.data_checks =
            method::checks::check_recordings(p.used(), {p.c.rough, p.c.run_gravity, p.c.q_peak_rad});
      }},
-    {"laws of the friction curve",
-     [](Progress& p) {
-       p.c.load_dependence =
-           method::viscous::identify_load_dependence(p.rough_sweep, p.c.rough, p.c.q_peak_rad, p.n);
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.direction_asymmetry = method::viscous::identify_direction_asymmetry(
-           p.c.viscous, p.recommended_mass(), p.c.rough.offset_Nm);
-       p.c.torque_balance = method::viscous::balance_directions(p.c.viscous, p.c.rough);
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.direction_lines =
-           method::viscous::fit_direction_lines(p.c.viscous, p.c.selection.recommended);
-     }},
     {"break-away ramps and loop shapes",
      [](Progress& p) {
        const std::optional<statistics::Estimate> inertia = inertia_for_ramps(p);
        p.c.break_away = method::hysteresis::identify_break_away(
            p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
            p.n, p.c.rough, behind_torque(p));
+       method::hysteresis::refer_to_runs(p.c.model.friction_of_ramps, p.c.break_away);
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
     {"",
@@ -441,8 +397,6 @@ constexpr Step further_steps[] = {
 void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);
-    chain.corrects_drift = p.c.session.drift.found;
-    chain.finds_lag = false;
     for (const Step& step : papers_chain) step.run(chain);
     if (chain.loop.lugre) {
       chain.c.lugre = method::hysteresis::with_ripple_of_loops(std::move(chain.loop.lugre->fit),

@@ -54,7 +54,7 @@ inline constexpr Effect offset_drift{
 inline constexpr Effect gain_drift{
     "gain_drift", Effect::Kind::effect, 0.2, "percent", "record.warmed_up", 4, 20};
 inline constexpr Effect torque_nonlinear{
-    "torque_nonlinear", Effect::Kind::effect, 0.1, "percent", "record.torque_at_loads", 4, 30};
+    "torque_nonlinear", Effect::Kind::effect, 0.15, "percent", "record.torque_at_loads", 3, 20};
 inline constexpr Effect gain_of_speed{
     "gain_of_speed", Effect::Kind::effect, 0.1, "percent", "record.torque_measured", 4, 30};
 inline constexpr Effect gain_of_runs{

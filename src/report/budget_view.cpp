@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -25,6 +28,32 @@ std::string name_of(Influence influence) {
 
 std::string share_in_words(double share) {
   return wording::with_unit(share < 0.01 ? "< 1" : wording::fixed(100 * share, 0), "%");
+}
+
+/// "hoses and cables, typical 0.1 %: 60 %"
+std::string effect_in_words(const calibration::BudgetEffect& one) {
+  const std::string name = wording::words_for("effect", one.effect);
+  const std::string share = share_in_words(one.share);
+  if (one.unit.empty()) return tr("{effect}: {share}", {{"effect", name}, {"share", share}});
+  const std::string unit = one.unit == "percent" ? "%" : one.unit;
+  constexpr int digits = 2;
+  const std::string size = wording::with_unit(wording::significant(one.size, digits), unit);
+  return one.is_stated ? tr("{effect}, stated {size}: {share}",
+                            {{"effect", name}, {"size", size}, {"share", share}})
+                       : tr("{effect}, typical {size}: {share}",
+                            {{"effect", name}, {"size", size}, {"share", share}});
+}
+
+/// Of the variance that the recordings leave, the largest first; empty: no model states it.
+std::string effects_in_words(const UncertaintyBudget& budget) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  for (const calibration::BudgetEffect& one : budget.effects) {
+    if (words.size() < most) words.push_back(effect_in_words(one));
+  }
+  return words.empty()
+             ? std::string()
+             : tr("of A: {effects}", {{"effects", fmt::format("{}", fmt::join(words, "; "))}});
 }
 
 }  // namespace
@@ -72,6 +101,7 @@ std::vector<BudgetRow> budget_rows(const calibration::Judgement& judgement) {
       from += shown.percent;
       row.parts.push_back(std::move(shown));
     }
+    row.effects = effects_in_words(budget);
     rows.push_back(std::move(row));
   }
   return rows;

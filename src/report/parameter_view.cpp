@@ -1,5 +1,8 @@
 // Stage 8.
 
+#include <cmath>
+#include <string>
+
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -10,7 +13,6 @@ namespace tribolog::report {
 namespace {
 
 using wording::tr;
-using wording::tr_count;
 
 Table line_table(const method::selection::CoulombViscousFit& f, double n, const Section& section) {
   Table table =
@@ -91,7 +93,7 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
   if (c.lugre) describe_lugre(*c.lugre, n, section);
 }
 
-// Stage 8: the ladder of models, each direction by itself, and load.
+// Stage 8: the ladder of models, and the effects of the one model.
 
 namespace {
 
@@ -160,55 +162,20 @@ Table parameters_table(const method::viscous::CurveModelChoice& c, const Section
   return table;
 }
 
-Table directions_table(const calibration::Calibration& c, const Section& section) {
-  const double n = c.manifest.drive.gear_ratio();
-  Table table = estimates_table(section.id + "-directions",
-                                tr("Coulomb and viscous friction in each direction, at the joint"));
-  for (const method::viscous::CurveDirectionLines& lines : c.direction_lines.curves) {
-    for (const bool rising : {true, false}) {
-      const auto& l = rising ? lines.rising : lines.falling;
-      if (!l) continue;
-      const std::string estimator = estimator_name(lines.estimator);
-      statistics::Estimate coulomb = statistics::scaled(l->coulomb_Nm, n);
-      statistics::Estimate viscous = statistics::scaled(l->viscous_Nms_rad, n * n);
-      coulomb.method = viscous.method = Statement::verbatim(tr_count(
-          l->runs, "{runs} run, {left_out} left out", "{runs} runs, {left_out} left out",
-          {{"runs", wording::count(l->runs)}, {"left_out", wording::count(l->runs_left_out)}}));
-      table.rows.push_back(estimate_row(
-          rising ? tr("Coulomb torque, forward ({estimator})", {{"estimator", estimator}})
-                 : tr("Coulomb torque, backward ({estimator})", {{"estimator", estimator}}),
-          coulomb, wording::torque_scale(coulomb.value)));
-      table.rows.push_back(estimate_row(
-          rising ? tr("Viscous coefficient, forward ({estimator})", {{"estimator", estimator}})
-                 : tr("Viscous coefficient, backward ({estimator})", {{"estimator", estimator}}),
-          viscous, wording::viscous_scale(viscous.value)));
-    }
+/// What the one model takes off beside gravity, inertia and the law of friction.
+Table effects_table(const method::model::ModelResult& model, const Section& section) {
+  Table table = estimates_table(
+      section.id + "-effects", tr("Effects in the torque, each where it is largest, at the motor"));
+  for (const method::model::ModelEffect& effect : model.effects) {
+    if (std::isnan(effect.chi2)) continue;
+    table.rows.push_back(
+        estimate_row(wording::capitalised(wording::words_for("effect", std::string(effect.key))),
+                     effect.largest_Nm, wording::torque_scale(effect.largest_Nm.value)));
   }
   table.note =
-      tr("Left out: runs that travel less than a quarter of the widest range, over which torque "
-         "ripple does not average out, and those below the Stribeck dip.");
-  return table;
-}
-
-Table load_table(const method::viscous::LoadDependenceResult& r, const Section& section) {
-  Table table = estimates_table(section.id + "-load", tr("Friction against load, at the motor"));
-  constexpr double percent = 100;
-  table.rows.push_back(estimate_row(tr("Friction added, relative to the gravity torque"),
-                                    r.per_load, wording::Scale{percent, "%"}));
-  table.rows.push_back(estimate_row(tr("Friction without load"), r.unloaded_Nm,
-                                    wording::torque_scale(r.unloaded_Nm.value)));
-  if (r.viscous_Nms_rad) {
-    table.rows.push_back(estimate_row(tr("Viscous coefficient"), *r.viscous_Nms_rad,
-                                      wording::viscous_scale(r.viscous_Nms_rad->value)));
-  }
-  const auto error = [&](const std::string& words, double value) {
-    table.rows.push_back(
-        number_row(words, value, wording::torque_scale(value), tr("held-out angles")));
-  };
-  error(tr("Error with the load"), r.held_out_Nm);
-  error(tr("Error without it"), r.held_out_without_load_Nm);
-  if (r.viscous_Nms_rad) error(tr("Error of a cubic in speed alone"), r.held_out_speed_alone_Nm);
-  table.note = as_sentence(r.sentence);
+      tr("All are in the model of sweeps, runs and points, each with a typical size beforehand: "
+         "what the recordings show of it is taken off, and what they cannot exclude is in the "
+         "intervals.");
   return table;
 }
 
@@ -225,18 +192,8 @@ void describe_curve_models(const calibration::Calibration& c, Section& section) 
   } else if (!model.sentence.empty() && !c.viscous.runs.empty()) {
     section.facts.push_back({tr("Model of the curve"), as_sentence(model.sentence)});
   }
-  if (!c.viscous.runs.empty() && !c.direction_asymmetry.sentence.empty()) {
-    section.facts.push_back(
-        {tr("Same friction in both directions"), as_sentence(c.direction_asymmetry.sentence)});
-  }
-  if (!c.load_dependence.examined && c.rough.found && !c.load_dependence.sentence.empty()) {
-    section.facts.push_back({tr("Friction against load"), as_sentence(c.load_dependence.sentence)});
-  }
-  const Table directions = directions_table(c, section);
-  if (!directions.rows.empty()) section.tables.push_back(directions);
-  if (c.load_dependence.examined) {
-    section.tables.push_back(load_table(c.load_dependence, section));
-  }
+  const Table effects = effects_table(c.model, section);
+  if (!effects.rows.empty()) section.tables.push_back(effects);
 }
 
 }  // namespace tribolog::report

@@ -188,6 +188,7 @@ void fill_budget(const std::vector<BudgetRow>& rows, TemplateValues& values) {
       named.set("NAME", part.name);
     }
     if (row.parts.empty()) out.add_section("NO_PARTS");
+    out.set_optional("EFFECTS", row.effects);
   }
 }
 

@@ -186,6 +186,7 @@ struct BudgetRow {
   std::string coverage;
   std::string expanded;
   std::vector<Part> parts;
+  std::string effects;  ///< Of what the recordings leave; empty: of no model.
 };
 
 /// One check on the data.

@@ -396,54 +396,6 @@ Table table_of(const calibration::TruthCheckResult& check) {
   return table;
 }
 
-/// "torque late by 0.12 ms"
-std::string effect_in_words(const calibration::WhatIf& effect) {
-  const wording::Scale scale = effect.unit.empty() ? wording::Scale{100, "%"}
-                               : effect.unit == "s"
-                                   ? wording::Scale{1000, "ms"}
-                                   : wording::quantity_scale(effect.unit, effect.size);
-  const std::string size =
-      wording::with_unit(wording::significant(effect.size * scale.factor, 2), scale.unit);
-  return wording::capitalised(
-      wording::words({Code::of("what_if." + to_string(effect.effect)), {{"size", size}}}));
-}
-
-/// One row for each number, one column for each effect: by how much it moves it.
-Table what_if_table(const calibration::TruthCheckResult& check) {
-  Table table;
-  table.id = "what-if";
-  table.caption = tr("What if: shift of each number by what the recordings cannot exclude");
-  table.columns = {{tr("Quantity"), "", false, true}, {tr("Stated half width"), "", true}};
-  for (const calibration::WhatIf& effect : check.what_if)
-    table.columns.push_back({effect_in_words(effect), "", true});
-  table.is_stacked = true;
-  for (const calibration::ReturnedQuantity& q : check.quantities) {
-    const wording::Scale scale = scale_of(q);
-    const auto in_unit = [&](double value) {
-      return wording::with_unit(wording::significant(value * scale.factor, 2), scale.unit);
-    };
-    Row row;
-    row.cells = {wording::capitalised(wording::words_for("reading", to_string(q.name))), "–"};
-    for (const calibration::WhatIf& effect : check.what_if) {
-      const auto at = std::find_if(effect.shifts.begin(), effect.shifts.end(),
-                                   [&](const auto& s) { return s.name == q.name; });
-      if (at == effect.shifts.end()) {
-        row.cells.emplace_back("–");
-        continue;
-      }
-      row.cells[1] = in_unit(at->half_width);
-      row.cells.push_back(wording::with_plus_sign(in_unit(at->shift)));
-      if (std::abs(at->shift) > at->half_width) row.is_chosen = true;
-    }
-    if (row.cells[1] != "–") table.rows.push_back(std::move(row));
-  }
-  table.note = tr(
-      "The same simulation with and without the effect, in the same noise. Each effect is as large "
-      "as the half width of its 95 % interval; a lag that the recordings do not show is taken to "
-      "be one sample. Emphasised: a shift larger than the stated half width.");
-  return table;
-}
-
 std::string noise_text(double value_Nm, const std::string& none) {
   if (!(value_Nm > 0)) return none;
   const wording::Scale scale = wording::torque_scale(value_Nm);
@@ -462,7 +414,7 @@ Section truth_check_section(const calibration::TruthCheckResult& check, int numb
   Section section;
   section.number = number;
   section.id = "known-truth";
-  section.title = tr("Self-consistency, and what if");
+  section.title = tr("Self-consistency");
   section.explanation = "explain_known_truth.tpl";
   const bool nothing = check.quantities.empty();
   section.outcome = nothing                  ? Outcome::absent
@@ -484,7 +436,6 @@ Section truth_check_section(const calibration::TruthCheckResult& check, int numb
     section.facts.push_back({tr("Not simulated"), joined(check.left_out)});
   }
   section.tables.push_back(table_of(check));
-  if (!check.what_if.empty()) section.tables.push_back(what_if_table(check));
   return section;
 }
 

@@ -80,15 +80,13 @@ Truths truths_of_load(const Scenario& s) {
           {Quantity::surrogate_mass, left * mass_kg}};
 }
 
-/// Of sliding and of breaking away.
+/// Of sliding and of breaking away, at the mean load, place and time of the runs.
 Truths truths_of_sliding(const LuGreParameters& p, const Scenario& s,
                          const std::vector<IdealRecording>& ideal) {
   const FrictionChange runs = mean_change(s, ideal, Role::constant_speed);
-  const FrictionChange ramps =
-      mean_change(s, ideal, s.break_away ? Role::break_away : Role::oscillation);
   return {{Quantity::coulomb_torque, runs.factor * p.coulomb_Nm + runs.of_load_Nm},
           {Quantity::viscous_coefficient, runs.factor * p.viscous_Nms_rad},
-          {Quantity::break_away_torque, ramps.factor * p.static_Nm + ramps.of_load_Nm}};
+          {Quantity::break_away_torque, runs.factor * p.static_Nm + runs.of_load_Nm}};
 }
 
 /// Of the contact before it slides, with which friction of the load builds up. What a gear loses

@@ -11,10 +11,9 @@
 namespace tribolog::study {
 
 /// By the verdict's keys; SI, motor side; NaN: there is none. Where friction changes with load,
-/// angle or time, Coulomb and viscous torque are those at the mean of the runs, stiffness and
-/// damping at the oscillations, the break-away torque at the ramps; it is that over a whole turn of
-/// the motor. Of a load that changes it is the gravity before, and where the controller keeps some
-/// of it to itself, what the log has.
+/// angle or time, Coulomb, viscous and break-away torque are those at the mean of the runs, over a
+/// whole turn of the motor, stiffness and damping those at the oscillations. Of a load that changes
+/// it is the gravity before, and where the controller keeps some of it to itself, what the log has.
 /// @param undisturbed scenario. @param laid the same with what was laid on it.
 /// @param ideal recordings of that.
 std::map<joint::Quantity, double> truths_of(const simulate::Scenario& undisturbed,

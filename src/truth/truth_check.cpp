@@ -11,7 +11,6 @@
 #include "joint/degrees.h"
 #include "statistics/order_statistics.h"
 #include "truth/identified_joint.h"
-#include "truth/what_if.h"
 
 namespace tribolog::truth {
 namespace {
@@ -142,10 +141,7 @@ calibration::TruthCheckResult check_known_truth(const joint::Dataset& dataset,
                                                 const PlainIdentification& identify,
                                                 const TruthCheckOptions& options) {
   const IdentifiedJoint joint = identified_joint(dataset, calibration);
-  const std::vector<std::vector<Reading>> runs = simulated_readings(joint, identify, options);
-  calibration::TruthCheckResult out = compared(joint, runs, options);
-  out.what_if = what_if(joint, calibration, runs.front(), identify, options);
-  return out;
+  return check_known_truth(joint, identify, options);
 }
 
 }  // namespace tribolog::truth

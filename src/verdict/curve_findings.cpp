@@ -4,13 +4,6 @@ namespace tribolog::verdict {
 
 std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   std::vector<Statement> findings = c.curve_model.sliding.findings;
-  // The rules on the torque's proportion and on friction by load or angle tell of it otherwise.
-  const bool is_of_load =
-      c.load_dependence.found && !c.load_dependence.out_of_proportion && !c.session.load.examined;
-  if (is_of_load) findings.push_back(c.load_dependence.sentence);
-  // The rules distinguish an offset from asymmetric friction where the data do.
-  if (c.direction_asymmetry.found && !c.torque_balance.asymmetry)
-    findings.push_back(c.direction_asymmetry.sentence);
   const method::viscous::DirectionAngles& angles = c.viscous.angles;
   const bool from_runs = !c.viscous.runs.empty() && !c.viscous.from_sweep;
   if (from_runs && angles.has_rising && angles.has_falling && !angles.share_angles()) {

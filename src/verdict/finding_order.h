@@ -13,17 +13,15 @@ struct Calibration;
 
 namespace tribolog::verdict {
 
-/// What a rule found becomes a reason of the numbers that rest on what follows from it: a lag that
-/// bends the loops is a reason wherever the loops' shape is one.
-void give_causes_as_reasons(const calibration::Calibration& c,
-                            const std::vector<calibration::RuleOutcome>& rules,
+/// What a rule found becomes a reason of the numbers that rest on what follows from it: an
+/// offset is a reason wherever estimates disagree as it makes them.
+void give_causes_as_reasons(const std::vector<calibration::RuleOutcome>& rules,
                             std::vector<calibration::QuantityVerdict>& quantities);
 
 /// Behind the failing checks: that on which most numbers rest their doubt first, and what explains
 /// another finding before it.
 /// @param checks failing ones, at the head of the findings.
-void order_findings(const calibration::Calibration& c,
-                    const std::vector<calibration::QuantityVerdict>& quantities, std::size_t checks,
+void order_findings(const std::vector<calibration::QuantityVerdict>& quantities, std::size_t checks,
                     std::vector<Statement>& findings);
 
 }  // namespace tribolog::verdict

@@ -8,6 +8,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "joint/degrees.h"
+#include "verdict/effect_findings.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -74,54 +75,12 @@ std::optional<Measured> torque_of_angle_left(const Calibration& c) {
   return c.rough.torque_of_angle_left_Nm > 0 ? torque_of_angle(c) : Measured{};
 }
 
-/// Where gravity changes too little over the sweep to show whether torque is logged in proportion:
-/// an offset beside a friction that differs between the directions is what a saturation leaves
-/// there. It takes more from the torque that lifts than from the one that lowers.
-std::optional<Measured> offset_beside_asymmetry(const Calibration& c) {
-  const std::optional<statistics::Estimate>& offset = c.torque_balance.offset_Nm;
-  const std::optional<statistics::Estimate>& asymmetry = c.torque_balance.asymmetry;
-  if (!c.rough.found || !offset || !asymmetry) return std::nullopt;
-  constexpr double beyond_doubt = 1.5;  // half widths
-  const bool shows_both = sure(*offset) > 0 &&
-                          std::abs(asymmetry->value) > beyond_doubt * asymmetry->half_width() &&
-                          (offset->value > 0) != (asymmetry->value > 0);
-  return Measured{shows_both ? 100 * std::abs(offset->value) / c.rough.gravity_Nm.value : 0.0,
-                  {"cause.saturation_or_offset_of_any_size"}};
-}
-
-/// A torque that is logged out of proportion, in percent of gravity.
-std::optional<Measured> torque_out_of_proportion(const Calibration& c) {
-  using method::viscous::OutOfProportion;
-  if (!c.load_dependence.examined) return offset_beside_asymmetry(c);
-  const std::optional<method::viscous::TorqueProportion>& found =
-      c.load_dependence.out_of_proportion;
-  if (!found) return Measured{};
-  const double percent = 100 * found->share.value;
-  const double half_width = 100 * found->share.half_width();
-  constexpr double widest_percent = 10;  // beyond it the size is no news
-  const auto cause = [&]() -> Code {
-    switch (found->form) {
-      case OutOfProportion::saturation:
-        return {"cause.torque_saturates"};
-      case OutOfProportion::dead_zone:
-        return {"cause.dead_zone"};
-      case OutOfProportion::saturation_or_offset:
-        return half_width < widest_percent ? Code{"cause.saturation_or_offset"}
-                                           : Code{"cause.saturation_or_offset_of_any_size"};
-    }
-    return {};
-  };
-  return Measured{std::abs(percent), {cause(), {{"percent", percent}, {"half_width", half_width}}}};
-}
-
-/// What it does to friction at the peak: a cube's slope is three times its share there.
+/// What a torque out of proportion does to friction at the largest torque, in percent: a cube's
+/// slope is three times its share there.
 std::optional<Measured> slope_out_of_proportion(const Calibration& c) {
   constexpr double slope_of_cube = 3;
-  std::optional<Measured> found = torque_out_of_proportion(c);
-  const auto& torque = c.load_dependence.out_of_proportion;
-  if (!found || !torque || torque->form == method::viscous::OutOfProportion::dead_zone)
-    return found;
-  found->value *= slope_of_cube;
+  std::optional<Measured> found = measure_effect(c, "torque_nonlinear", c.model.top_Nm);
+  if (found) found->value *= slope_of_cube;
   return found;
 }
 
@@ -174,59 +133,6 @@ std::optional<Measured> angles_apart(const Calibration& c) {
   }
   largest.value *= joint::degrees_per_rad;
   return largest;
-}
-
-std::optional<Measured> asymmetry(const Calibration& c) {
-  const std::optional<statistics::Estimate>& share = c.torque_balance.asymmetry;
-  if (!share) return std::nullopt;
-  return Measured{100 * sure(*share),
-                  {"cause.asymmetry_of_runs",
-                   {{"percent", 100 * share->value}, {"half_width", 100 * share->half_width()}}}};
-}
-
-/// Sign that the torque keeps over the angles and at the speeds of sweep and runs, by the gravity
-/// and the friction found; 0: it has both, or may have.
-double sign_kept_by_torque(const Calibration& c) {
-  double friction = largest_friction_Nm(c);
-  double lowest_rad = c.rough.lowest_rad;
-  double highest_rad = c.rough.highest_rad;
-  for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
-    if (std::isfinite(run.direction_difference_Nm)) {
-      friction = std::max(friction, std::abs(run.direction_difference_Nm));
-    }
-    if (!run.has_angle()) continue;
-    lowest_rad = std::min(lowest_rad, run.lowest_rad);
-    highest_rad = std::max(highest_rad, run.highest_rad);
-  }
-  const double low = std::cos(lowest_rad - c.rough.q_peak_rad.value);
-  const double high = std::cos(highest_rad - c.rough.q_peak_rad.value);
-  const bool crosses = low * high <= 0 || highest_rad - lowest_rad > 3;
-  const double least = c.rough.gravity_Nm.value * std::min(std::abs(low), std::abs(high));
-  if (!c.rough.found || crosses || !(least > friction)) return 0;
-  return low < 0 ? -1 : 1;
-}
-
-/// Where the torque keeps its sign, a dead zone looks like an offset of that sign.
-bool may_be_dead_zone(double offset_Nm, const Calibration& c) {
-  return sign_kept_by_torque(c) * offset_Nm > 0;
-}
-
-/// By runs of several speeds in both directions.
-Code offset_of_runs(double offset_Nm, const Calibration& c) {
-  return may_be_dead_zone(offset_Nm, c) ? Code{"cause.offset_taken_off_or_dead_zone"}
-                                        : Code{"cause.offset_taken_off"};
-}
-
-constexpr double smallest_offset_percent = 0.03;  // of gravity
-
-/// In percent of the gravity torque.
-std::optional<Measured> offset(const Calibration& c) {
-  const std::optional<statistics::Estimate>& o = c.torque_balance.offset_Nm;
-  if (!o || !c.rough.found) return std::nullopt;
-  return Measured{
-      100 * sure(*o) / c.rough.gravity_Nm.value,
-      {c.torque_balance.asymmetry ? offset_of_runs(o->value, c) : Code{"cause.offset_or_direction"},
-       {{"offset_Nm", o->value}, {"half_width_Nm", o->half_width()}}}};
 }
 
 std::optional<Measured> sweep_offset_drift(const Calibration& c) {
@@ -343,13 +249,7 @@ std::optional<Measured> course_of_angle(const Calibration& c) {
 
 /// An offset of the torque, which the curves of each direction contain, in percent of friction.
 std::optional<Measured> offset_in_curves(const Calibration& c) {
-  const std::optional<statistics::Estimate>& found = c.torque_balance.offset_Nm;
-  const double friction = largest_friction_Nm(c);
-  if (!(friction > 0) || !found) return std::nullopt;
-  const double shown_Nm = sure(*found) > 0 ? std::abs(found->value) : 0.0;
-  return Measured{100 * shown_Nm / friction,
-                  {"cause.offset_in_curves",
-                   {{"offset_Nm", found->value}, {"half_width_Nm", found->half_width()}}}};
+  return measure_effect(c, "offset", largest_friction_Nm(c));
 }
 
 /// What the curves of each direction are off by if another method that disagrees is right about
@@ -505,8 +405,6 @@ std::vector<Rule> gravity_rules() {
       // that it does not have are more, and make what is taken off wrong.
       {"description_differs", "%", 30, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
        description_differs},
-      {"torque_out_of_proportion", "%", 0.1, Verdict::doubtful, of_mass, "record.torque_at_loads",
-       torque_out_of_proportion},
       {"slope_out_of_proportion",
        "%",
        2,
@@ -572,18 +470,8 @@ std::vector<Rule> gravity_rules() {
        {Quantity::viscous_curve},
        "record.sweep_and_oscillation",
        gravity_in_curves},
-      {"direction_asymmetry", "%", 0.3, told, of_mass, "record.runs", asymmetry},
-      {"sweep_offset", "%", smallest_offset_percent, told, of_mass, "record.sweep", offset},
       {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
-      {"motion_harmonics",
-       "%",
-       0.5,
-       told,
-       of_mass,
-       "record.better_motion",
-       motion_harmonics,
-       {},
-       true},
+      {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics, true},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
       {"vibration_in_loops",
@@ -610,18 +498,6 @@ std::vector<Rule> gravity_rules() {
        {Quantity::break_away_torque, Quantity::coulomb_torque, Quantity::viscous_curve},
        "record.more_of_the_same",
        coloured_noise_in_friction}};
-}
-
-Statement offset_found(const Calibration& c, double offset_Nm, double half_width_Nm) {
-  // Where the runs say it too, it is said once.
-  const std::optional<Measured> of_runs = offset(c);
-  if (of_runs && c.torque_balance.asymmetry && of_runs->value > smallest_offset_percent) {
-    return of_runs->finding;
-  }
-  return {may_be_dead_zone(offset_Nm, c) ? Code{"cause.offset_or_dead_zone"} : Code{"cause.offset"},
-          {{"offset_Nm", offset_Nm},
-           {"half_width_Nm", half_width_Nm},
-           {"percent", 100 * offset_Nm / c.session.gravity_Nm}}};
 }
 
 bool has_stated_no_gravity(const Calibration& c) {

@@ -11,11 +11,6 @@ namespace tribolog::verdict {
 /// Most important first.
 std::vector<Rule> gravity_rules();
 
-/// The torque's offset by all strokes of the session, motor side; as the runs' own rule has it
-/// where that tells of it, too.
-Statement offset_found(const calibration::Calibration& calibration, double offset_Nm,
-                       double half_width_Nm);
-
 /// Whether the manifest states that there is no gravity torque.
 bool has_stated_no_gravity(const calibration::Calibration& calibration);
 

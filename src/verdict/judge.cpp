@@ -14,6 +14,7 @@
 #include "method/checks/data_check.h"
 #include "verdict/acceptance.h"
 #include "verdict/curve_findings.h"
+#include "verdict/effect_findings.h"
 #include "verdict/finding_order.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/model_verdicts.h"
@@ -292,6 +293,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     }
   }
   for (const Statement& one : curve_findings(c)) add(one);
+  for (const Statement& one : effect_findings(c)) add(one);
   for (const statistics::StageReport& stage : c.stages()) {
     const bool is_asked_for =
         !(has_stated_no_gravity(c) && is_of_gravity(stage)) &&
@@ -308,7 +310,7 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
     if (rule.is_note) add(rule.finding);
   }
   add(what_is_not_stated(c, judgement.quantities));
-  order_findings(c, judgement.quantities, checks, findings);
+  order_findings(judgement.quantities, checks, findings);
   return findings;
 }
 
@@ -365,7 +367,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
   out.rules = apply_rules(c, out.quantities);
-  give_causes_as_reasons(c, out.rules, out.quantities);
+  give_causes_as_reasons(out.rules, out.quantities);
   state_by_model(c, out.rules, out.quantities);
   out.friction_at_speed = friction_at_speeds(c, out.rules);
   const bool without_gravity = is_without_gravity(c);

@@ -9,6 +9,7 @@
 
 #include "calibration/headline.h"
 #include "joint/degrees.h"
+#include "verdict/effect_findings.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
@@ -64,12 +65,19 @@ double need_of(const Calibration& c, Quantity quantity, double estimate) {
 /// Whether no interval can hold what this check finds: the numbers are of something else then.
 /// Recordings at rest and of a dead torque have no part in the model.
 bool is_beyond_intervals(CheckName check) {
-  constexpr std::array all{CheckName::effort_provenance,    CheckName::angle_provenance,
-                           CheckName::speed_provenance,     CheckName::effort_column,
-                           CheckName::static_torque,        CheckName::angle_unit,
-                           CheckName::motor_speed,          CheckName::torque_noise,
-                           CheckName::torque_saturation,    CheckName::power,
-                           CheckName::friction_dissipates,  CheckName::stick_slip,
+  constexpr std::array all{CheckName::effort_provenance,
+                           CheckName::angle_provenance,
+                           CheckName::speed_provenance,
+                           CheckName::effort_column,
+                           CheckName::static_torque,
+                           CheckName::angle_unit,
+                           CheckName::motor_speed,
+                           CheckName::torque_noise,
+                           CheckName::torque_saturation,
+                           CheckName::torque_step,
+                           CheckName::power,
+                           CheckName::friction_dissipates,
+                           CheckName::stick_slip,
                            CheckName::gravity_within_torque};
   return std::find(all.begin(), all.end(), check) != all.end();
 }
@@ -141,7 +149,10 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
   for (const FailingCheck& failing : failing_checks_on(quantity, c)) {
     const bool is_dead =
         failing.check->name == CheckName::torque_alive && failing.check->measured == 0.0;
-    if (!is_beyond_intervals(failing.check->name) && !is_dead) continue;
+    // Where the angle jumps, its zero is another; what else changes with it is in the intervals.
+    const bool is_of_angle =
+        failing.check->name == CheckName::angle_jumps && quantity == Quantity::cog_angle;
+    if (!is_beyond_intervals(failing.check->name) && !is_dead && !is_of_angle) continue;
     doubt.lower(is_dead ? Verdict::not_identifiable : failing.lowers_to,
                 {"verdict.check_fails",
                  {{"found", failing.check->found}, {"consequence", failing.check->consequence}}},
@@ -184,9 +195,7 @@ Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
 /// @param common contradiction() of the quantity.
 Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_model,
                const Doubt& common) {
-  constexpr double near_cap = 0.8;
   constexpr double significant = 4;  // chi-square per coefficient
-  constexpr double plain = 10;       // the same
   constexpr double matters = 0.25;   // of the variance
   constexpr double most = 0.5;       // the same
   constexpr double most_of_others = 0.5;
@@ -195,15 +204,16 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
     if (effect.key == "law_misfit") continue;
     // A size that nothing explains is not asked of a chi-square.
     const bool shows = std::isnan(effect.chi2) || effect.chi2 > significant * effect.freedom;
-    const bool is_at_cap = shows && effect.size_of_cap >= near_cap;
+    const bool is_at_cap = shows && effect.is_near_cap();
     // Over part of a turn what looks like gravity has many forms.
-    const bool is_plain = is_of_gravity(quantity) && effect.chi2 > plain * effect.freedom;
+    const bool is_plain_there = is_of_gravity(quantity) && effect.is_plain();
     for (const auto& share : by_model.shares) {
       if (share.effect != effect.key) continue;
-      if (!(is_at_cap && share.share >= matters) && !(is_plain && share.share >= most)) continue;
+      if (!(is_at_cap && share.share >= matters) && !(is_plain_there && share.share >= most))
+        continue;
       doubt.lower(Verdict::doubtful,
                   {is_at_cap ? Code{"model.effect_too_large"} : Code{"model.rests_on_effect"},
-                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}},
+                   {{"effect", name_of_effect(effect.key)}}},
                   remedy_of(effect.key));
     }
   }
@@ -216,8 +226,7 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
       if (!is_of_others || effect.torque_Nm < most_of_others * std::abs(coulomb->estimate))
         continue;
       doubt.lower(Verdict::doubtful,
-                  {"model.others_too_large",
-                   {{"effect", Statement(Code::of("effect." + std::string(effect.key)))}}},
+                  {"model.others_too_large", {{"effect", name_of_effect(effect.key)}}},
                   remedy_of(effect.key));
     }
   }
@@ -232,7 +241,7 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
                 {is_angle ? Code{"model.angle_wide"} : Code{"model.wide"},
                  {{"half_width", unit * width},
                   {"need", unit * need},
-                  {"effect", Statement(Code::of("effect." + std::string(largest.effect)))}}},
+                  {"effect", name_of_effect(largest.effect)}}},
                 remedy_of(largest.effect));
   }
   return doubt;

@@ -214,6 +214,12 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
       of_fit(Quantity::bristle_damping, LuGreParameterName::bristle_damping, {}),
       of_fit(Quantity::inertia, LuGreParameterName::inertia,
              calibration::inertia_headline(c).kgm2)};
+  // A lag of the torque looks like bristle damping: no loop alone tells the two apart.
+  const bool lag_is_known = !c.model.empty() || c.manifest.effects.is_stated(joint::effect::lag);
+  if (!lag_is_known) {
+    calibration::lower(verdict_on(Quantity::bristle_damping, all), calibration::Verdict::doubtful,
+                       {"verdict.lag_unknown"}, record_runs);
+  }
   // The method does not rest on these two, and slow loops hardly show them.
   verdict_on(Quantity::bristle_damping, all).decides = false;
   verdict_on(Quantity::inertia, all).decides = false;

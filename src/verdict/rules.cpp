@@ -9,7 +9,6 @@
 #include "method/hysteresis/lugre_fit.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
-#include "verdict/session_rules.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -21,7 +20,6 @@ using joint::Quantity;
 using method::hysteresis::ContactContest;
 using method::hysteresis::ContactLaw;
 using method::hysteresis::ContactRival;
-using method::motion::LagShape;
 
 const std::vector<Quantity> of_curve{Quantity::coulomb_torque, Quantity::viscous_coefficient,
                                      Quantity::stribeck_speed, Quantity::viscous_curve};
@@ -76,87 +74,8 @@ std::optional<Measured> fall_of_damping(const Calibration& c) {
       {"cause.damping_falls", {{"half_at_rad_s", fall->half_at_rad_s}, {"percent", percent}}}};
 }
 
-/// Which channel is late, and by what.
-Code lag_code(const statistics::Estimate& lag, const std::optional<LagShape>& shape) {
-  const bool of_torque = lag.value > 0;
-  if (shape == LagShape::delay)
-    return of_torque ? Code{"cause.lag_delay"} : Code{"cause.lag_delay_of_angle"};
-  if (shape == LagShape::filter) {
-    return of_torque ? Code{"cause.lag_filter"} : Code{"cause.lag_filter_of_angle"};
-  }
-  if (shape == LagShape::moving_mean) return {"cause.lag_mean"};
-  return of_torque ? Code{"cause.lag"} : Code{"cause.lag_of_angle"};
-}
-
-/// Lag between torque and angle, as far as it is certain.
-std::optional<Measured> torque_lag(const Calibration& c) {
-  const std::optional<statistics::Estimate>& lag = c.torque_lag.lag_s;
-  if (!lag) return std::nullopt;
-  const double sure_s = std::max({0.0, lag->low, -lag->high});
-  return Measured{
-      1e3 * sure_s,
-      {lag_code(*lag, c.torque_lag.shape),
-       {{"lag_ms", 1e3 * std::abs(lag->value)}, {"half_width_ms", 1e3 * lag->half_width()}}}};
-}
-
-/// A lag that is another late in the recordings than early: the channels' clocks differ.
-std::optional<Measured> lag_in_time(const Calibration& c) {
-  const std::optional<statistics::Estimate>& change = c.torque_lag.change_s;
-  if (!change) return std::nullopt;
-  const double ms = 1e3;
-  return Measured{
-      ms * std::abs(change->value),
-      {"cause.lag_in_time",
-       {{"change_ms", ms * change->value}, {"half_width_ms", ms * change->half_width()}}}};
-}
-
-/// The shortest oscillation of a gear that starts and stops show to be elastic.
-std::optional<Measured> elastic_gear_of_starts(const Calibration& c) {
-  if (!c.torque_lag.lag_s) return std::nullopt;
-  if (c.torque_lag.shape != LagShape::elastic_gear) return Measured{0, {}};
-  const double time_s = 2 * std::numbers::pi * c.torque_lag.rival(LagShape::elastic_gear)->size_s;
-  return Measured{1e3 * time_s, {"cause.elastic_gear_of_starts", {{"frequency_Hz", 1 / time_s}}}};
-}
-
-/// Stiffness times a clear lag that may round, as a share of the bristle damping: a delay and a
-/// filter differ by a part of that in the loops.
-std::optional<Measured> lag_in_damping(const Calibration& c) {
-  using method::hysteresis::LuGreParameterName;
-  if (!c.lugre || !c.torque_lag.lag_s) return std::nullopt;
-  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
-  const auto damping = c.lugre->shown(LuGreParameterName::bristle_damping);
-  if (!stiffness || !damping || damping->value == 0) return std::nullopt;
-  // One whose shape is known is in the loops' model.
-  if (c.torque_lag.shape && c.torque_lag.rounding().any()) return Measured{0, {}};
-  const double percent =
-      100 * stiffness->value * c.torque_lag.unknown_rounding_s() / std::abs(damping->value);
-  if (percent == 0) return Measured{0, {}};
-  const bool is_known = c.torque_lag.shape && c.torque_lag.shape != LagShape::elastic_gear;
-  return Measured{percent,
-                  {is_known ? Code{"cause.lag_in_damping_of_filter"} : Code{"cause.lag_in_damping"},
-                   {{"percent", percent}}}};
-}
-
 bool has_inertia_of(calibration::InertiaSource source, const Calibration& c) {
   return calibration::inertia_headline(c).source == source;
-}
-
-/// Inertia from starts alone or from stops alone, compared with that from both.
-std::optional<Measured> inertia_of_starts_and_stops(const Calibration& c) {
-  if (!has_inertia_of(InertiaSource::starts, c)) return std::nullopt;
-  const double percent = 100 * c.torque_lag.inertia_apart;
-  return Measured{percent, {"cause.inertia_apart", {{"percent", percent}}}};
-}
-
-/// How far a filter that is as late would bend the inertia; nothing of a lag that may be none, or
-/// whose nature starts and stops show.
-std::optional<Measured> lag_in_inertia(const Calibration& c) {
-  if (!has_inertia_of(InertiaSource::starts, c)) return std::nullopt;
-  if (!c.torque_lag.is_clear() || c.torque_lag.shape) return Measured{0, {}};
-  const double percent = 100 * c.torque_lag.lag_over_transients;
-  return Measured{percent,
-                  {"cause.lag_in_inertia",
-                   {{"lag_ms", 1e3 * std::abs(c.torque_lag.lag_s->value)}, {"percent", percent}}}};
 }
 
 /// Friction at rest by the law of the runs; present only where they see the dip.
@@ -254,12 +173,6 @@ std::optional<Measured> loops_against_ramps(const Calibration& c) {
       {"cause.loops_against_ramps", {{"loops_Nm", loops->value}, {"ramps_Nm", ramps->value}}}};
 }
 
-/// Inertia of the loops alone, although starts and stops should show it.
-std::optional<Measured> inertia_of_loops(const Calibration& c) {
-  if (!has_inertia_of(InertiaSource::loops, c)) return std::nullopt;
-  return Measured{c.torque_lag.hides_inertia ? 1.0 : 0.0, {"cause.inertia_of_loops"}};
-}
-
 /// Ramps are read where the joint moves on, that is where it accelerates already: without the
 /// inertia, that torque counts as friction. Where their resting parts show the level, as those of
 /// most do on an encoder fine enough, they show this, too.
@@ -328,19 +241,6 @@ std::optional<Measured> strokes_of_sweep(const Calibration& c) {
   return Measured{percent, {"cause.strokes_apart", {{"percent", percent}}}};
 }
 
-/// What a sweep of varying speed mistakes for inertia, as a share of gravity.
-std::optional<Measured> inertia_of_sweep(const Calibration& c) {
-  const std::optional<statistics::Estimate>& of_sweep = c.rough.inertia_kgm2;
-  const std::optional<statistics::Estimate>& inertia = c.torque_lag.inertia_kgm2;
-  if (!c.rough.found || !of_sweep || !inertia) return std::nullopt;
-  const double apart = std::abs(of_sweep->value - inertia->value);
-  const double noise = std::hypot(of_sweep->half_width(), inertia->half_width());
-  return Measured{100 * std::max(0.0, apart - noise) * c.rough.largest_acceleration_rad_s2 /
-                      c.rough.gravity_Nm.value,
-                  {"cause.inertia_of_sweep",
-                   {{"sweep_kgm2", of_sweep->value}, {"inertia_kgm2", inertia->value}}}};
-}
-
 /// Misfit of the loops where the break-away torque comes from them, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
@@ -386,65 +286,49 @@ std::optional<Measured> false_stamps(const Calibration& c) {
                     {"interval_ms", 1e3 * found.interval_s}}}};
 }
 
-std::vector<Rule> with_those_of_gravity_and_session(const std::vector<Rule>& of_friction) {
-  std::vector<Rule> all = gravity_rules();
-  for (const std::vector<Rule>& more : {of_friction, session_rules()}) {
-    all.insert(all.end(), more.begin(), more.end());
+// Friction by the motor's angle: in the intervals of what loops and ramps show.
+
+/// Amplitude of a sine with the standard deviation that the sweep shows.
+std::optional<Measured> by_motor_angle(const Calibration& c) {
+  if (!c.rough.found || !c.rough.both_directions || !c.rough.coulomb_Nm) return std::nullopt;
+  const double percent =
+      100 * std::sqrt(2.0) * c.rough.friction_by_angle_Nm / std::abs(c.rough.coulomb_Nm->value);
+  // Fewer periods along the whole sweep are a course of the joint's angle, or of the load.
+  constexpr double fewest_periods = 10;
+  const double turns = c.manifest.drive.gear_ratio() * (c.rough.highest_rad - c.rough.lowest_rad) /
+                       (2 * std::numbers::pi);
+  const std::vector<method::gravity::RippleLine>& lines = c.rough.friction_of_angle.lines;
+  const auto line =
+      std::find_if(lines.begin(), lines.end(), [&](const method::gravity::RippleLine& one) {
+        return one.periods_per_turn * turns > fewest_periods;
+      });
+  if (line == lines.end()) {
+    return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
   }
+  return Measured{percent,
+                  {"cause.friction_by_motor_angle",
+                   {{"percent", percent}, {"periods", line->periods_per_turn}}}};
+}
+
+std::optional<Measured> between_ramps(const Calibration& c) {
+  const method::hysteresis::BreakAwayResult& ramps = c.break_away;
+  if (ramps.positions < 2) return std::nullopt;
+  const double percent = 100 * ramps.between_positions;
+  return Measured{percent,
+                  {"cause.friction_by_motor_angle_of_ramps",
+                   {{"percent", percent}, {"positions", ramps.positions}}}};
+}
+
+std::vector<Rule> with_those_of_gravity(const std::vector<Rule>& of_friction) {
+  std::vector<Rule> all = gravity_rules();
+  all.insert(all.end(), of_friction.begin(), of_friction.end());
   return all;
 }
 
 }  // namespace
 
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all = with_those_of_gravity_and_session({
-      // A lag of the torque looks like bristle damping that is smaller by stiffness times lag: a
-      // known lag is removed; an unknown one no loop can distinguish from damping.
-      {"torque_lag",
-       "ms",
-       0.1,  // a smaller one is moved back as well, but no news
-       Verdict::usable,
-       {Quantity::bristle_damping},
-       "record.runs",
-       torque_lag,
-       "verdict.lag_unknown"},
-      {"elastic_gear_of_starts",
-       "ms",
-       0,
-       Verdict::usable,
-       {Quantity::inertia},
-       "record.slower_starts",
-       elastic_gear_of_starts},
-      {"lag_in_time",
-       "ms",
-       0,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping, Quantity::inertia},
-       "record.one_clock",
-       lag_in_time},
-      {"lag_in_damping",
-       "%",
-       30,
-       Verdict::doubtful,
-       {Quantity::bristle_damping},
-       "record.no_lag",
-       lag_in_damping},
-      {"inertia_of_starts_and_stops",
-       "%",
-       10,
-       Verdict::doubtful,
-       // The lag that the damping depends on comes from them too.
-       {Quantity::inertia, Quantity::bristle_damping},
-       "record.slower_starts",
-       inertia_of_starts_and_stops},
-      // Filters of 10 to 20 ms behind starts of 70 ms take a quarter to a half of the inertia.
-      {"lag_in_inertia",
-       "%",
-       10,
-       Verdict::doubtful,
-       {Quantity::inertia},
-       "record.slower_starts",
-       lag_in_inertia},
+  static const std::vector<Rule> all = with_those_of_gravity({
       {"runs_against_ramps", "%", 5, Verdict::doubtful, of_curve, "record.torque_measured",
        runs_against_ramps},
       {"runs_against_ramps_at_rest",
@@ -468,13 +352,6 @@ const std::vector<Rule>& rules() {
        {Quantity::bristle_stiffness, Quantity::bristle_damping},
        "record.torque_measured",
        loops_against_ramps},
-      {"inertia_of_loops",
-       "",
-       0,
-       Verdict::doubtful,
-       {Quantity::inertia},
-       "record.slower_starts",
-       inertia_of_loops},
       {"ramps_that_slide",
        "%",
        1,
@@ -490,13 +367,8 @@ const std::vector<Rule>& rules() {
        "record.slower_starts",
        ramps_without_inertia},
       {"strokes_of_sweep", "%", 3, Verdict::doubtful, of_curve, "record.runs", strokes_of_sweep},
-      {"inertia_of_sweep",
-       "%",
-       0.02,
-       Verdict::doubtful,
-       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass},
-       "record.sweep",
-       inertia_of_sweep},
+      {"friction_by_motor_angle", "%", 1, Verdict::usable, {}, {}, by_motor_angle},
+      {"break_away_by_motor_angle", "%", 1, Verdict::usable, {}, {}, between_ramps},
       {"stribeck_exponent", "%", 0.5, Verdict::usable, {}, {}, stribeck_exponent},
       // A shape that is off by this bends stiffness by a tenth and damping by half of what matters
       // (study --misfit, disturbance stribeck_power).
@@ -589,8 +461,6 @@ std::vector<calibration::RuleOutcome> apply_rules(
       calibration::QuantityVerdict& q = verdict_on(touched, quantities);
       if (o.state == calibration::RuleState::broken && rule.lowers_to != Verdict::usable) {
         calibration::lower(q, rule.lowers_to, o.finding, rule.experiment);
-      } else if (o.state == calibration::RuleState::not_computed && !rule.unknown.empty()) {
-        calibration::lower(q, Verdict::doubtful, rule.unknown, rule.experiment);
       }
     }
     outcomes.push_back(std::move(o));

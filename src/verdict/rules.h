@@ -21,7 +21,7 @@ struct Measured {
 };
 
 struct Rule {
-  const char* name;                ///< Stable: "torque_lag".
+  const char* name;                ///< Stable: "loop_misfit".
   const char* unit;                ///< Of value and threshold; "" if none.
   double threshold;                ///< A larger value breaks the rule.
   calibration::Verdict lowers_to;  ///< usable: the finding is reported, and was corrected.
@@ -29,8 +29,6 @@ struct Rule {
   Code experiment;  ///< What to record next.
   /// nullopt: the data do not show it.
   std::optional<Measured> (*measure)(const calibration::Calibration& calibration);
-  /// Why the quantities are doubtful where the data do not show it; empty: they are not.
-  Code unknown{};
   /// No news where it is as usual: told after all other findings.
   bool is_note{};
 };

@@ -114,10 +114,40 @@ class BudgetMaker {
     if (e.has_zero) add_zero(stated.angle_zero_deg);
     add_shift(Influence::hoses, stated.hoses_percent);
     add_shift(Influence::description, stated.description_percent);
-    return calibration::combined(estimate_, std::move(parts_), std::move(not_stated_));
+    UncertaintyBudget budget =
+        calibration::combined(estimate_, std::move(parts_), std::move(not_stated_));
+    budget.effects = effects();
+    return budget;
   }
 
  private:
+  /// In the model; null: it does not state the quantity.
+  [[nodiscard]] const method::model::ModelQuantity* of_model() const {
+    return c_.model.find(quantity_ == Quantity::surrogate_mass ? Quantity::gravity_torque
+                                                               : quantity_);
+  }
+
+  /// Empty where another stage made the estimate.
+  [[nodiscard]] std::vector<calibration::BudgetEffect> effects() const {
+    constexpr double worth_a_word = 0.05;
+    std::vector<calibration::BudgetEffect> all;
+    const method::model::ModelQuantity* model = of_model();
+    if (model == nullptr || !estimate_.method.is("interval.of_model")) return all;
+    for (const method::model::VarianceShare& one : model->shares) {
+      if (one.share < worth_a_word) break;
+      calibration::BudgetEffect& effect = all.emplace_back(
+          calibration::BudgetEffect{std::string(one.effect), one.share, 0, {}, false});
+      const std::vector<joint::Effect>& known = joint::effects();
+      const auto of = std::find_if(known.begin(), known.end(),
+                                   [&](const joint::Effect& row) { return row.key == one.effect; });
+      if (of == known.end() || of->unit.empty()) continue;
+      effect.size = c_.manifest.effects.of(*of);
+      effect.unit = of->unit;
+      effect.is_stated = c_.manifest.effects.is_stated(*of);
+    }
+    return all;
+  }
+
   void add_recordings() {
     const double freedom = freedom_of(quantity_, c_);
     const double whole = estimate_.half_width() / calibration::coverage_factor(freedom);
@@ -157,10 +187,7 @@ class BudgetMaker {
   void add_shift(Influence influence, const std::optional<double>& percent) {
     if (!percent) {
       // Of the model's numbers typical ones are in what the recordings give.
-      const Quantity read =
-          quantity_ == Quantity::surrogate_mass ? Quantity::gravity_torque : quantity_;
-      const bool is_included = c_.model.find(read) != nullptr;
-      if (influence == Influence::hoses && depends_on_gravity() && !is_included) {
+      if (influence == Influence::hoses && depends_on_gravity() && of_model() == nullptr) {
         not_stated_.push_back(influence);
       }
       return;

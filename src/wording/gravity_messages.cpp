@@ -77,19 +77,6 @@ const Messages& gravity_messages() {
        text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak), G from "
             "the rough sweep")},
 
-      // How late the torque is logged against the angle.
-      {"lag.too_few_transients",
-       text("sweeps and runs hold {transients} starts and stops that are long enough for their "
-            "sampling; at least {needed} are needed to see a lag between torque and angle")},
-      {"lag.inertia_not_shown",
-       text("accelerations are too small for their torque to show, and with it a lag between "
-            "torque and angle")},
-      {"lag.other_torques",
-       text("in starts and stops {rest_Nm:.2g} N·m of the torque follow neither acceleration nor "
-            "speed, beside {inertia_Nm:.2g} N·m that would accelerate the joint: something else "
-            "moves it too, such as ripple, and neither inertia nor a lag of the torque can be "
-            "told")},
-
       // Gravity from the runs at constant speed.
       {"gravity.no_runs", text("no run at constant speed was recorded")},
       {"gravity.runs_too_short",

@@ -41,7 +41,6 @@ const Messages& hysteresis_messages();
 const Messages& viscous_messages();
 const Messages& selection_messages();
 const Messages& model_messages();
-const Messages& session_messages();
 const Messages& friction_messages();
 const Messages& verdict_messages();
 const Messages& history_messages();

@@ -25,6 +25,9 @@ const Messages& model_messages() {
       {"model.rests_on_effect",
        text("the recordings show {effect}, and most of what is not known of the number is how it "
             "goes on")},
+      {"model.effect_shows",
+       text("the recordings show {effect}: up to {largest_Nm:.2g} ± {half_width_Nm:.1g} N·m, "
+            "{percent:.2g} % of the friction; it is taken off the numbers of sweeps and runs")},
       {"model.others_too_large",
        text(
            "{effect} is not small beside the friction, and nothing but the other joints' angles is "
@@ -40,28 +43,58 @@ const Messages& model_messages() {
       {"effect.gravity_left", text("gravity of a joint stated to have none")},
       {"effect.others_gravity", text("gravity that other joints change")},
       {"effect.others_inertia", text("what the acceleration of other joints takes")},
-      {"effect.offset", text("an offset of the torque")},
+      {"effect.offset",
+       text("an offset of the torque, or friction that differs with the direction")},
       {"effect.offset_drift", text("a drift of the torque's offset")},
       {"effect.gain_drift", text("a drift of the torque's scale")},
       {"effect.torque_nonlinear", text("a torque out of proportion")},
       {"effect.gain_of_speed", text("a torque's scale that changes with the speed")},
       {"effect.gain_of_runs", text("another torque scale in the runs")},
       {"effect.lag", text("a lag between torque and angle")},
-      {"effect.asymmetry", text("friction that differs with the direction")},
+      {"effect.asymmetry", text("friction that differs with the direction and the speed")},
       {"effect.load", text("friction that grows with the load")},
       {"effect.position", text("friction that changes with the joint's angle")},
       {"effect.torque_over_turn", text("a torque that repeats with each turn")},
       {"effect.hoses", text("hoses and cables")},
-      {"effect.angle_scale", text("the angle's scale")},
+      {"effect.angle_scale", text("a scale of the angle that is off")},
       {"effect.peak_drift", text("a gravity peak that moves")},
       {"effect.harmonics", text("harmonics of gravity: twist of the gear, crosstalk")},
       {"effect.smooth_over_angle", text("a torque that changes slowly with the angle")},
       {"effect.drift", text("friction that changes over the session")},
-      {"effect.law_misfit", text("the law of friction over the speed")},
+      {"effect.law_misfit", text("friction over the speed that follows no law")},
       {"effect.law_at_its_ends", text("the law of friction at the ends of the speeds")},
       {"effect.choice_of_law", text("the choice among laws of friction over the speed")},
       {"effect.friction_of_session", text("how friction changes from day to day")},
-      {"effect.friction_of_recording", text("how friction changes between recordings")}};
+      {"effect.friction_of_recording", text("how friction changes between recordings")},
+
+      {"interval.widened_by_lag",
+       text("{interval}; no narrower than what is not known of the torque's lag allows")},
+      {"interval.at_the_runs",
+       text("{interval}; at the mean load, place and time of the runs, widened by what of their "
+            "effect on friction is not known")},
+      {"rule.friction_by_motor_angle", text("Change of friction along the sweep, as of a sine")},
+      {"rule.break_away_by_motor_angle",
+       text("What ramps at several motor angles differ by beyond the scatter at one")},
+      {"cause.friction_by_motor_angle",
+       text("friction changes with the motor's angle by ±{percent:.2g} %, strongest with "
+            "{periods:.3g} periods to the motor's turn: ramps and loops have that of the angles at "
+            "which they were recorded, and their intervals hold the mean over all angles")},
+      {"cause.friction_along_angle",
+       text("friction changes along the sweep by ±{percent:.2g} %, without a period of its own: "
+            "ramps and loops have that of the angles at which they were recorded, and their "
+            "intervals hold the mean over all angles")},
+      {"cause.friction_by_motor_angle_of_ramps",
+       text("break-away ramps at {positions} motor angles differ by {percent:.2g} % (standard "
+            "deviation) beyond the scatter at one angle: the interval is that of the mean over all "
+            "angles")},
+      {"record.friction_without_load",
+       text("sweeps at several constant speeds over angles of high and of low gravity torque, or "
+            "the joint with its axis vertical")},
+      {"record.warmed_up",
+       text("the same again with the joint warmed up and the drive's offset settled, the sweep "
+            "once more at the end")},
+      {"interval.widened_by_friction_of_angle",
+       text("{interval}; widened by what friction changes with the motor's angle")}};
   return all;
 }
 

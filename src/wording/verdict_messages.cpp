@@ -30,13 +30,6 @@ const Messages& verdict_messages() {
       {"quantity_at_joint.viscous_coefficient", text("Viscous coefficient at the joint")},
 
       // The verdict's rules, each by what it measures.
-      {"rule.torque_lag", text("Lag between torque and angle, the part that is certain")},
-      {"rule.elastic_gear_of_starts",
-       text("Oscillation of the link against the motor, by starts and stops")},
-      {"rule.lag_in_damping", text("Effect of the lag on the bristle damping")},
-      {"rule.inertia_of_starts_and_stops", text("Inertia by starts or stops alone, against both")},
-      {"rule.lag_in_inertia",
-       text("Lag between torque and angle, relative to the duration of a start")},
       {"rule.runs_against_ramps", text("Friction at rest by the runs' law, against the ramps")},
       {"rule.runs_against_loops",
        text("Friction at rest by the runs' law, less than that of the loops")},
@@ -45,7 +38,6 @@ const Messages& verdict_messages() {
        text("Torque that depends on the angle and is not gravity, for the angle of the peak")},
       {"rule.ramps_that_slide", text("Friction at the speed of sliding ramps, below that at rest")},
       {"rule.inertia_at_break_away", text("Ramps read without the torque of inertia")},
-      {"rule.inertia_of_loops", text("Inertia of the loops alone, where starts should show it")},
       {"rule.false_stamps", text("Scatter of the time stamps, relative to the sampling interval")},
       {"rule.torque_outliers", text("Torque outliers in the worst recording")},
       {"rule.many_torque_outliers", text("The same, where they are too many to be told apart")},
@@ -53,8 +45,6 @@ const Messages& verdict_messages() {
        text("Amplitude of the smallest loop, over the deflection at which the bristle slides")},
       {"rule.fall_of_damping", text("Stiffness if the bristle damping fell with speed")},
       {"rule.slope_out_of_proportion", text("Torque not in proportion, effect on friction")},
-      {"rule.torque_out_of_proportion",
-       text("Torque not in proportion to the joint torque, at the gravity peak")},
       {"rule.loop_misfit", text("Misfit of the LuGre model to a loop")},
       {"rule.loops_within_dip",
        text("Five times the dip's speed over the fastest of the loops, where friction comes from "
@@ -102,7 +92,6 @@ const Messages& verdict_messages() {
       {"cause.strokes_apart",
        text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
             "the speed: another law, or a torque that is not right at some speed")},
-      {"rule.inertia_of_sweep", text("Apparent inertia in the sweep, relative to gravity")},
       {"rule.stribeck_exponent", text("Stribeck exponent other than 2, effect on friction")},
       {"rule.stribeck_exponent_in_loops",
        text("Stribeck dip of the curve unlike that of the loops' model, effect on friction")},
@@ -118,9 +107,6 @@ const Messages& verdict_messages() {
        text(
            "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the loops' model has "
            "the exponent 2: over the loops' speeds the two differ by {percent:.2g} % of friction")},
-      {"cause.inertia_of_sweep",
-       text("the sweep's inertia of {sweep_kgm2:.3g} kg·m² is not the {inertia_kgm2:.3g} kg·m² of "
-            "starts and stops: a spring, or a gear that twists, is in it, and in the angle")},
       {"cause.viscous_bend_or_dip",
        text("a viscous friction that grows with the power {exponent:.2g} of the speed describes "
             "the speeds about as well as a Stribeck dip: whether there is one is not known")},
@@ -159,15 +145,9 @@ const Messages& verdict_messages() {
       {"rule.gravity_in_curves", text("Gravity's disagreement, as a share of friction")},
       {"rule.loops_against_ramps", text("Friction at rest, loops against ramps")},
       {"rule.vibration_in_loops", text("Vibration that the loops' cycles do not average out")},
-      {"rule.friction_along_angle",
-       text("Friction along the joint's angle, slower than the motor turns")},
       {"rule.runs_against_ramps_at_rest", text("Friction at rest, runs against ramps")},
-      {"rule.lag_in_time", text("Change of the lag from early to late in the recordings")},
       {"rule.angles_apart", text("Gravity peak of other recordings, against the rough sweep's")},
       {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
-      {"rule.direction_asymmetry",
-       text("Asymmetry of friction between the directions, the part that is certain")},
-      {"rule.sweep_offset", text("Offset of the sweep's torque, the part that is certain")},
       {"rule.sweep_offset_drift",
        text("Drift of that offset over the sweep, the part that is certain")},
       {"rule.motion_harmonics", text("Largest harmonic of an oscillation's motion")},
@@ -223,17 +203,9 @@ const Messages& verdict_messages() {
             "describes, "
             "of ±{amplitude_Nm:.3g} N·m or {percent:.2g} % of the friction, slower than the motor "
             "turns: as of a linkage, a hose that catches or a worn place")},
-      {"cause.offset_in_curves",
-       text("the curves of each direction contain the torque's offset of {offset_Nm:+.3g} ± "
-            "{half_width_Nm:.2g} N·m, one more and the other less; the mean of both does not")},
       {"cause.gravity_in_curves",
        text("the methods disagree about gravity by {off_Nm:.3g} N·m, by which the friction of each "
             "direction may be off; the mean of both is not")},
-      {"cause.lag_in_time",
-       text(
-           "the torque's lag behind the angle changes by {change_ms:+.2f} ± {half_width_ms:.2f} ms "
-           "from early to late in the recordings: the channels' clocks differ, and loops cannot be "
-           "put right by one lag")},
       {"cause.angle_of_precise_sweep",
        text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° "
             "in "
@@ -252,20 +224,6 @@ const Messages& verdict_messages() {
                                     "as a twist of the gear it would be {twist_deg:.2f} ± "
                                     "{half_width_deg:.2f}°, against its "
                                     "load; the angle's interval holds it")},
-      {"cause.asymmetry_of_runs",
-       text("friction is larger by {percent:.1f} ± {half_width:.1f} % when the angle rises, and "
-            "smaller by as much when it falls")},
-      {"cause.offset_taken_off",
-       text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m; it was taken "
-            "off the loops")},
-      {"cause.offset_taken_off_or_dead_zone",
-       text("the torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m, or a dead zone "
-            "of that size: it keeps its sign in sweep and runs, where both look alike; taken off "
-            "the loops")},
-      {"cause.offset_or_direction",
-       text("the sweep's torque has an offset of {offset_Nm:.2g} ± {half_width_Nm:.1g} N·m, or "
-            "friction differs between the directions: runs of several speeds in both directions "
-            "would tell which")},
       {"cause.offset_drifts",
        text("the torque's offset drifts by {drift_Nm:.2g} ± {half_width_Nm:.1g} N·m over the "
             "sweep")},
@@ -298,21 +256,6 @@ const Messages& verdict_messages() {
       {"cause.loops_too_wide",
        text("the smallest loop is {times:.0f} times as wide as the bristle bends: the motion "
             "during pre-sliding is inferred from the rest of the loop")},
-      {"cause.torque_saturates",
-       text("the torque is not in proportion: at the gravity peak {percent:.2g} ± {half_width:.2g} "
-            "% "
-            "too much is logged, as where a torque constant falls with the current; friction that "
-            "grows with the load describes the sweep no better")},
-      {"cause.dead_zone", text("the torque has a dead zone: {percent:.2g} ± {half_width:.2g} % of "
-                               "the gravity torque is "
-                               "logged on either side of zero before the joint gets any")},
-      {"cause.saturation_or_offset",
-       text("the sweep shows an offset of the torque, or a torque out of proportion, by "
-            "{percent:.2g} ± {half_width:.2g} % at the gravity peak: over these angles both look "
-            "alike")},
-      {"cause.saturation_or_offset_of_any_size",
-       text("the sweep shows an offset of the torque, or a torque out of proportion: over these "
-            "angles both look alike, and how large either is cannot be told")},
       {"cause.other_contact",
        text("{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the "
             "loop's height, that noise does not explain: the contact follows another law, and the "
@@ -336,65 +279,17 @@ const Messages& verdict_messages() {
        text("{samples} samples of the torque lie far off their neighbours, up to {largest_Nm:.2g} "
             "N·m, and were replaced by the line between these ({recording}: {percent:.2g} % of its "
             "samples)")},
-      {"cause.lag",
-       text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the angle, "
-            "delayed or filtered: starts and stops do not tell which; it was moved back by that "
-            "before the loops were fitted")},
-      {"cause.lag_delay",
-       text("the torque is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the angle: a "
-            "pure delay, as starts and stops show; it was moved back by that before the loops were "
-            "fitted")},
-      {"cause.lag_filter",
-       text("the torque is behind a low-pass filter, {lag_ms:.2f} ± {half_width_ms:.2f} ms later "
-            "than the angle, as starts and stops show; the model of the loops was put behind the "
-            "same filter")},
-      {"cause.lag_mean",
-       text("the torque is a moving mean, {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the "
-            "angle, as starts and stops show; the model of the loops was averaged alike")},
-      {"cause.elastic_gear_of_starts",
-       text("starts and stops show an elastic gear: the link swings against the motor at "
-            "{frequency_Hz:.2g} Hz at most")},
-      {"cause.lag_in_damping_of_filter",
-       text("stiffness times lag is {percent:.0f} % of the bristle damping: a filter rounds the "
-            "loop where the motion turns round, and moving the torque back does not undo that")},
-      {"cause.lag_in_damping",
-       text("stiffness times lag is {percent:.0f} % of the bristle damping: whether the torque is "
-            "delayed or filtered changes it by a third of that, and starts and stops do not tell "
-            "which")},
-      {"cause.lag_in_inertia",
-       text(
-           "a lag of {lag_ms:.1f} ms is {percent:.0f} % of the time that a start takes: if it is a "
-           "filter's, starts show another inertia than the joint's")},
       {"cause.runs_against_ramps",
        text(
            "friction at rest is {runs_Nm:.3g} N·m by the runs and {ramps_Nm:.3g} N·m by the ramps: "
            "the logged torque may lack what the controller adds against friction, or friction "
            "changed between them")},
-      {"cause.inertia_of_loops",
-       text("starts and stops do not show this inertia: in the loops a lag, or a spring, looks the "
-            "same")},
       {"cause.ramps_slide",
        text("in the ramps the joint slid at an even speed, {speed_rad_s:.2g} rad/s at the motor: "
             "what holds it there is friction at that speed, not at rest")},
       {"cause.ramps_without_inertia",
        text("ramps are read where the joint accelerates already, and nothing shows its inertia: "
             "that torque counts as friction")},
-      {"cause.inertia_apart",
-       text("inertia by the starts or by the stops alone differs by {percent:.0f} % from that by "
-            "both: something other than inertia acts in them, or they are too short for the "
-            "sampling")},
-      {"cause.lag_of_angle",
-       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque, "
-            "delayed or filtered: starts and stops do not tell which; the torque was moved by that "
-            "before the loops were fitted")},
-      {"cause.lag_delay_of_angle",
-       text("the angle is logged {lag_ms:.2f} ± {half_width_ms:.2f} ms later than the torque: a "
-            "pure delay, as starts and stops show; the torque was moved by that before the loops "
-            "were fitted")},
-      {"cause.lag_filter_of_angle",
-       text("the angle is behind a low-pass filter, {lag_ms:.2f} ± {half_width_ms:.2f} ms later "
-            "than the torque, as starts and stops show; the torque was moved by that before the "
-            "loops were fitted")},
       {"verdict.lag_unknown",
        text("the recordings do not show how late the torque is logged against the angle, and a lag "
             "looks like bristle damping")},
@@ -507,14 +402,6 @@ const Messages& verdict_messages() {
             "which")},
       {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
 
-      // What the recordings cannot exclude.
-      {"what_if.lag", text("torque late by {size}")},
-      {"what_if.asymmetry", text("friction larger by {size} while the angle rises")},
-      {"what_if.load", text("friction larger by {size} of the gravity torque")},
-      {"what_if.angle", text("friction changing by {size} with the angle")},
-      {"what_if.warm_up", text("friction changing by {size} over the session")},
-      {"what_if.offset_drift", text("offset drifting by {size} over the session")},
-
       // The uncertainty budget.
       {"influence.recordings", text("the recordings")},
       {"influence.disagreement", text("methods that disagree")},
@@ -550,7 +437,6 @@ const Messages& verdict_messages() {
             "{limit}: not shown")},
 
       // What to record next.
-      {"record.one_clock", text("torque and angle in one channel, on one clock")},
       {"record.other_frequency",
        text("the oscillation at a frequency of which no vibration is a multiple")},
       {"record.one_homing", text("all recordings after one homing, with the base at rest")},

@@ -1,4 +1,4 @@
-// What stage 5 states: friction over speed, its models, direction and load.
+// What stage 5 states: friction over speed, and its models.
 
 #include "wording/messages.h"
 
@@ -148,57 +148,7 @@ const Messages& viscous_messages() {
       {"waiboer_fit.parameters_not_shown",
        text("the speeds recorded do not show all five parameters")},
       {"waiboer_fit.grows_faster_than_speed",
-       text("viscous friction grows faster than speed, which eq. (6) does not describe")},
-
-      // Is friction the same in both directions?
-      {"direction_asymmetry.offset_of_sweep",
-       text("the sweep's offset of {offset_Nm:.3g} N·m was removed from both directions: half the "
-            "difference in their friction, or an offset of the torque signal")},
-      {"direction_asymmetry.too_few_pairs",
-       text("whether friction is the same in both directions cannot be seen independently of "
-            "gravity: too few speeds were run in both directions over the same angles")},
-      {"direction_asymmetry.found",
-       text("friction is not the same in both directions, or the torque signal has an offset, or "
-            "gravity is off: half the difference between forward and backward is "
-            "{half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of the gravity "
-            "torque within its interval could account for {gravity_error_Nm:.2g} N·m")},
-      {"direction_asymmetry.does_not_show",
-       text("no asymmetry between the directions shows: half the difference between forward and "
-            "backward is {half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of "
-            "the gravity torque within its interval could account for {gravity_error_Nm:.2g} N·m")},
-      {"direction_asymmetry.found_without_gravity",
-       text("friction is not the same in both directions, or the torque signal has an offset: half "
-            "the difference between forward and backward is {half_difference_Nm:.3g} ± "
-            "{half_width_Nm:.2g} N·m")},
-      {"direction_asymmetry.does_not_show_without_gravity",
-       text("no asymmetry between the directions shows: half the difference between forward and "
-            "backward is {half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m")},
-
-      // Does friction depend on the load?
-      {"load_dependence.no_sweep_in_both_directions",
-       text("whether friction depends on the load cannot be seen: that takes a sweep in both "
-            "directions over the same angles, through angles of high and of low gravity torque")},
-      {"load_dependence.too_few_shared_cells",
-       text("whether friction depends on the load cannot be seen: the two directions of the sweep "
-            "share only {shared} of {cells} cells of its angles")},
-      {"load_dependence.load_changes_too_little",
-       text("whether friction depends on the load cannot be seen: gravity torque changes only from "
-            "{lowest_Nm:.3g} to {highest_Nm:.3g} N·m over the sweep, by less than "
-            "{needed_percent:.0f} % of its amplitude")},
-      {"load_dependence.does_not_show",
-       text(
-           "friction does not visibly depend on the load: {share_percent:.2g} % of the gravity "
-           "torque (95 %: {low_percent:.2g} to {high_percent:.2g} %); at held-out angles the error "
-           "is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m without")},
-      {"load_dependence.found",
-       text("friction depends on the load: it grows by {share_percent:.3g} % of the gravity torque "
-            "(95 %: {low_percent:.3g} to {high_percent:.3g} %), from {unloaded_Nm:.3g} N·m "
-            "unloaded, by {added_Nm:.3g} N·m at the largest load of the sweep; at held-out angles "
-            "the error is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m "
-            "without")},
-      {"load_dependence.curved_viscous_law_rivals",
-       text("a curved viscous law would explain it as well, because speed and load change together "
-            "in this sweep: sweeps at several constant speeds tell them apart")}};
+       text("viscous friction grows faster than speed, which eq. (6) does not describe")}};
   return all;
 }
 

@@ -79,7 +79,7 @@ const std::map<std::string_view, Message>& messages_by_code() {
          {&general_messages(), &check_messages(), &gravity_messages(), &hysteresis_messages(),
           &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages(),
           &history_messages(), &plan_messages(), &study_messages(), &reading_messages(),
-          &drawing_messages(), &session_messages(), &model_messages()}) {
+          &drawing_messages(), &model_messages()}) {
       for (const CodedMessage& one : *table) {
         if (!found.emplace(one.code, one.message).second) {
           throw std::logic_error(fmt::format("'{}' has two messages", one.code));

@@ -73,6 +73,30 @@ TEST(ReadCalibration, FindsFrictionAtSpeeds) {
   EXPECT_TRUE(read_calibration(damaged.dump(), "c.json").curves.friction_at_speed.empty());
 }
 
+TEST(ReadCalibration, TakesWhatOlderProgramsStatedBesideIt) {
+  json older = json::parse(written());
+  older["session"] = {{"examined", true}, {"drift", {{"found", true}, {"change", -0.2}}}};
+  older["load_dependence"] = nullptr;
+  older["torque_lag"] = {{"lag_s", {{"estimate", 1e-3}, {"low", 9e-4}, {"high", 1.1e-3}}},
+                         {"is_clear", true},
+                         {"shape", "delay"}};
+  older["truth_check"]["what_if"] = json::array({{{"effect", "lag"}, {"size", 1e-3}}});
+  json& rules = older["verdict"]["rules"];
+  if (!rules.empty()) {
+    rules.push_back(rules.front());
+    rules.back()["rule"] = "torque_lag";
+  }
+  for (const char* key : {"friction_of_loops", "friction_of_ramps"}) older["model"].erase(key);
+  const RecordedCalibration now = read_calibration(written(), "c.json");
+  const RecordedCalibration then = read_calibration(older.dump(), "c.json");
+  ASSERT_EQ(then.quantities.size(), now.quantities.size());
+  for (std::size_t k = 0; k < now.quantities.size(); ++k) {
+    EXPECT_EQ(then.quantities[k].name, now.quantities[k].name);
+    EXPECT_EQ(then.quantities[k].verdict, now.quantities[k].verdict);
+  }
+  EXPECT_EQ(read_evidence(older.dump()).size(), read_evidence(written()).size());
+}
+
 /// The schema of the object that lies there, through references and alternatives.
 const json& resolved(const json& schema, const json& root) {
   if (schema.contains("$ref")) {

@@ -13,7 +13,7 @@ const std::vector<Call>& calls() {
       {"init --gear-ratio 101:1 log.csv -o i6.toml", 0, "manifest: i6.toml"},
       {"inspect --column time=t log.csv", 0, "file = \"log.csv\""},
       {"inspect --gear-ratio 50 log.csv", 0, "file = \"log.csv\""},
-      {"figures --format svg dataset.toml -o f1", 0, "f1: 4 figures as svg"},
+      {"figures --format svg dataset.toml -o f1", 0, "f1: 3 figures as svg"},
       {"study --factor cycles scenario.toml --runs 2 --json s.json", 0, "numbers: s.json"},
       {"study --json m.json --runs 2 --mixed", 0, "numbers: m.json"},
       {"study --sound --json m.json --mixed", 2,

@@ -33,14 +33,14 @@ TEST(MainJob, FromScenarioToReport) {
   EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
   EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
   const std::string html = read_text(out + "/report.html");
-  // Figures 10 to 17 and 22, candidates, loop fit, curve models, directions, load, masses,
+  // Figures 10 to 17 and 22, candidates, loop fit, curve models, directions, masses,
   // known-truth check.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
        ++at) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 16U);
+  EXPECT_EQ(pictures, 14U);
   EXPECT_EQ(html.find("Other figures"), std::string::npos) << "each has its section";
   const std::size_t precise = html.find("id=\"stage-2\"");
   for (const char* id : {"fig-10-phenomenological-model", "fig-11-rough-motion",
@@ -57,7 +57,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 20U) << "all but the known-truth check's, which is made for --truth-runs alone";
+  EXPECT_EQ(files, 18U) << "all but the known-truth check's, which is made for --truth-runs alone";
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {

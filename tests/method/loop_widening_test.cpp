@@ -2,6 +2,7 @@
 
 #include "method/hysteresis/loop_widening.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -83,6 +84,40 @@ TEST(LoopWidening, FrictionOfTheLoopsAnglesWidensWhatItIsPartOf) {
   // A quarter turn apart, the two halves of a period cancel.
   const auto mean = method::hysteresis::with_friction_of_angle(fit, sweep, {0.2, 0.2 + 1.5707963});
   EXPECT_NEAR(mean.parameters[0].estimate->half_width(), 0.01, 1e-3);
+}
+
+method::hysteresis::LuGreFit fit_of(method::hysteresis::LuGreParameterName name, double value,
+                                    double half_width) {
+  method::hysteresis::LuGreFit fit;
+  method::hysteresis::LuGreParameter stiffness;
+  stiffness.name = method::hysteresis::LuGreParameterName::bristle_stiffness;
+  stiffness.estimate = statistics::symmetric_estimate(200, 1);
+  method::hysteresis::LuGreParameter other;
+  other.name = name;
+  other.estimate = statistics::symmetric_estimate(value, half_width);
+  fit.parameters = {stiffness, other};
+  return fit;
+}
+
+TEST(LoopWidening, StaticTorqueIsReferredToTheRunsAndTheBristleStaysThatOfTheLoops) {
+  using method::hysteresis::LuGreParameterName;
+  const auto fit = method::hysteresis::with_friction_of_runs(
+      fit_of(LuGreParameterName::static_torque, 0.9, 0.009),
+      statistics::symmetric_estimate(0.2, 0.012));
+  const statistics::Estimate level = *fit.shown(LuGreParameterName::static_torque);
+  EXPECT_NEAR(level.value, 0.75, 1e-12);
+  EXPECT_NEAR(level.half_width() / level.value, std::hypot(0.01, 0.01), 1e-12);
+  EXPECT_EQ(fit.shown(LuGreParameterName::bristle_stiffness)->value, 200);
+}
+
+TEST(LoopWidening, DampingIsKnownNoBetterThanTheLag) {
+  using method::hysteresis::LuGreParameterName;
+  for (const double half_width : {0.001, 0.3}) {
+    const auto fit = method::hysteresis::with_unknown_lag(
+        fit_of(LuGreParameterName::bristle_damping, 0.5, half_width), {8e-4, 3e-4});
+    EXPECT_NEAR(fit.shown(LuGreParameterName::bristle_damping)->half_width(),
+                std::max(half_width, 200 * 5e-4), 1e-12);
+  }
 }
 
 }  // namespace

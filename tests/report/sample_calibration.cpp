@@ -244,6 +244,9 @@ std::vector<calibration::QuantityVerdict> sample_quantities(const statistics::Es
   constant.standard_uncertainty = 0.005 * 3.88318 / 1.96;
   gravity.budget = calibration::combined(*gravity.estimate, {recordings, constant},
                                          {calibration::Influence::gear_ratio});
+  gravity.budget->effects = {{"hoses", 0.6, 0.1, "percent", false},
+                             {"lag", 0.2, 0.5, "ms", true},
+                             {"choice_of_law", 0.1, 0, {}, false}};
   gravity.verdict = calibration::Verdict::doubtful;
   gravity.reasons = {Statement::verbatim("its torque constant is not known well")};
   gravity.experiment = Statement::verbatim("measure the torque constant");

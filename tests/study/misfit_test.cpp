@@ -88,17 +88,17 @@ TEST(MisfitStudy, FrictionByTheMotorsAngleIsNamedAndNothingIsWrongAndUsable) {
   }
 }
 
-TEST(MisfitStudy, AFilterOrAMeanOfTheTorqueIsNamedAndLeavesTheStiffnessRight) {
+// A mean over more than starts and stops take is no lag any more: no finding names it as one.
+TEST(MisfitStudy, AFilterOrAMeanOfTheTorqueLeavesNothingWrongAndUsable) {
+  constexpr double longest_mean_s = 0.005;
   for (const char* key : {"torque_filter", "torque_mean"}) {
     for (const study::MisfitCase& c : study::run_misfit_study(on_the_direct_drive(key))) {
       for (const study::MisfitQuantity& q : c.quantities) {
         EXPECT_EQ(q.wrong_usable, 0U) << key << " " << c.size << " " << to_string(q.quantity);
       }
-      if (c.size > 0) {
+      const bool is_lag = std::string(key) == "torque_filter" || c.size <= longest_mean_s;
+      if (c.size > 0 && is_lag) {
         EXPECT_EQ(c.named, c.runs) << key << " " << c.size;
-      }
-      if (std::string(key) == "torque_mean") {
-        EXPECT_EQ(quantity(c, joint::Quantity::bristle_stiffness).usable, c.runs) << c.size;
       }
     }
   }
@@ -185,6 +185,7 @@ TEST(MisfitStudy, ATorqueThatPassesForASmallOffsetIsInTheIntervalOfGravity) {
 }
 
 TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
+  constexpr double smallest_named = 0.01;  // of the torque at the gravity peak
   for (const char* const disturbance :
        test::some_of<const char*>({"torque_saturates", "friction_taken_off"}, 2)) {
     for (const study::MisfitCase& c : study::run_misfit_study(on_the_direct_drive(disturbance))) {
@@ -192,7 +193,7 @@ TEST(MisfitStudy, ATorqueOutOfProportionIsNamedAndNothingIsWrongAndUsable) {
         EXPECT_EQ(q.wrong_usable, 0U)
             << disturbance << " " << c.size << " " << to_string(q.quantity);
       }
-      if (c.size > 0) {
+      if (c.size >= smallest_named) {
         EXPECT_EQ(c.named, c.runs) << disturbance << " " << c.size;
       }
     }
@@ -250,7 +251,6 @@ TEST(MisfitStudy, OfSoundJointsLaysNothingOnAnyOfThem) {
   }
 }
 
-// The sweeps are then those without outliers, and so has to be all that they are looked up in.
 TEST(MisfitStudy, OutliersOfTheTorqueDoNotHideAWarmUp) {
   simulate::Scenario s = study::misfit_joints().at(1).scenario;
   s.effects.warm_up = 0.2;
@@ -260,8 +260,18 @@ TEST(MisfitStudy, OutliersOfTheTorqueDoNotHideAWarmUp) {
     const calibration::Calibration c =
         identify::identify(simulate::simulated_dataset(s), {.resamples = 0});
     EXPECT_EQ(c.torque_outliers.replaced > 0, percent > 0);
-    EXPECT_NEAR(c.session.drift.change, -0.19, 0.05) << percent;
-    EXPECT_TRUE(c.session.rough_shift) << percent;
+    const StatedValue drift("effect", Statement("effect.drift"));
+    EXPECT_TRUE(std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),
+                            [&](const Statement& one) {
+                              return one.is("model.effect_shows") &&
+                                     std::find(one.values().begin(), one.values().end(), drift) !=
+                                         one.values().end();
+                            }))
+        << percent;
+    const method::model::ModelEffect* found = c.model.find("drift");
+    ASSERT_NE(found, nullptr) << percent;
+    // A fifth of the friction is lost, most of it before the runs.
+    EXPECT_NEAR(found->largest_Nm.value / c.model.friction_Nm, 0.15, 0.08) << percent;
   }
 }
 

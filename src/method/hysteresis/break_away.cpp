@@ -7,6 +7,7 @@
 
 #include "base/requirements.h"
 #include "method/hysteresis/break_away_ramp.h"
+#include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
 #include "statistics/group_mean.h"
@@ -297,6 +298,14 @@ void withdraw(LuGreParameter& parameter, Statement why_not, Statement experiment
 }
 
 }  // namespace
+
+void refer_to_runs(const std::optional<statistics::Estimate>& difference, BreakAwayResult& ramps) {
+  if (!difference) return;
+  for (std::optional<statistics::Estimate>* mean :
+       {&ramps.rising_Nm, &ramps.falling_Nm, &ramps.mean_Nm}) {
+    if (*mean) *mean = at_the_runs(**mean, *difference);
+  }
+}
 
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   const auto level = fit.shown(LuGreParameterName::static_torque);

@@ -130,6 +130,11 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
                                     const gravity::CogSweepResult& sweep = {},
                                     const BehindTorque& behind = {});
 
+/// The means as they are at the mean load, place and time of the runs.
+/// @param difference by which share of itself friction was another where the ramps were recorded;
+/// absent: not known, and nothing is changed.
+void refer_to_runs(const std::optional<statistics::Estimate>& difference, BreakAwayResult& ramps);
+
 // The level at which hysteresis loops flatten, compared with torque ramps that made the joint slide
 // or not.
 

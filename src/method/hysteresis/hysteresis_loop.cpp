@@ -13,6 +13,7 @@
 #include "method/motion/followed_motion.h"
 #include "method/motion/moving_part.h"
 #include "statistics/distributions.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -182,10 +183,18 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
           encoder_step};
 }
 
+/// A motion that begins with its full speed shows the bristle's damping in its first samples alone,
+/// and there a lag moves the torque from one to the next.
+double start_that_a_lag_hides_s(const joint::Recording& loop, const LoopTiming& timing) {
+  constexpr double intervals = 4;  // over which a lag that is none of whole samples spreads a jump
+  if (timing.half_width_s == 0) return 0;
+  return timing.half_width_s + intervals * statistics::median_interval(loop.t_s);
+}
+
 /// Fits LuGre to all loops together; the fit provides the bristle state of those that recorded
 /// none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
-                     const gravity::Ripple& ripple, const KnownOfStarts& known, Hysteresis& made) {
+                     const gravity::Ripple& ripple, const KnownOfLoops& known, Hysteresis& made) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
   Statement not_followed;
@@ -197,9 +206,9 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
     inputs.push_back({&loop.recording, loop.motion ? &*loop.motion : nullptr,
                       loop.traced ? &*loop.traced : nullptr,
                       loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad,
-                      std::max(loop.followed_from_s,
-                               settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz)),
-                      known.rounding});
+                      std::max({loop.followed_from_s,
+                                settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz),
+                                start_that_a_lag_hides_s(loop.recording, known.timing)})});
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;
@@ -227,7 +236,7 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,
                                const std::optional<statistics::Estimate>& q_peak_rad,
-                               const KnownOfStarts& known) {
+                               const KnownOfLoops& known) {
   Hysteresis made;
   HysteresisResult& out = made.result;
   out.stage.name = "hysteresis";

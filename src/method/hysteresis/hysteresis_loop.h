@@ -115,6 +115,6 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
                                const motion::Sweep& sweep, const gravity::CogSweepResult& rough,
                                double gear_ratio,
                                const std::optional<statistics::Estimate>& q_peak_rad,
-                               const KnownOfStarts& known = {});
+                               const KnownOfLoops& known = {});
 
 }  // namespace tribolog::method::hysteresis

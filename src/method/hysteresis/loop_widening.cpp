@@ -43,6 +43,22 @@ void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_rati
   for (std::size_t i = 0; i < loop.size(); ++i) loop.torque_Nm[i] -= ripple[i] - mean;
 }
 
+LuGreFit with_unknown_lag(LuGreFit fit, const LoopTiming& timing) {
+  const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
+  if (!stiffness) return fit;
+  constexpr double of_a_filter = 0.5;
+  const double least =
+      stiffness->value * std::hypot(timing.half_width_s, of_a_filter * timing.lag_s);
+  for (LuGreParameter& parameter : fit.parameters) {
+    if (parameter.name != LuGreParameterName::bristle_damping || !parameter.estimate) continue;
+    statistics::Estimate& damping = *parameter.estimate;
+    if (damping.half_width() >= least) continue;
+    damping = statistics::symmetric_estimate(
+        damping.value, least, {"interval.widened_by_lag", {{"interval", damping.method}}});
+  }
+  return fit;
+}
+
 LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
   const auto level = fit.shown(LuGreParameterName::static_torque);
   const auto stiffness = fit.shown(LuGreParameterName::bristle_stiffness);
@@ -59,6 +75,33 @@ LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
   for (LuGreParameter& parameter : fit.parameters) {
     if (parameter.name == LuGreParameterName::bristle_stiffness) {
       widen(parameter, 3 * share * stiffness->value, "interval.widened_by_filter");
+    }
+  }
+  return fit;
+}
+
+statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
+                                 const statistics::Estimate& difference) {
+  const double factor = 1 + difference.value;
+  const double value = recorded.value / factor;
+  return statistics::symmetric_estimate(
+      value, std::hypot(recorded.half_width() / factor, value * difference.half_width() / factor),
+      {"interval.at_the_runs", {{"interval", recorded.method}}});
+}
+
+LuGreFit with_friction_of_runs(LuGreFit fit,
+                               const std::optional<statistics::Estimate>& difference) {
+  if (!difference) return fit;
+  for (LuGreParameter& parameter : fit.parameters) {
+    switch (parameter.name) {
+      case LuGreParameterName::static_torque:
+      case LuGreParameterName::coulomb_torque:
+        if (parameter.estimate) {
+          parameter.estimate = at_the_runs(*parameter.estimate, *difference);
+        }
+        break;
+      default:
+        break;
     }
   }
   return fit;

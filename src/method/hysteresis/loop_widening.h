@@ -2,11 +2,13 @@
 // Effect of torque ripple, of a lag, and of friction that changes with the motor's angle on the
 // parameters that are read from loops.
 
+#include <optional>
 #include <vector>
 
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/lugre_fit.h"
+#include "statistics/estimate.h"
 
 namespace tribolog::method::hysteresis {
 
@@ -29,9 +31,24 @@ void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_rati
 LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& sweep,
                                 const std::vector<double>& motor_angle_rad);
 
+/// A friction torque less the share of itself by which it was another where it was recorded.
+statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
+                                 const statistics::Estimate& difference);
+
+/// Static and Coulomb torque as they are at the mean load, place and time of the runs; the bristle
+/// stays that of the loops: whether the load stiffens it, or acts beside it, no recording tells.
+/// @param difference by which share of itself friction was another where the loops were recorded;
+/// absent: not known, and nothing is changed.
+LuGreFit with_friction_of_runs(LuGreFit fit, const std::optional<statistics::Estimate>& difference);
+
 /// Widens stiffness and static torque by what an elasto-plastic contact would have, where the loops
 /// do not tell it from LuGre's.
 LuGreFit with_rival_contacts(LuGreFit fit);
+
+/// A lag looks like bristle damping that is smaller by stiffness times lag: the damping is known no
+/// better than that of what is not known of the lag, whose size is uncertain, and which a filter
+/// changes by up to half where it was taken off as a delay.
+LuGreFit with_unknown_lag(LuGreFit fit, const LoopTiming& timing);
 
 /// Widens intervals: a lag that was removed as a delay may be a filter's, which also rounds the
 /// reversal, by about the square of the lag over the rise time of friction after it.

@@ -274,48 +274,33 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
                              {"interval.scatter_of_half_cycles_and_recordings"});
 }
 
-/// The model's torque over the rows of one recording, and what a lag does to it.
-class LateTorque {
- public:
-  LateTorque(std::vector<double> time_s, Eigen::VectorXd torque_Nm)
-      : t_(std::move(time_s)), torque_(std::move(torque_Nm)) {}
-
-  /// Derivative with respect to the lag [N·m/s].
-  [[nodiscard]] Eigen::VectorXd slope() const {
-    Eigen::VectorXd out(torque_.size());
-    for (Eigen::Index i = 0; i < torque_.size(); ++i) {
-      const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
-      const Eigen::Index b = std::min(torque_.size() - 1, i + 1);
-      const double span = at(b) - at(a);
-      out(i) = span > 0 ? -(torque_(b) - torque_(a)) / span : 0;
-    }
-    return out;
+/// Derivative of a torque with respect to its lag [N·m/s].
+Eigen::VectorXd slope_by_lag(const std::vector<double>& t_s, const Eigen::VectorXd& torque_Nm) {
+  Eigen::VectorXd out(torque_Nm.size());
+  for (Eigen::Index i = 0; i < torque_Nm.size(); ++i) {
+    const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
+    const Eigen::Index b = std::min(torque_Nm.size() - 1, i + 1);
+    const double span = t_s[static_cast<std::size_t>(b)] - t_s[static_cast<std::size_t>(a)];
+    out(i) = span > 0 ? -(torque_Nm(b) - torque_Nm(a)) / span : 0;
   }
-  /// What a first-order filter whose lag is taken off changes.
-  [[nodiscard]] Eigen::VectorXd rounded_by_filter(double time_constant_s) const {
-    Eigen::VectorXd out = torque_;
-    motion::TorqueRounding{motion::LagShape::filter, time_constant_s}.apply(t_, out);
-    return out - torque_;
-  }
-
- private:
-  [[nodiscard]] double at(Eigen::Index i) const { return t_[static_cast<std::size_t>(i)]; }
-  std::vector<double> t_;
-  Eigen::VectorXd torque_;
-};
+  return out;
+}
 
 /// Shifts of the fit's parameters by the lag, as standard deviations: one column for the
 /// uncertainty of its size, and one for its shape, which may be that of a delay or of a filter.
 Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& problem,
-                              const KnownOfStarts& known) {
+                              const LoopTiming& timing) {
   Eigen::MatrixXd late = Eigen::MatrixXd::Zero(problem.rows(), 2);
   Eigen::Index top = 0;
   for (const LuGreLoopModel& model : problem.models()) {
-    const LateTorque torque(
-        model.row_times_s(),
-        model.measured() + climb.linear.fit.residuals.segment(top, model.rows()));
-    late.col(0).segment(top, model.rows()) = torque.slope() * known.lag_half_width_s;
-    late.col(1).segment(top, model.rows()) = torque.rounded_by_filter(known.unknown_rounding_s);
+    const std::vector<double> times = model.row_times_s();
+    const Eigen::VectorXd torque =
+        model.measured() + climb.linear.fit.residuals.segment(top, model.rows());
+    late.col(0).segment(top, model.rows()) = slope_by_lag(times, torque) * timing.half_width_s;
+    if (timing.lag_s > 0) {
+      late.col(1).segment(top, model.rows()) =
+          rounded_by_filter(times, torque, timing.lag_s) - torque;
+    }
     top += model.rows();
   }
   return statistics::least_squares(climb.linear.fit.jacobian, late) / statistics::normal_975;
@@ -436,6 +421,12 @@ const LuGreLoop* LuGreFit::worst_described() const {
   return worst == loops.end() ? nullptr : &*worst;
 }
 
+std::optional<double> LuGreFit::misfit_share() const {
+  const LuGreLoop* worst = converged ? worst_described() : nullptr;
+  if (worst == nullptr || !(worst->height_Nm > 0)) return std::nullopt;
+  return worst->systematic_Nm / worst->height_Nm;
+}
+
 std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) const {
   for (const LuGreParameter& p : parameters) {
     if (p.name == name) return p.estimate;
@@ -444,7 +435,7 @@ std::optional<statistics::Estimate> LuGreFit::shown(LuGreParameterName name) con
 }
 
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple, const KnownOfStarts& known) {
+                      const gravity::Ripple& ripple, const KnownOfLoops& known) {
   if (loops.empty()) throw std::invalid_argument("no loops");
   FittedLuGre made;
   LuGreFit& fit = made.fit;
@@ -464,7 +455,9 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   fit.converged = true;
   Eigen::MatrixXd& shifts = climb.linear.fit.further_shifts;  // that of an open fall, or none
   add_columns(shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad), shifts);
-  if (known.lag_half_width_s > 0) add_columns(shifts_by_lag(climb, problem, known), shifts);
+  if (known.timing.half_width_s > 0) {
+    add_columns(shifts_by_lag(climb, problem, known.timing), shifts);
+  }
   fit.damping_fall = fall_of_damping(climb, problem, known.inertia_kgm2);
   climb.around.covariance += shifts * shifts.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;

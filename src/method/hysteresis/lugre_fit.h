@@ -25,6 +25,7 @@
 #include "method/hysteresis/contact_rivals.h"
 #include "method/hysteresis/cycle_misfit.h"
 #include "method/hysteresis/loop_misfit.h"
+#include "method/hysteresis/loop_timing.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
 #include "method/hysteresis/lugre_rivals.h"
@@ -115,6 +116,11 @@ struct LuGreLoop {
   std::optional<TracedLoop> traced;  ///< Only with a spline.
 };
 
+/// Share of a loop's height from which on what LuGre leaves of it tells of another contact: a joint
+/// whose loop differs by 0.6 % can be 26 % stiffer or softer
+/// (tests/identify/other_friction_test.cpp).
+inline constexpr double lugre_misfit = 0.005;
+
 struct LuGreFit {
   bool converged{false};
   std::optional<LuGreRung> rung;           ///< Absent where there was nothing to fit.
@@ -136,6 +142,8 @@ struct LuGreFit {
   /// The loop in which the unexplained residual is the largest share of the height; null without
   /// loops.
   [[nodiscard]] const LuGreLoop* worst_described() const;
+  /// That residual by the loop's height; absent without loops.
+  [[nodiscard]] std::optional<double> misfit_share() const;
   /// Present only where the parameter is shown.
   [[nodiscard]] std::optional<statistics::Estimate> shown(LuGreParameterName name) const;
 };
@@ -148,12 +156,9 @@ struct LuGreSignals {
   std::vector<double> dz_rad_s;
 };
 
-/// What starts and stops say of the loops.
-struct KnownOfStarts {
-  motion::TorqueRounding rounding;  ///< Of the torque, whose lag was removed.
-  /// Time constant of a filter that may have rounded the torque beyond that; 0: none.
-  double unknown_rounding_s{};
-  double lag_half_width_s{};                         ///< 95 %; 0: known exactly.
+/// What sweeps and runs say of the loops.
+struct KnownOfLoops {
+  LoopTiming timing;                                 ///< Its lag is removed already.
   std::optional<statistics::Estimate> inertia_kgm2;  ///< Motor side.
 };
 
@@ -174,6 +179,6 @@ struct FittedLuGre {
 /// @param known a lag looks like bristle damping: its uncertainty widens what depends on that.
 /// @throw std::invalid_argument if there is no loop.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                      const gravity::Ripple& ripple = {}, const KnownOfStarts& known = {});
+                      const gravity::Ripple& ripple = {}, const KnownOfLoops& known = {});
 
 }  // namespace tribolog::method::hysteresis

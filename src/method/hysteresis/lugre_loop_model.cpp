@@ -152,22 +152,15 @@ std::vector<double> LuGreLoopModel::look_at_rows(const joint::Recording& recordi
 LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
                                std::shared_ptr<const simulate::Motion> motion, double gear_ratio,
                                double q_peak_rad, const LuGreGrain& grain)
-    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row), rounding_(grain.rounding) {
+    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
   const std::vector<double> instants =
       samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
   add_instants(instants, gear_ratio, q_peak_rad);
   add_ways(instants);
-  if (!(grain.compared_from_s > 0) && !rounding_.any()) return;
+  if (!(grain.compared_from_s > 0)) return;
   const std::vector<double> times = row_times_s();
-  if (rounding_.any()) rounded_at_s_ = times;
-  const double from_s = std::max(grain.compared_from_s, rounding_.looks_back_s());
-  const double to_s = times.back() - rounding_.looks_ahead_s();
-  const auto rows_before = [&](double t) {
-    return std::lower_bound(times.begin(), times.end(), t) - times.begin();
-  };
-  rows_left_out_ = rows_before(from_s);
-  rows_not_rounded_ = rows_before(rounding_.looks_back_s());
-  rows_left_out_behind_ = times.end() - std::upper_bound(times.begin(), times.end(), to_s);
+  rows_left_out_ =
+      std::lower_bound(times.begin(), times.end(), grain.compared_from_s) - times.begin();
 }
 
 void LuGreLoopModel::add_instants(const std::vector<double>& times_s, double gear_ratio,
@@ -326,17 +319,11 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
     average_over_rows(residuals);
     for (int k = 0; k < columns; ++k) average_over_rows(derivatives.col(k));
   }
-  if (rounding_.any()) {
-    rounding_.apply(rounded_at_s_, residuals);
-    for (int k = 0; k < columns; ++k) rounding_.apply(rounded_at_s_, derivatives.col(k));
-  }
   for (Eigen::Index row = 0; row < residuals.size(); ++row) {
     residuals(row) -= measured_Nm_[static_cast<std::size_t>(row)];
   }
   residuals.head(rows_left_out_).setZero();
   derivatives.topRows(rows_left_out_).setZero();
-  residuals.tail(rows_left_out_behind_).setZero();
-  derivatives.bottomRows(rows_left_out_behind_).setZero();
 }
 
 /// Turns values at the instants of evaluation into means over the rows' samples. For a row
@@ -381,12 +368,7 @@ Eigen::VectorXd LuGreLoopModel::residuals(const Shared::Vector& p, const LuGreLo
                            p(Shared::damping) * dz + p(Shared::viscous) * speed_[i] +
                            p(Shared::inertia) * acceleration_[i];
               });
-  if (!rounding_.any()) return out - measured();
-  rounding_.apply(time_s_, out);
-  out -= measured();
-  out.head(rows_not_rounded_).setZero();
-  out.tail(rows_left_out_behind_).setZero();
-  return out;
+  return out - measured();
 }
 
 void LuGreLoopModel::bristle(const Shared::Vector& shared, double start_rad,

@@ -20,7 +20,6 @@
 #include <Eigen/Core>
 
 #include "joint/recording.h"
-#include "method/motion/torque_rounding.h"
 #include "simulate/motion.h"
 
 namespace tribolog::method::hysteresis {
@@ -48,7 +47,6 @@ struct LuGreGrain {
   std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< Counted from the first.
   /// Rows before are not compared: the drive starts the motion there [s since the first sample].
   double compared_from_s{0};
-  motion::TorqueRounding rounding{};  ///< Of the measured torque.
 };
 
 class LuGreLoopModel {
@@ -76,11 +74,9 @@ class LuGreLoopModel {
   /// micro-speed limit is integrated at half the cost.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
-  /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s, and what a rounding
-  /// takes from before).
+  /// Rows at the beginning that are not compared (LuGreGrain::compared_from_s).
   [[nodiscard]] Eigen::Index rows_left_out() const { return rows_left_out_; }
-  /// Residuals alone, of all rows; zero where a rounding looks beyond the recording.
-  /// @pre a row is a sample
+  /// Residuals alone, of all rows. @pre a row is a sample
   [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
                                           const LuGreLocal& local) const;
   /// z and dz/dt of the model at the samples. @pre a row is a sample
@@ -121,10 +117,6 @@ class LuGreLoopModel {
   std::shared_ptr<const simulate::Motion> motion_;
   std::size_t samples_in_row_;
   Eigen::Index rows_left_out_{0};
-  Eigen::Index rows_not_rounded_{0};  ///< At the beginning: the log holds what was before.
-  Eigen::Index rows_left_out_behind_{0};
-  motion::TorqueRounding rounding_;
-  std::vector<double> rounded_at_s_;  ///< Of each row; empty: nothing is rounded.
   [[nodiscard]] Eigen::Index row_of(Eigen::Index instant) const;
   void average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const;
 

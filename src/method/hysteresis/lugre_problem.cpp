@@ -15,7 +15,6 @@ std::shared_ptr<const simulate::Motion> LuGreInput::motor_motion(double gear_rat
 
 LuGreLoopModel LuGreInput::model(double gear_ratio, double q_peak_rad, LuGreGrain grain) const {
   grain.compared_from_s = settled_from_s;
-  grain.rounding = rounding;
   return {*recording, motor_motion(gear_ratio), gear_ratio, q_peak_rad, grain};
 }
 

@@ -24,8 +24,7 @@ struct LuGreInput {
                                               ///< given.
   const motion::TracedMotion* traced{};       ///< Used instead where given.
   double encoder_step_rad{};                  ///< Of the angle, joint side; 0: it looks continuous.
-  double settled_from_s{};            ///< The drive starts the motion before (loop_start.h).
-  motion::TorqueRounding rounding{};  ///< Of the recording's torque.
+  double settled_from_s{};  ///< The drive starts the motion before (loop_start.h).
 
   /// Motion as a function of the time since the recording's first sample.
   [[nodiscard]] std::shared_ptr<const simulate::Motion> motor_motion(double gear_ratio) const;

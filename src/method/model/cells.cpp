@@ -85,7 +85,9 @@ std::vector<std::size_t> distinct_samples(const joint::Recording& r) {
 }
 
 /// Samples of `r` from one gap in time to the next, at even distances.
-void add_motions(const joint::Recording& r, int index, double n, std::vector<Motion>& motions) {
+/// @param lag_s of the torque, which is read so much later.
+void add_motions(const joint::Recording& r, int index, double n, double lag_s,
+                 std::vector<Motion>& motions) {
   const std::vector<std::size_t> kept = distinct_samples(r);
   const auto [least, most] = std::minmax_element(r.torque_Nm.begin(), r.torque_Nm.end());
   if (kept.size() < 20 || *least == *most) return;  // a dead torque says nothing
@@ -115,21 +117,22 @@ void add_motions(const joint::Recording& r, int index, double n, std::vector<Mot
       m.interval_s = dt;
       m.half = h;
       m.time_s = ArrayXd::LinSpaced(count, from, from + static_cast<double>(count - 1) * dt);
-      const auto at_even_times = [&](const std::vector<double>& values) {
+      const auto at_even_times = [&](const std::vector<double>& values, double later_s = 0) {
         ArrayXd even(count);
         std::size_t k = first;
         for (Index i = 0; i < count; ++i) {
-          while (k + 1 < last && r.t_s[kept[k + 1]] < m.time_s[i]) ++k;
+          const double t = m.time_s[i] + later_s;
+          while (k + 1 < last && r.t_s[kept[k + 1]] < t) ++k;
           const std::size_t a = kept[k];
           const std::size_t b = kept[std::min(k + 1, last)];
           const double step = r.t_s[b] - r.t_s[a];
-          const double share = step > 0 ? std::clamp((m.time_s[i] - r.t_s[a]) / step, 0.0, 1.0) : 0;
+          const double share = step > 0 ? std::clamp((t - r.t_s[a]) / step, 0.0, 1.0) : 0;
           even[i] = values[a] + share * (values[b] - values[a]);
         }
         return even;
       };
       m.q = at_even_times(r.q_rad);
-      m.torque = at_even_times(r.torque_Nm);
+      m.torque = at_even_times(r.torque_Nm, lag_s);
       for (const std::vector<double>& other : r.others_q_rad) {
         Motion::Other& one = m.others.emplace_back();
         if (other.empty()) continue;
@@ -342,31 +345,44 @@ void add_points(const std::vector<joint::FrictionPoints>& points, int stroke, in
   }
 }
 
-/// What to add to each motion's time for that of the session: recordings one after the other, or
-/// the log's own clock where it goes on.
-std::vector<double> session_shifts(const std::vector<Motion>& motions,
-                                   const std::vector<const joint::Recording*>& recordings) {
+/// What to add to the time of each recording for that of the session: recordings one after the
+/// other, or the log's own clock where it goes on.
+std::vector<double> session_shifts(const std::vector<const joint::Recording*>& recordings) {
   constexpr double pause_s = 5;
   std::vector<double> shifts;
+  const joint::Recording* last = nullptr;
   double now = 0;
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    const Motion& m = motions[k];
-    const double begin = m.time_s[0];
-    if (k > 0) {
-      const Motion& last = motions[k - 1];
-      const double end = last.time_s[last.time_s.size() - 1];
-      const bool goes_on = recordings[static_cast<std::size_t>(last.recording)]->name ==
-                               recordings[static_cast<std::size_t>(m.recording)]->name &&
-                           begin >= end;
-      now += goes_on ? begin - end : pause_s;
+  for (const joint::Recording* r : recordings) {
+    if (r->t_s.empty()) {
+      shifts.push_back(now);
+      continue;
     }
-    shifts.push_back(now - begin);
-    now += m.time_s[m.time_s.size() - 1] - begin;
+    if (last != nullptr) {
+      const double pause = r->t_s.front() - last->t_s.back();
+      now += last->name == r->name && pause >= 0 ? pause : pause_s;
+    }
+    shifts.push_back(now - r->t_s.front());
+    now += r->t_s.back() - r->t_s.front();
+    last = r;
   }
   return shifts;
 }
 
-/// Larger bins where they are too many.
+/// The middle of a recording as a row.
+Cell middle_of(const joint::Recording& r, double session_s) {
+  Cell c;
+  const auto count = static_cast<double>(r.size());
+  for (const double q : r.q_rad) {
+    c.cos_q += std::cos(q) / count;
+    c.sin_q += std::sin(q) / count;
+    c.q_rad += q / count;
+  }
+  c.time_s = session_s + (r.t_s.front() + r.t_s.back()) / 2;
+  c.direction = 1;
+  return c;
+}
+
+/// Larger bins where they are too many. @param session_shifts_s of each recording.
 std::vector<Cell> cells_of(const std::vector<Motion>& motions,
                            const std::vector<double>& session_shifts_s, double gear_ratio,
                            double span_rad, bool is_turning) {
@@ -378,7 +394,9 @@ std::vector<Cell> cells_of(const std::vector<Motion>& motions,
       width = std::max(1.0, std::round(width / turn)) * turn;
     }
     CellMaker maker(gear_ratio, std::max(width, 1e-6), is_turning);
-    for (std::size_t k = 0; k < motions.size(); ++k) maker.add(motions[k], session_shifts_s[k]);
+    for (const Motion& m : motions) {
+      maker.add(m, session_shifts_s[static_cast<std::size_t>(m.recording)]);
+    }
     cells = std::move(maker.cells);
     if (cells.size() <= most_cells) break;
   }
@@ -426,9 +444,21 @@ ArrayXd Cells::of(double Cell::* value) const {
   return all;
 }
 
+std::pair<double, double> Cells::session_s() const {
+  double first = std::numeric_limits<double>::infinity();
+  double last = -first;
+  for (const std::vector<Cell>* all : {&rows, &contacts.loops, &contacts.ramps}) {
+    for (const Cell& row : *all) {
+      first = std::min(first, row.time_s);
+      last = std::max(last, row.time_s);
+    }
+  }
+  return {first, last};
+}
+
 Cells make_cells(const std::vector<const joint::Recording*>& recordings,
                  const std::vector<joint::FrictionPoints>& points, double gear_ratio,
-                 bool has_gravity) {
+                 bool has_gravity, double lag_s) {
   std::vector<Motion> motions;
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     const joint::Recording& r = *recordings[i];
@@ -436,10 +466,20 @@ Cells make_cells(const std::vector<const joint::Recording*>& recordings,
                          r.role == joint::Role::precise_sweep ||
                          r.role == joint::Role::constant_speed;
     if (is_used && !r.torque_Nm.empty()) {
-      add_motions(r, static_cast<int>(i), gear_ratio, motions);
+      add_motions(r, static_cast<int>(i), gear_ratio, lag_s, motions);
     }
   }
   Cells made;
+  const std::vector<double> shifts = session_shifts(recordings);
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const joint::Recording& r = *recordings[i];
+    if (r.t_s.empty()) continue;
+    if (r.role == joint::Role::oscillation) {
+      made.contacts.loops.push_back(middle_of(r, shifts[i]));
+    } else if (r.role == joint::Role::break_away) {
+      made.contacts.ramps.push_back(middle_of(r, shifts[i]));
+    }
+  }
   if (!motions.empty()) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -448,8 +488,7 @@ Cells make_cells(const std::vector<const joint::Recording*>& recordings,
       high = std::max(high, m.q.maxCoeff());
     }
     made.is_turning = high - low > 1.3 * 2 * pi && !has_gravity;
-    made.rows = cells_of(motions, session_shifts(motions, recordings), gear_ratio, high - low,
-                         made.is_turning);
+    made.rows = cells_of(motions, shifts, gear_ratio, high - low, made.is_turning);
   }
   const int strokes = made.rows.empty() ? 0 : made.rows.back().stroke + 1;
   add_points(points, strokes, static_cast<int>(recordings.size()), made.rows);

@@ -8,6 +8,7 @@
 // between the signals, at corners of the speed too.
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,7 +29,7 @@ struct Cell {
   double cos_rate{};    ///< d cos(q)/dt [1/s]
   double sin_rate{};    ///< d sin(q)/dt [1/s]
   double time_s{};      ///< Since the session began: recordings follow one another.
-  double count{};       ///< Samples.
+  double count{};       ///< Samples; 0: the row is no part of a fit.
   double direction{};   ///< +1: the angle rises; -1: it falls.
   double is_run{};      ///< 1: of a run at constant speed, or a point; 0: of a sweep.
   double has_place{1};  ///< 0: a point of the friction curve, which has no angle and no gravity.
@@ -43,8 +44,15 @@ struct Cell {
 
 inline constexpr std::size_t values_of_other = 7;
 
+/// Where and when loops or ramps were recorded: a row of no samples for each recording.
+struct Contacts {
+  std::vector<Cell> loops;
+  std::vector<Cell> ramps;
+};
+
 struct Cells {
   std::vector<Cell> rows;
+  Contacts contacts;
   bool is_turning{};  ///< No gravity, and more than a turn: the angle counts modulo a turn.
 
   [[nodiscard]] bool empty() const { return rows.empty(); }
@@ -53,12 +61,15 @@ struct Cells {
   [[nodiscard]] std::size_t others() const {
     return rows.empty() ? 0 : rows.front().others.size() / values_of_other;
   }
+  /// Session times of the first and the last row or contact.
+  [[nodiscard]] std::pair<double, double> session_s() const;
   /// One value of all rows.
   [[nodiscard]] Eigen::ArrayXd of(double Cell::* value) const;
   /// Those for which `keep` holds, with their strokes and recordings numbered as before.
   template <class Keep>
   [[nodiscard]] Cells select(Keep keep) const {
     Cells chosen;
+    chosen.contacts = contacts;
     chosen.is_turning = is_turning;
     for (const Cell& row : rows) {
       if (keep(row)) chosen.rows.push_back(row);
@@ -80,11 +91,12 @@ double slowest_stated(const Cells& cells);
 /// has, without an effect of the catalogue.
 Eigen::MatrixXd plain_columns(const Cells& cells);
 
-/// @param recordings sweeps and runs with a torque; of any other role nothing is read.
+/// @param recordings sweeps and runs with a torque; of loops and ramps only place and time count.
 /// @param points of the friction curve, each a row.
 /// @param gear_ratio > 0. @param has_gravity false: the joint's axis is vertical, say.
+/// @param lag_s by which the torque is known to be logged later than the angle; taken off.
 Cells make_cells(const std::vector<const joint::Recording*>& recordings,
                  const std::vector<joint::FrictionPoints>& points, double gear_ratio,
-                 bool has_gravity);
+                 bool has_gravity, double lag_s = 0);
 
 }  // namespace tribolog::method::model

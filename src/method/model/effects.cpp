@@ -138,11 +138,12 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   const ArrayXd place = cells.of(&Cell::has_place);
   const bool has_place = (place > 0).any();
   const double infinite = std::numeric_limits<double>::infinity();
-  const double low = has_place ? (place > 0).select(q, infinite).minCoeff() : 0;
-  const double high = has_place ? (place > 0).select(q, -infinite).maxCoeff() : 0;
+  const double low = has_place ? (place * count > 0).select(q, infinite).minCoeff() : 0;
+  const double high = has_place ? (place * count > 0).select(q, -infinite).maxCoeff() : 0;
   const double middle = (low + high) / 2;
   const ArrayXd x = place * (q - middle) / std::max((high - low) / 2, 1e-9);
-  const ArrayXd age = (t - t.minCoeff()) / std::max(t.maxCoeff() - t.minCoeff(), 1e-9);
+  const auto [begin_s, end_s] = cells.session_s();
+  const ArrayXd age = (t - begin_s) / std::max(end_s - begin_s, 1e-9);
 
   if (has_gravity && has_place) {
     add(effect::gravity, beside(cos_q, sin_q), ArrayXd::Constant(2, 3 * top));
@@ -255,6 +256,7 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   std::set<int> strokes;
   std::map<int, Index> recordings;
   for (const Cell& row : cells.rows) {
+    if (row.count == 0) continue;
     strokes.insert(row.stroke);
     recordings.emplace(row.recording, 0);
   }
@@ -285,14 +287,16 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   // What nothing explains: friction of its own in each recording; of few recordings, each stroke.
   const bool by_recording = recordings.size() > 3;
   std::map<int, Index> groups;
-  for (const Cell& row : cells.rows) groups.emplace(by_recording ? row.recording : row.stroke, 0);
+  for (const Cell& row : cells.rows) {
+    if (row.count > 0) groups.emplace(by_recording ? row.recording : row.stroke, 0);
+  }
   if (groups.size() > 2 && groups.size() <= most_random) {
     Index next = 0;
     for (auto& [key, column] : groups) column = next++;
     MatrixXd own = MatrixXd::Zero(n, next);
     for (Index i = 0; i < n; ++i) {
       const Cell& row = cells.rows[static_cast<std::size_t>(i)];
-      own(i, groups.at(by_recording ? row.recording : row.stroke)) = s[i];
+      if (row.count > 0) own(i, groups.at(by_recording ? row.recording : row.stroke)) = s[i];
     }
     add(effect::friction_of_recording, own,
         ArrayXd::Constant(next, size_of(effect::friction_of_recording) * friction));

@@ -21,6 +21,8 @@ struct Family {
 
 constexpr std::array families{Family{"line", {1, 0}, 0}, Family{"parabola", {1, 2}, -1},
                               Family{"power_0.7", {0.7, 0}, -2}, Family{"power_1.5", {1.5, 0}, -2}};
+/// Of the fastest speed: a dip beyond it is no dip but the law.
+constexpr double widest_dip = 0.4;
 constexpr std::array dip_powers{0.7, 1.0, 1.4, 2.0};
 
 /// Level at zero speed and slope of the straight line nearest to a column; of one speed alone, the
@@ -73,10 +75,10 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
     if (near_speed_rad_s > 0) {
       step = half_span / dips_each_side;
       for (int k = -dips_each_side; k <= dips_each_side; ++k) {
-        speeds.push_back(std::min(near_speed_rad_s * std::exp(k * step), top / 3));
+        speeds.push_back(std::min(near_speed_rad_s * std::exp(k * step), widest_dip * top));
       }
     } else {
-      for (double u = std::log(low); u < std::log(top / 4) + 0.1; u += step) {
+      for (double u = std::log(low); u < std::log(widest_dip * top); u += step) {
         speeds.push_back(std::exp(u));
       }
     }
@@ -84,8 +86,9 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
       for (double power : dip_powers) dips.push_back({0, speed, power});
     }
   }
-  const double each_dip = std::log(step / std::max(std::log(top / 3 / low), coarse_dip_step) /
-                                   static_cast<double>(dip_powers.size()));
+  const double each_dip =
+      std::log(step / std::max(std::log(widest_dip * top / low), coarse_dip_step) /
+               static_cast<double>(dip_powers.size()));
   const auto first_dip = static_cast<Index>(all.columns.size());
   all.columns.insert(all.columns.end(), dips.begin(), dips.end());
   std::vector<std::pair<double, Index>> powers;

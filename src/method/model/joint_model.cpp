@@ -220,8 +220,9 @@ std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
 class Fit {
  public:
   Fit(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes)
-      : has_gravity_(has_gravity), sizes_(sizes) {
+      : has_gravity_(has_gravity) {
     m_.cells = cells;
+    m_.sizes = sizes;
     // Cells of a stroke one after the other: neighbours' noise is correlated.
     std::stable_sort(m_.cells.rows.begin(), m_.cells.rows.end(), [](const Cell& a, const Cell& b) {
       return std::pair(a.stroke, a.time_s) < std::pair(b.stroke, b.time_s);
@@ -261,7 +262,7 @@ class Fit {
  private:
   /// Effects and laws about the present point.
   void put_up() {
-    m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, sizes_);
+    m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, m_.sizes);
     m_.hats = law_hats(m_.cells, m_.point);
     m_.laws = candidate_laws(m_.cells, m_.point, dip_speed_, dip_span_);
     law_columns_ = m_.laws.torque(m_.cells);
@@ -367,7 +368,6 @@ class Fit {
   }
 
   bool has_gravity_;
-  const joint::EffectSizes& sizes_;
   JointModel m_;
   ArrayXd count_;
   VectorXd y_;

@@ -31,6 +31,7 @@ struct LawPosterior {
 
 struct JointModel {
   Cells cells;
+  joint::EffectSizes sizes;  ///< As stated.
   Point point;
   LawHats hats;
   std::vector<EffectColumns> effects;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/requirements.h"
 #include "method/model/quantity_value.h"
 #include "method/model/unlike_recordings.h"
 #include "statistics/distributions.h"
@@ -143,6 +144,9 @@ class Describer {
 
   [[nodiscard]] ModelQuantity describe(const Wanted& wanted) const;
   [[nodiscard]] ModelEffect describe_effect(std::size_t e) const;
+  /// ModelResult::friction_of_loops
+  [[nodiscard]] std::optional<statistics::Estimate> friction_of(
+      const std::vector<Cell>& contacts) const;
 
  private:
   /// What effects add to a quantity.
@@ -186,7 +190,10 @@ Describer::OfEffects Describer::of_effects(const Wanted& wanted, const Value& ce
     const OfUnknownSize unknown = of_unknown_size(points);
     double extra = unknown.variance;
     // An offset has but one form, and what the law misses of friction at a speed is friction there.
-    const bool has_form = effect.key != "offset" && (wanted.quantity || effect.key != "law_misfit");
+    // Nor has an effect's own size a form.
+    const bool has_form = effect.key != "offset" &&
+                          (wanted.quantity || effect.key != "law_misfit") &&
+                          (wanted.row.size() == 0 || m_.width(e) > 1);
     if (has_form) extra += std::pow(form * with.dot(mean_of(e)), 2);
     all.shift += unknown.shift;
     all.variance += extra;
@@ -246,14 +253,68 @@ ModelQuantity Describer::describe(const Wanted& wanted) const {
   return q;
 }
 
+std::optional<statistics::Estimate> Describer::friction_of(
+    const std::vector<Cell>& contacts) const {
+  constexpr std::array of_friction{&joint::effect::load, &joint::effect::position,
+                                   &joint::effect::drift};
+  if (contacts.empty() || !(m_.point.friction_Nm > 0)) return std::nullopt;
+  Cells there = m_.cells;
+  there.rows.insert(there.rows.end(), contacts.begin(), contacts.end());
+  const auto count = static_cast<Index>(contacts.size());
+  // Any speed will do for effects that do not depend on it.
+  const double speed = median(m_.cells.of(&Cell::speed_rad_s));
+  for (std::size_t k = there.rows.size() - contacts.size(); k < there.rows.size(); ++k) {
+    there.rows[k].speed_rad_s = speed;
+    there.rows[k].interval_s = m_.cells.rows.front().interval_s;
+  }
+  Wanted share{{}, 0, VectorXd::Zero(m_.first.back())};
+  const bool has_gravity = m_.find(joint::effect::gravity.key) < m_.effects.size();
+  for (const EffectColumns& e : effect_columns(there, has_gravity, m_.point, m_.sizes)) {
+    const bool is_asked = std::any_of(of_friction.begin(), of_friction.end(),
+                                      [&](const Effect* one) { return one->key == e.effect->key; });
+    const std::size_t at = m_.find(e.effect->key);
+    if (!is_asked || at == m_.effects.size()) continue;
+    share.row.segment(m_.first[at], m_.width(at)) =
+        e.columns.bottomRows(count).colwise().mean().transpose() / m_.point.friction_Nm;
+  }
+  const std::size_t own = m_.find(joint::effect::friction_of_recording.key);
+  const bool has_own = own < m_.effects.size();
+  if (!has_own && share.row.isZero()) return std::nullopt;
+  const statistics::Estimate found = describe(share).as_estimate();
+  if (!has_own) return found;
+  const double of_one = m_.effects[own].scale[0] /
+                        std::sqrt(m_.precision[static_cast<Index>(own)]) / m_.point.friction_Nm;
+  return statistics::symmetric_estimate(
+      found.value,
+      std::hypot(found.half_width(),
+                 statistics::normal_975 * of_one / std::sqrt(static_cast<double>(count))),
+      found.method);
+}
+
 ModelEffect Describer::describe_effect(std::size_t e) const {
   const Effect& effect = *m_.effects[e].effect;
   const VectorXd mean = mean_of(e);
+  std::optional<statistics::Estimate> coefficient;
+  if (effect.kind == Kind::effect && m_.width(e) == 1) {
+    Wanted own{{}, 0, VectorXd::Zero(m_.first.back())};
+    own.row[m_.first[e]] = 1;
+    coefficient = describe(own).as_estimate();
+  }
+  const ArrayXd torque = (m_.effects[e].columns * mean).array();
+  Index at = 0;
+  torque.abs().maxCoeff(&at);
+  const VectorXd there = m_.effects[e].columns.row(at).transpose();
+  const MatrixXd own = best_.covariance.block(m_.first[e], m_.first[e], m_.width(e), m_.width(e));
   return {effect.key,
           effect.kind == Kind::effect ? mean.dot(effects_[e].solve(mean)) : std::nan(""),
           static_cast<double>(m_.width(e)),
-          std::sqrt((m_.effects[e].columns * mean).array().square().mean()),
-          1 / std::sqrt(m_.precision[static_cast<Index>(e)]) / effect.cap};
+          std::sqrt(torque.square().mean()),
+          statistics::symmetric_estimate(
+              std::abs(torque[at]),
+              statistics::normal_975 * std::sqrt(std::max(0.0, there.dot(own * there))),
+              {"interval.of_model"}),
+          1 / std::sqrt(m_.precision[static_cast<Index>(e)]) / effect.cap,
+          coefficient};
 }
 
 }  // namespace
@@ -264,11 +325,19 @@ const ModelQuantity* ModelResult::find(Quantity quantity) const {
   return found == quantities.end() ? nullptr : &*found;
 }
 
+const ModelEffect* ModelResult::find(std::string_view effect) const {
+  const auto found = std::find_if(effects.begin(), effects.end(),
+                                  [&](const ModelEffect& e) { return e.key == effect; });
+  return found == effects.end() ? nullptr : &*found;
+}
+
 ModelResult describe_joint_model(const JointModel& model, const std::vector<double>& speeds_rad_s) {
   ModelResult result;
   result.cells = model.cells.rows.size();
   result.left_out = model.left_out;
   if (model.empty()) return result;
+  result.friction_Nm = model.point.friction_Nm;
+  result.top_Nm = model.point.top_Nm;
   result.samples_per_independent = model.samples_per_independent;
   result.cells_far_off = (model.weight < far_off_weight &&
                           model.residual_Nm.abs() > far_off_share * model.point.friction_Nm)
@@ -292,15 +361,62 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     result.effects.push_back(describer.describe_effect(e));
   }
+  result.friction_of_loops = describer.friction_of(model.cells.contacts.loops);
+  result.friction_of_ramps = describer.friction_of(model.cells.contacts.ramps);
   return result;
 }
+
+namespace {
+
+/// The effect of a lag that a model shows beyond doubt. Absent: it shows none; or so large a one
+/// that it is none; or starts and stops do not show the inertia either, and no corner tells its
+/// lag.
+std::optional<ModelEffect> plain_lag_of(const JointModel& model) {
+  constexpr double widest_inertia = 0.25;
+  if (model.empty()) return std::nullopt;
+  const std::size_t lag = model.find(joint::effect::lag.key);
+  const bool has_inertia = model.find(joint::effect::inertia.key) < model.effects.size();
+  if (lag == model.effects.size() || !has_inertia) return std::nullopt;
+  const Describer describer(model);
+  ModelEffect effect = describer.describe_effect(lag);
+  if (!effect.is_plain() || effect.is_near_cap()) return std::nullopt;
+  const statistics::Estimate inertia = describer.describe({Quantity::inertia}).as_estimate();
+  if (!(inertia.half_width() < widest_inertia * inertia.value)) return std::nullopt;
+  return effect;
+}
+
+/// A model of cells whose torque was moved back by the lag that it shows: the columns are linear in
+/// the lag, and a corner of the speed is not.
+struct AlignedModel {
+  JointModel model;
+  double taken_off_s{};
+  std::optional<ModelEffect> shown;  ///< Before; absent: nothing was taken off.
+};
+
+AlignedModel aligned_model(const std::vector<const joint::Recording*>& recordings,
+                           const std::vector<joint::FrictionPoints>& points, double gear_ratio,
+                           bool has_gravity, const joint::EffectSizes& sizes) {
+  constexpr int most_times = 3;
+  AlignedModel made;
+  for (int k = 0;; ++k) {
+    made.model =
+        fit_joint_model(make_cells(recordings, points, gear_ratio, has_gravity, made.taken_off_s),
+                        has_gravity, sizes);
+    const std::optional<ModelEffect> lag = plain_lag_of(made.model);
+    if (k == most_times || !lag) return made;
+    if (!made.shown) made.shown = lag;
+    made.taken_off_s += present(lag->coefficient).value;
+  }
+}
+
+}  // namespace
 
 ModelResult identify_joint(const std::vector<const joint::Recording*>& recordings,
                            const std::vector<joint::FrictionPoints>& points, double gear_ratio,
                            bool has_gravity, const joint::EffectSizes& sizes) {
   constexpr double step = 0.039;  // of log speed: within 2 % of any
-  const Cells cells = make_cells(recordings, points, gear_ratio, has_gravity);
-  const JointModel model = fit_joint_model(cells, has_gravity, sizes);
+  const AlignedModel aligned = aligned_model(recordings, points, gear_ratio, has_gravity, sizes);
+  const JointModel& model = aligned.model;
   std::vector<double> speeds;
   if (!model.empty()) {
     const double low = slowest_stated(model.cells);
@@ -311,7 +427,15 @@ ModelResult identify_joint(const std::vector<const joint::Recording*>& recording
       speeds.push_back(low * std::exp(span * k / std::max(steps, 1)));
     }
   }
-  return describe_joint_model(model, speeds);
+  ModelResult result = describe_joint_model(model, speeds);
+  for (ModelEffect& effect : result.effects) {
+    if (!aligned.shown || effect.key != joint::effect::lag.key) continue;
+    statistics::Estimate lag = present(effect.coefficient);
+    for (double* value : {&lag.value, &lag.low, &lag.high}) *value += aligned.taken_off_s;
+    effect = *aligned.shown;
+    effect.coefficient = lag;
+  }
+  return result;
 }
 
 }  // namespace tribolog::method::model

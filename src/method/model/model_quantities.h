@@ -37,21 +37,43 @@ struct ModelEffect {
   std::string_view key;
   double chi2{};  ///< Of its coefficients against none; NaN: it is not asked.
   double freedom{};
-  double torque_Nm{};    ///< Root mean square over the cells.
+  double torque_Nm{};               ///< Root mean square over the cells.
+  statistics::Estimate largest_Nm;  ///< Its torque in the cell where that is largest.
   double size_of_cap{};  ///< lambda over its cap: 1 is the largest that the catalogue knows.
+  /// Of an effect with one column, in SI units of the catalogue's; absent: it has several.
+  std::optional<statistics::Estimate> coefficient{};
+
+  /// Beyond doubt.
+  [[nodiscard]] bool is_plain() const {
+    constexpr double of_each = 10;
+    return chi2 > of_each * freedom;
+  }
+  /// Hardly any joint has so much of it.
+  [[nodiscard]] bool is_near_cap() const {
+    constexpr double near = 0.8;
+    return size_of_cap >= near;
+  }
 };
 
 struct ModelResult {
   std::vector<ModelQuantity> quantities;
   std::vector<ModelEffect> effects;
+  double friction_Nm{};  ///< Median size over the cells.
+  double top_Nm{};       ///< 98th percentile of the torque's size.
   std::size_t cells{};
   double samples_per_independent{};
   double cells_far_off{};     ///< Share of cells whose weight fell below 0.3, and that matter.
   std::size_t unlike_left{};  ///< Recordings unlike the others that are still in it.
   std::vector<int> left_out;  ///< Recordings, by their index.
+  /// By which share of itself the friction where loops and ramps were recorded differs from that at
+  /// the runs' mean load, place and time. Absent: there are none, or no friction to compare.
+  std::optional<statistics::Estimate> friction_of_loops;
+  std::optional<statistics::Estimate> friction_of_ramps;
 
   [[nodiscard]] bool empty() const { return quantities.empty(); }
   [[nodiscard]] const ModelQuantity* find(joint::Quantity quantity) const;
+  /// Null where the recordings cannot have it, or the manifest states that there is none.
+  [[nodiscard]] const ModelEffect* find(std::string_view effect) const;
 };
 
 /// @param speeds_rad_s of the motor, at which friction is stated; those beyond the measured ones

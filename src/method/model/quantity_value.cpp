@@ -12,6 +12,7 @@ using Eigen::VectorXd;
 using joint::Quantity;
 
 bool is_of_friction(const Wanted& wanted) {
+  if (wanted.row.size() > 0) return false;
   return !wanted.quantity || *wanted.quantity == Quantity::coulomb_torque ||
          *wanted.quantity == Quantity::viscous_coefficient;
 }
@@ -20,6 +21,11 @@ Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta
                const Wanted& wanted, const Meaning& meaning) {
   const Index effects = m.first.back();
   Value v{0, VectorXd::Zero(theta.size())};
+  if (wanted.row.size() > 0) {
+    v.gradient.head(effects) = wanted.row;
+    v.value = wanted.row.dot(theta.head(effects));
+    return v;
+  }
   const auto law = theta.tail(theta.size() - effects);
   const auto of_law = [&](const Eigen::RowVectorXd& weights) {
     v.gradient.tail(weights.size()) = weights.transpose();
@@ -85,8 +91,9 @@ std::array<double, 3> moments_of(const Cells& cells) {
   const ArrayXd t = cells.of(&Cell::time_s);
   const ArrayXd run = cells.of(&Cell::is_run);
   const ArrayXd share = cells.of(&Cell::count) * ((run > 0).any() ? run : ArrayXd::Ones(t.size()));
-  const double span = std::max(t.maxCoeff() - t.minCoeff(), 1e-9);
-  const double there = 2 * (share * t).sum() / share.sum() / span - 2 * t.minCoeff() / span - 1;
+  const auto [first, last] = cells.session_s();
+  const double span = std::max(last - first, 1e-9);
+  const double there = 2 * ((share * t).sum() / share.sum() - first) / span - 1;
   return {-1 - there, 0, 1 - there};
 }
 

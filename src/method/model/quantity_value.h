@@ -26,10 +26,11 @@ struct Meaning {
   double friction_change{};  ///< Of friction at that moment, by its mean over the runs.
 };
 
-/// A quantity, or the friction torque at a speed.
+/// A quantity, the friction torque at a speed, or what a row makes of the effects' coefficients.
 struct Wanted {
   std::optional<joint::Quantity> quantity;
   double speed_rad_s{};
+  Eigen::VectorXd row{};  ///< Of the effects' coefficients; empty: it is not that.
 };
 
 bool is_of_friction(const Wanted& wanted);

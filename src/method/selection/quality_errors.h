@@ -5,7 +5,7 @@
 // Where no true curve is known the reference is (T(+v) - T(-v))/2 at equal angle. Gravity cannot
 // enter it, so it needs no prior knowledge. It has an interval of its own, and it is the mean of
 // both directions' friction: where friction differs between them, every candidate is off by the
-// asymmetry, (T(+v) + T(-v))/2 less gravity (direction_lines.h).
+// asymmetry, (T(+v) + T(-v))/2 less gravity.
 
 #include <optional>
 #include <string>

@@ -152,6 +152,78 @@ TEST(EffectSizes, StatedAsZeroIsNotInTheModel) {
   }
 }
 
+TEST(Lag, IsFoundEitherWayAndLeavesTheInertia) {
+  int inside = 0;
+  int asked = 0;
+  for (const double lag_s : {-0.012, -0.001, 0.0, 0.001, 0.012}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      KnownJoint joint;
+      joint.noise_Nm = 0.003;
+      joint.effects.lag_s = lag_s;
+      const ModelResult result = record(joint, {}, seed).identified(joint.gear_ratio);
+      const statistics::Estimate lag = *found(result, "lag").coefficient;
+      ++asked;
+      inside += lag.low <= lag_s && lag_s <= lag.high ? 1 : 0;
+      EXPECT_LT(lag.half_width(), 2.5e-3) << lag_s;
+      EXPECT_NEAR(found(result, Quantity::inertia).estimate, joint.inertia_kgm2,
+                  0.03 * joint.inertia_kgm2)
+          << lag_s;
+      if (lag_s == 0) continue;
+      // It is told although it was taken off the torque before the last fit.
+      if (std::abs(lag_s) > 0.01) {
+        EXPECT_GT(found(result, "lag").chi2, 10) << lag_s;
+      }
+      std::cout << "  " << lag_s << ": " << lag.value << " (" << lag.low << " to " << lag.high
+                << ")\n";
+    }
+  }
+  std::cout << "  " << inside << " of " << asked << " inside\n";
+  EXPECT_GE(inside, 0.9 * asked);
+}
+
+/// Two seconds at one angle, where the joint pre-slides.
+joint::Recording stay(joint::Role role, double q_rad) {
+  joint::Recording r;
+  r.role = role;
+  for (int i = 0; i < 400; ++i) {
+    r.t_s.push_back(0.005 * i);
+    r.q_rad.push_back(q_rad);
+    r.torque_Nm.push_back(0.1 * std::sin(0.1 * i));
+  }
+  return r;
+}
+
+TEST(FrictionOfLoopsAndRamps, GrowsWithTheLoadWhereTheyStand) {
+  KnownJoint joint;
+  joint.noise_Nm = 0.003;
+  joint.effects.load = 0.05;
+  test::JointLog log = record(joint, {}, 1);
+  EXPECT_FALSE(log.identified(joint.gear_ratio).friction_of_loops) << "there are none";
+  log.recordings.push_back(stay(joint::Role::oscillation, joint.q_peak_rad));
+  log.recordings.push_back(stay(joint::Role::break_away, joint.q_peak_rad - 1.5708));
+  const ModelResult result = log.identified(joint.gear_ratio);
+  ASSERT_TRUE(result.friction_of_loops && result.friction_of_ramps);
+  const statistics::Estimate& loaded = *result.friction_of_loops;
+  const statistics::Estimate& unloaded = *result.friction_of_ramps;
+  const double truth = joint.effects.load * joint.gravity_Nm / result.friction_Nm;
+  EXPECT_NEAR(loaded.value - unloaded.value, truth,
+              std::hypot(loaded.half_width(), unloaded.half_width()));
+  EXPECT_LT(loaded.half_width(), 0.5 * truth);
+  EXPECT_GT(loaded.low, unloaded.high);
+}
+
+TEST(FrictionOfLoopsAndRamps, IsThatOfTheRunsWhereNothingChangesIt) {
+  KnownJoint joint;
+  joint.noise_Nm = 0.003;
+  test::JointLog log = record(joint, {}, 1);
+  log.recordings.push_back(stay(joint::Role::oscillation, joint.q_peak_rad));
+  const ModelResult result = log.identified(joint.gear_ratio);
+  ASSERT_TRUE(result.friction_of_loops);
+  EXPECT_LT(result.friction_of_loops->low, 0);
+  EXPECT_GT(result.friction_of_loops->high, 0);
+  EXPECT_LT(result.friction_of_loops->half_width(), 0.05);
+}
+
 /// Another joint swings beside the tested one, and the log has its angle.
 test::JointLog beside_another(const KnownJoint& joint, double its_gravity_Nm) {
   test::JointLog log = record(joint, {}, 3);

@@ -176,19 +176,27 @@ TEST(ModelLimitCases, FewCellsSayNothing) {
   EXPECT_TRUE(test::record({}, session, 1).identified(50).empty());
 }
 
-TEST(ModelLimitCases, OtherRolesAreNotRead) {
-  JointLog log = test::record({}, {}, 1);
-  const ModelResult before = log.identified(50);
-  Recording loop = log.recordings[0];
-  loop.role = joint::Role::oscillation;
-  for (double& torque : loop.torque_Nm) torque *= 3;
-  log.recordings.push_back(loop);
-  loop.role = joint::Role::break_away;
-  log.recordings.push_back(loop);
-  const ModelResult with_loop = log.identified(50);
-  EXPECT_EQ(with_loop.cells, before.cells);
-  EXPECT_EQ(found(with_loop, Quantity::coulomb_torque).estimate,
-            found(before, Quantity::coulomb_torque).estimate);
+// Their time and place are: by these friction there is compared with that of the runs.
+TEST(ModelLimitCases, TheTorqueOfOtherRolesIsNotRead) {
+  const JointLog log = test::record({}, {}, 1);
+  const ModelResult alone = log.identified(50);
+  std::vector<ModelResult> beside;
+  for (const double factor : {1.0, 3.0}) {
+    JointLog more = log;
+    Recording other = log.recordings[0];
+    for (double& torque : other.torque_Nm) torque *= factor;
+    for (const joint::Role role : {joint::Role::oscillation, joint::Role::break_away}) {
+      other.role = role;
+      more.recordings.push_back(other);
+    }
+    beside.push_back(more.identified(50));
+    EXPECT_EQ(beside.back().cells, alone.cells);
+  }
+  for (const Quantity quantity : {Quantity::coulomb_torque, Quantity::gravity_torque}) {
+    EXPECT_EQ(found(beside[1], quantity).estimate, found(beside[0], quantity).estimate);
+    const statistics::Estimate without = found(alone, quantity).as_estimate();
+    EXPECT_NEAR(found(beside[0], quantity).estimate, without.value, 0.1 * without.half_width());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "verdict/effect_findings.h"
+
+#include <algorithm>
+#include <string>
+
+namespace tribolog::verdict {
+namespace {
+
+using method::model::ModelEffect;
+using method::model::ModelResult;
+
+Statement statement_of(const ModelEffect& effect, const ModelResult& model) {
+  return {"model.effect_shows",
+          {{"effect", name_of_effect(effect.key)},
+           {"largest_Nm", effect.largest_Nm.value},
+           {"half_width_Nm", effect.largest_Nm.half_width()},
+           {"percent", 100 * effect.largest_Nm.value / model.friction_Nm}}};
+}
+
+}  // namespace
+
+Statement name_of_effect(std::string_view key) {
+  return Statement(Code::of("effect." + std::string(key)));
+}
+
+std::vector<Statement> effect_findings(const calibration::Calibration& c) {
+  std::vector<const ModelEffect*> found;
+  for (const ModelEffect& effect : c.model.effects) {
+    if (effect.is_plain()) found.push_back(&effect);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const ModelEffect* a, const ModelEffect* b) {
+    return a->largest_Nm.value > b->largest_Nm.value;
+  });
+  std::vector<Statement> all;
+  all.reserve(found.size());
+  for (const ModelEffect* effect : found) all.push_back(statement_of(*effect, c.model));
+  return all;
+}
+
+std::optional<Measured> measure_effect(const calibration::Calibration& c, std::string_view effect,
+                                       double whole_Nm) {
+  const ModelEffect* found = c.model.find(effect);
+  if (found == nullptr || !(whole_Nm > 0)) return std::nullopt;
+  return Measured{found->is_plain() ? 100 * found->largest_Nm.value / whole_Nm : 0.0,
+                  statement_of(*found, c.model)};
+}
+
+}  // namespace tribolog::verdict
