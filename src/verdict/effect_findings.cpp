@@ -19,6 +19,13 @@ Statement statement_of(const ModelEffect& effect, const ModelResult& model) {
 
 }  // namespace
 
+const joint::Effect* row_of_effect(std::string_view key) {
+  const std::vector<joint::Effect>& all = joint::effects();
+  const auto row = std::find_if(all.begin(), all.end(),
+                                [&](const joint::Effect& effect) { return effect.key == key; });
+  return row == all.end() ? nullptr : &*row;
+}
+
 Statement name_of_effect(std::string_view key) {
   return Statement(Code::of("effect." + std::string(key)));
 }

@@ -11,6 +11,9 @@
 
 namespace tribolog::verdict {
 
+/// The catalogue's row; null: it has none, as of "choice_of_law".
+const joint::Effect* row_of_effect(std::string_view key);
+
 /// @param key of an effect, or "choice_of_law".
 Statement name_of_effect(std::string_view key);
 

@@ -116,11 +116,9 @@ Statement experiment_of(const RuleOutcome& outcome) {
 
 /// What to record where most of an interval comes from an effect, or from the choice of the law.
 Statement remedy_of(std::string_view key) {
-  const std::vector<joint::Effect>& all = joint::effects();
-  const auto of = std::find_if(all.begin(), all.end(),
-                               [&](const joint::Effect& effect) { return effect.key == key; });
-  return of == all.end() || of->remedy.empty() ? Statement{record_runs}
-                                               : Statement{Code::of(std::string(of->remedy))};
+  const joint::Effect* row = row_of_effect(key);
+  return row == nullptr || row->remedy.empty() ? Statement{record_runs}
+                                               : Statement{Code::of(std::string(row->remedy))};
 }
 
 bool is_of_friction(Quantity quantity) {

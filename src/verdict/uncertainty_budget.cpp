@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "joint/degrees.h"
+#include "verdict/effect_findings.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
@@ -137,10 +138,8 @@ class BudgetMaker {
       if (one.share < worth_a_word) break;
       calibration::BudgetEffect& effect = all.emplace_back(
           calibration::BudgetEffect{std::string(one.effect), one.share, 0, {}, false});
-      const std::vector<joint::Effect>& known = joint::effects();
-      const auto of = std::find_if(known.begin(), known.end(),
-                                   [&](const joint::Effect& row) { return row.key == one.effect; });
-      if (of == known.end() || of->unit.empty()) continue;
+      const joint::Effect* of = row_of_effect(one.effect);
+      if (of == nullptr || of->unit.empty()) continue;
       effect.size = c_.manifest.effects.of(*of);
       effect.unit = of->unit;
       effect.is_stated = c_.manifest.effects.is_stated(*of);
