@@ -67,8 +67,8 @@ use_dataset() {
   local name=$1 manifest=$2 to=$out/$part/$1
   mkdir -p "$to"
   run "$name/identify" "$program" identify "$manifest" -o "$to/calibration.json" \
-    --resamples 100 --truth-runs 2
-  run "$name/report" "$program" report "$manifest" -o "$to/report.html" --resamples 100 \
+    --truth-runs 2
+  run "$name/report" "$program" report "$manifest" -o "$to/report.html" \
     --truth-runs 2 --archive "$archive" --archive-inputs
   run "$name/figures" "$program" figures "$manifest" -o "$to/figures" --format png,svg,pdf \
     --style paper --language pl
@@ -176,7 +176,7 @@ part_valgrind() {
   wrapper=(valgrind -q --error-exitcode="$finding" --track-origins=yes)
   for manifest in "${manifests[@]}"; do
     run "logs/$(basename "$manifest" .toml)" "$program" identify "$manifest" \
-      -o "$out/$part/calibration.json" --resamples 100 --truth-runs 1
+      -o "$out/$part/calibration.json" --truth-runs 1
   done
 }
 

@@ -59,25 +59,18 @@ std::vector<Value> all_worded(const Outcome& outcome, const std::vector<Kept>& a
 }
 
 identify::IdentifyOptions inside_options(const IdentifyOptions& given,
-                                         const joint::IntervalSettings& stated) {
+                                         const std::optional<std::uint64_t>& stated_seed) {
   identify::IdentifyOptions options;
   options.truth_runs = given.truth_runs;
   options.threads = given.threads;
-  options.resamples = given.resamples.value_or(stated.resamples.value_or(options.resamples));
-  options.seed = given.seed.value_or(stated.seed.value_or(options.seed));
-  if (!joint::resamples_are_allowed(options.resamples)) {
-    throw UsageError(fmt::format("resamples: {} is not usable; it must be {}", options.resamples,
-                                 wording::words(joint::allowed_resamples())));
-  }
+  options.seed = given.seed.value_or(stated_seed.value_or(options.seed));
   return options;
 }
 
-/// What the provenance says about the intervals.
-std::vector<calibration::Setting> interval_configuration(
-    const method::intervals::IntervalsResult& intervals) {
-  if (intervals.resamples == 0) return {{{"setting.resamples"}, {"setting.closed_forms"}}};
-  return {{{"setting.resamples"}, Statement::verbatim(std::to_string(intervals.resamples))},
-          {{"setting.seed"}, Statement::verbatim(std::to_string(intervals.seed))}};
+/// What the provenance says about the simulations of the known-truth check.
+std::vector<calibration::Setting> configuration_of(const identify::IdentifyOptions& options) {
+  if (options.truth_runs == 0) return {};
+  return {{{"setting.seed"}, Statement::verbatim(std::to_string(options.seed))}};
 }
 
 }  // namespace
@@ -166,15 +159,14 @@ bool Calibration::has_recordings() const { return contents_->identified != nullp
 Calibration identify_joint(const Dataset& dataset, const IdentifyOptions& options) {
   return api::guarded([&] {
     const joint::Dataset& recorded = api::Inside::of(dataset);
-    const identify::IdentifyOptions inside =
-        api::inside_options(options, recorded.manifest.intervals);
+    const identify::IdentifyOptions inside = api::inside_options(options, recorded.manifest.seed);
     calibration::Provenance provenance = calibration::make_provenance(options.command_line);
     const auto progress = [&](const std::string& stage, int done, int all) {
       if (!options.progress) return;
       options.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
     };
     calibration::Calibration found = identify::identify(recorded, inside, progress);
-    provenance.configuration = api::interval_configuration(found.intervals);
+    provenance.configuration = api::configuration_of(inside);
     std::string json = calibration::calibration_json(found, provenance);
     api::Outcome outcome = api::outcome_of(found);
     return api::Inside::made({std::move(outcome), std::move(json),

@@ -12,18 +12,16 @@
 #include "joint/dataset.h"
 #include "method/checks/data_check.h"
 #include "method/gravity/cog_sweep.h"
-#include "method/gravity/run_gravity.h"
 #include "method/hysteresis/break_away.h"
 #include "method/hysteresis/hysteresis_loop.h"
 #include "method/hysteresis/loop_shape.h"
 #include "method/hysteresis/position_plan.h"
 #include "method/hysteresis/surrogate_masses.h"
-#include "method/intervals/bootstrap.h"
-#include "method/intervals/cross_checks.h"
 #include "method/model/model_quantities.h"
 #include "method/motion/false_stamps.h"
 #include "method/motion/plateaus.h"
 #include "method/motion/torque_outliers.h"
+#include "method/selection/cross_checks.h"
 #include "method/selection/friction_parameters.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
@@ -125,7 +123,6 @@ struct Calibration {
   std::optional<method::gravity::PeakSource> q_peak_source;  ///< Present with the angle.
   method::hysteresis::HysteresisResult hysteresis;
   std::optional<method::hysteresis::LuGreFit> lugre;  ///< Of all oscillations, where it was tried.
-  method::gravity::RunGravityResult run_gravity;
   method::hysteresis::SurrogateMassesResult masses;
   method::viscous::ViscousCurvesResult viscous;
   method::selection::QualityErrorsResult quality;
@@ -135,8 +132,7 @@ struct Calibration {
   std::vector<method::hysteresis::LoopShape>
       loop_shapes;  ///< Of the oscillations, without any model.
   method::hysteresis::BreakAwayResult break_away;
-  method::intervals::IntervalsResult intervals;
-  method::intervals::CrossChecksResult cross_checks;
+  method::selection::CrossChecksResult cross_checks;
   method::model::ModelResult model;  ///< Of sweeps, runs and points at once.
   std::optional<method::hysteresis::PositionPlan>
       position_plan;  ///< Where to oscillate next, if ripple requires it.

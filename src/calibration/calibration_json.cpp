@@ -219,14 +219,12 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
   all["curve_model"] = curve_model(c.curve_model);
-  all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);
   all["other_joints"] = other_joints(c.manifest.other_joints);
   all["arm_gravity"] = arm_gravity(c.manifest.arm_gravity);
   all["loop_shapes"] = loop_shapes(c.loop_shapes);
   all["break_away"] = break_away(c.break_away, n);
-  all["intervals"] = intervals(c.intervals);
   all["cross_checks"] = cross_checks(c.cross_checks);
   all["ripple"] = ripple(c.rough.ripple);
   all["friction_of_angle"] = ripple(c.rough.friction_of_angle);

@@ -9,20 +9,6 @@ namespace tribolog::calibration {
 
 namespace {
 
-Json torque_of_angle(const std::optional<method::gravity::TorqueOfAngle>& t) {
-  if (!t) return nullptr;
-  return {{"about_rad", number(t->about_rad)},
-          {"cosine_Nm", number(t->cosine_Nm)},
-          {"sine_Nm", number(t->sine_Nm)},
-          {"spring_Nm_rad", number(t->spring_Nm)},
-          {"amplitude_Nm", number(t->amplitude_Nm)}};
-}
-
-Json unseen_spring(const std::optional<method::gravity::UnseenSpring>& s) {
-  if (!s) return nullptr;
-  return {{"per_radian_Nm", number(s->per_radian_Nm)}, {"on_angle_rad", number(s->on_angle_rad)}};
-}
-
 /// Standard deviations by cause, and the lines of the spectrum over time.
 Json residual_causes(const method::gravity::CogSweepResult& r) {
   Json lines = Json::array();
@@ -55,17 +41,10 @@ Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
           {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
           {"gravity_joint_Nm", joint},
           {"coulomb_Nm", interval(r.coulomb_Nm)},
-          {"unloaded_coulomb_Nm", interval(r.unloaded_coulomb_Nm)},
-          {"load_coulomb_Nm", interval(r.load_coulomb_Nm)},
           {"viscous_Nms_rad", interval(r.viscous_Nms_rad)},
           {"inertia_kgm2", interval(r.inertia_kgm2)},
           {"offset_Nm", if_found(r.offset_Nm)},
           {"torque_offset_Nm", interval(r.torque_offset_Nm)},
-          {"offset_drift_Nm", interval(r.offset_drift_Nm)},
-          {"twist_rad", interval(r.twist_rad)},
-          {"torque_of_angle", torque_of_angle(r.of_angle)},
-          {"offset_of_angle_Nm", if_found(r.offset_of_angle_Nm)},
-          {"unseen_spring", unseen_spring(r.unseen_spring)},
           {"residual_Nm", if_found(r.residual_Nm)},
           {"residual_causes", residual_causes(r)},
           {"lowest_rad", if_found(r.lowest_rad)},
@@ -149,25 +128,7 @@ Json selection(const method::selection::SelectionResult& s) {
           {"q_c_rad", interval(s.q_c_rad)}};
 }
 
-// Gravity from the runs, and what was stated about loads.
-
-Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
-  const auto if_found = [&](double value) { return r.found ? number(value) : Json(nullptr); };
-  return {
-      {"found", r.found},
-      {"reason", words_or_null(r.reason)},
-      {"reason_code", code_of(r.reason)},
-      {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
-      {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
-      {"gravity_joint_Nm", r.found ? interval(statistics::scaled(r.gravity_Nm, n)) : Json(nullptr)},
-      {"residual_Nm", if_found(r.residual_Nm)},
-      {"lowest_rad", if_found(r.lowest_rad)},
-      {"highest_rad", if_found(r.highest_rad)},
-      {"runs_used", r.runs_used},
-      {"runs_left_out", r.runs_left_out},
-      {"samples_used", r.samples_used},
-      {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
-}
+// What was stated about loads.
 
 Json other_joints(const std::vector<joint::OtherJoint>& others) {
   Json list = Json::array();

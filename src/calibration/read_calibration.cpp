@@ -237,6 +237,17 @@ std::vector<double> numbers_of(const ReadJson& list) {
   return values;
 }
 
+/// Of the gravity torque of an estimator; NaN: not recorded.
+double half_width_of_gravity(const ReadJson& top, const std::string& estimator) {
+  const ReadJson& masses = member(top, "surrogate_masses");
+  for (std::size_t k = 0; masses.is_array() && k < masses.size(); ++k) {
+    if (member(masses[k], "estimator") != estimator) continue;
+    const ReadJson& gravity = member(masses[k], "gravity_Nm");
+    return (number_or_nan(member(gravity, "high")) - number_or_nan(member(gravity, "low"))) / 2;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 RecordedFriction friction_of(const ReadJson& top) {
   const ReadJson& viscous = member(top, "viscous");
   const ReadJson& runs = member(viscous, "runs");
@@ -248,10 +259,7 @@ RecordedFriction friction_of(const ReadJson& top) {
   RecordedFriction made;
   made.estimator = chosen.get<std::string>();
   made.from_sweep = member(viscous, "from_sweep") != false;
-  const ReadJson& band = member(member(member(top, "intervals"), "curve_bands"), made.estimator);
-  const std::vector<double> low = numbers_of(member(band, "low_Nm"));
-  const std::vector<double> high = numbers_of(member(band, "high_Nm"));
-  const bool has_band = low.size() == friction.size() && high.size() == friction.size();
+  const double of_gravity = half_width_of_gravity(top, made.estimator);
   std::vector<int> place(friction.size(), -1);  // of each run among those that are read
   for (std::size_t k = 0; k < friction.size(); ++k) {
     const double speed = number_or_nan(member(runs[k], "speed_rad_s"));
@@ -264,8 +272,8 @@ RecordedFriction friction_of(const ReadJson& top) {
     made.speed_rad_s.push_back(speed);
     made.friction_Nm.push_back(friction[k]);
     made.half_width_Nm.push_back(number_or_nan(member(runs[k], "torque_half_width_Nm")));
-    made.half_band_Nm.push_back(has_band ? std::max(high[k] - friction[k], friction[k] - low[k])
-                                         : std::numeric_limits<double>::quiet_NaN());
+    made.half_band_Nm.push_back(std::hypot(
+        made.half_width_Nm.back(), of_gravity * number_or_nan(member(runs[k], "mean_cos"))));
   }
   for (int& partner : made.partner) {
     const bool is_one = partner >= 0 && static_cast<std::size_t>(partner) < place.size();

@@ -23,7 +23,7 @@ struct RecordedFriction {
   std::vector<double> friction_Nm;
   std::vector<double> half_width_Nm;  ///< Of the torque, 95 %; NaN: not recorded.
   /// Of the friction, 95 %, with the error of the gravity that was subtracted, which all points
-  /// have in common; NaN: no resamples are recorded.
+  /// have in common; NaN: not recorded.
   std::vector<double> half_band_Nm{};
   /// Index among these of the run of the other direction at the same speed; -1: none.
   std::vector<int> partner{};

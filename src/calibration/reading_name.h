@@ -21,7 +21,7 @@ enum class ReadingName {
   CD,
   EF,
   midline,
-  sweep,
+  model,
   fit,  ///< The last of the gravity torques.
   q_peak,
   bristle_stiffness,

@@ -15,7 +15,7 @@ namespace tribolog::calibration {
 /// What a quantity's error comes from.
 enum class Influence {
   recordings,       ///< Type A: noise, ripple, few positions, the model; the interval as found.
-  disagreement,     ///< Type A: between methods that should agree.
+  disagreement,     ///< Type A: between methods that should agree; in files of older programs.
   torque_constant,  ///< Type B, like those below: as the manifest states them.
   gear_ratio,
   surrogate_distance,

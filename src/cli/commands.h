@@ -32,7 +32,7 @@ struct IdentifyArguments {
   std::string output;                 ///< Empty: beside the input.
   std::size_t truth_runs{20};         ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;     ///< This verdict or a worse one is exit status 1.
-  joint::IntervalSettings intervals;  ///< Win over the manifest's.
+  std::optional<std::uint64_t> seed;  ///< Wins over the manifest's.
   ArchivingOptions archiving;
 };
 
@@ -53,7 +53,7 @@ struct ReportOptions {
   std::string calibration;  ///< Empty: beside the report.
   std::size_t truth_runs{20};
   std::optional<Verdict> fail_on;
-  joint::IntervalSettings intervals;  ///< Win over the manifest's.
+  std::optional<std::uint64_t> seed;  ///< Wins over the manifest's.
   int processes{2};
   bool figures{true};
   wording::Language language;
@@ -101,7 +101,6 @@ struct StudyCommandOptions {
   std::optional<std::size_t> runs;
   unsigned long long seed{1};
   std::size_t threads{0};            ///< 0: all cores.
-  std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   bool misfit{false};  ///< On joints and logs that the method's model does not describe.
   bool sound{false};   ///< The same on joints that it does describe.

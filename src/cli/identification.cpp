@@ -141,14 +141,8 @@ void protect_inputs(const Dataset& dataset, const std::string& output) {
 }
 
 IdentifyOptions options_of(const IdentificationSettings& settings) {
-  const std::optional<std::uint64_t>& resamples = settings.intervals.resamples;
-  if (resamples && !joint::resamples_are_allowed(*resamples)) {
-    throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", *resamples,
-                                 wording::words(joint::allowed_resamples())));
-  }
   IdentifyOptions options;
-  options.resamples = resamples;
-  options.seed = settings.intervals.seed;
+  options.seed = settings.seed;
   options.truth_runs = settings.truth_runs;
   options.command_line = settings.arguments;
   return options;

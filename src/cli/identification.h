@@ -34,7 +34,7 @@ void protect_inputs(const Dataset& dataset, const std::string& output);
 
 /// How a dataset is to be identified, as the command line has it.
 struct IdentificationSettings {
-  joint::IntervalSettings intervals;   ///< Win over the manifest's.
+  std::optional<std::uint64_t> seed;   ///< Wins over the manifest's.
   std::size_t truth_runs{};            ///< Of the known-truth check; 0: none.
   std::vector<std::string> arguments;  ///< The whole command line, for the provenance.
 };

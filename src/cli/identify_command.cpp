@@ -30,7 +30,7 @@ ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.output);
   const Calibration calibration =
-      run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
+      run_identification(dataset, {options.seed, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(options.output, calibration.to_json());
   archiving.keep_numbers({calibration.to_json(), options.output}, options.dataset.manifest,
@@ -66,9 +66,6 @@ The manifest says, for example:
   angle  = { name = "q", unit = "deg" }
   effort = { name = "i", unit = "A" }    # file = "tau.csv": if it is in another file,
                                          # row by row; time = its time's name there
-  [intervals]                   # optional: of the 95 % intervals by resampling
-  resamples = 1000              # 0: closed forms only
-  seed = 1
   [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
   torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
                                 # gravity_percent, angle_zero_deg, hoses_percent,
@@ -116,7 +113,7 @@ CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
   add_truth_runs(command, identify.truth_runs);
   identify.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, identify.fail_on);
-  add_intervals(command, identify.intervals);
+  add_seed(command, identify.seed);
   add_archiving(command, identify.archiving);
   command.footer(manifest_help);
   return command;
@@ -135,7 +132,7 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   add_truth_runs(command, report.truth_runs);
   report.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, report.fail_on);
-  add_intervals(command, report.intervals);
+  add_seed(command, report.seed);
   add_archiving(command, report.archiving);
   add_processes(command, report.processes);
   add_language(command, report.language);

@@ -66,7 +66,7 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
   protect_inputs(dataset, options.output);
   protect_inputs(dataset, numbers);
   const Calibration calibration =
-      run_identification(dataset, {options.intervals, options.truth_runs, arguments}, console);
+      run_identification(dataset, {options.seed, options.truth_runs, arguments}, console);
   AtomicFiles files;
   files.add(numbers, calibration.to_json());
   const std::string id =

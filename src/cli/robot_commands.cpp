@@ -55,9 +55,8 @@ std::vector<IdentifiedJoint> identified_and_kept(const Options& options,
                                                  const std::vector<std::string>& joints,
                                                  const std::vector<std::string>& arguments,
                                                  const Keepers& to) {
-  std::vector<IdentifiedJoint> done =
-      identify_joints(options.dataset.manifest, joints,
-                      {options.intervals, options.truth_runs, arguments}, to.console);
+  std::vector<IdentifiedJoint> done = identify_joints(
+      options.dataset.manifest, joints, {options.seed, options.truth_runs, arguments}, to.console);
   protect_inputs(done, options.output);
   add_numbers(done, options.output, to.files);
   keep_numbers(done, options.dataset.manifest, to.archiving, to.console);

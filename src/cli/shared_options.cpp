@@ -148,15 +148,15 @@ void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
       ->type_name("VERDICT");
 }
 
-void add_intervals(CLI::App& command, joint::IntervalSettings& intervals) {
+void add_seed(CLI::App& command, std::optional<std::uint64_t>& seed) {
   command
-      .add_option("--resamples", intervals.resamples,
-                  "resamples of the bootstrap behind the intervals: " +
-                      wording::words(joint::allowed_resamples()) +
-                      "; default: the manifest's, or 1000")
+      .add_option("--seed", seed,
+                  "seed of the known-truth check's simulations; default: the manifest's, or 1")
       ->check(whole_number());
   command
-      .add_option("--seed", intervals.seed, "seed of the resamples; default: the manifest's, or 1")
+      .add_option_function<std::string>(
+          "--resamples", [](const std::string& /*count*/) {},
+          "no effect: intervals are those of the model, and nothing is resampled any more")
       ->check(whole_number());
 }
 

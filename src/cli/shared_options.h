@@ -42,8 +42,8 @@ CLI::Validator page_file();
 
 /// `--fail-on VERDICT`
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);
-/// `--resamples`, `--seed`
-void add_intervals(CLI::App& command, joint::IntervalSettings& intervals);
+/// `--seed`, and `--resamples` of programs that resampled
+void add_seed(CLI::App& command, std::optional<std::uint64_t>& seed);
 /// `--archive [LOCATION]`, `--archive-inputs`, `--archive-again`, `--wait`
 void add_archiving(CLI::App& command, ArchivingOptions& archiving);
 /// `-j,--processes`

@@ -164,7 +164,6 @@ std::vector<study::MisfitCase> run_mixed_cases(const StudyCommandOptions& option
   study.joints = options.runs.value_or(study.joints);
   study.seed = options.seed;
   study.threads = options.threads;
-  study.resamples = options.resamples;
   study.keep_logs = keep_in(options.logs);
   return study::run_mixed_study(study, progress);
 }
@@ -176,7 +175,6 @@ std::vector<study::MisfitCase> run_misfit_cases(const StudyCommandOptions& optio
   study.runs = options.runs.value_or(usual_runs);
   study.seed = options.seed;
   study.threads = options.threads;
-  study.resamples = options.resamples;
   study.disturbances = options.disturbances;
   study.joints = options.joints;
   study.only_sound = options.sound;
@@ -259,7 +257,6 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   study.runs = options.runs.value_or(usual_runs);
   study.seed = options.seed;
   study.threads = options.threads;
-  study.resamples = options.resamples;
   study.factors = options.factors;
   try {
     report.study = study::run_study(
@@ -325,11 +322,6 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
       ->check(whole_number())
       ->capture_default_str();
   add_threads(command, study.threads);
-  command
-      .add_option("--resamples", study.resamples,
-                  "bootstrap resamples in each run; 0: intervals in closed form")
-      ->check(CLI::Range(std::size_t{0}, most))
-      ->capture_default_str();
   add_processes(command, study.processes);
   add_language(command, study.language);
   command.footer(

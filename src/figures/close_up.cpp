@@ -25,8 +25,9 @@ constexpr double room = 2.0;              // of the chosen curves' largest value
 constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
 constexpr double resolved_share = 0.008;  // of an axis: about one line width
 
-constexpr std::array unbiased{Estimator::midline, Estimator::fit, Estimator::sweep, Estimator::runs,
-                              Estimator::AB,      Estimator::CD,  Estimator::EF};
+constexpr std::array unbiased{Estimator::midline, Estimator::fit, Estimator::sweep,
+                              Estimator::model,   Estimator::AB,  Estimator::CD,
+                              Estimator::EF};
 
 std::ptrdiff_t rank(Estimator estimator) {
   return std::find(unbiased.begin(), unbiased.end(), estimator) - unbiased.begin();

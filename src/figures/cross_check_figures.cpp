@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -28,34 +27,16 @@ namespace {
 using wording::tr;
 using wording::tr_count;
 
-constexpr double apart = 0.13;       // of the two intervals of one estimator, of a row
 constexpr double beyond = 1.3;       // of the reach of the many: where the axis ends
 constexpr double arrow_share = 0.1;  // of the axis
 
-using method::intervals::CrossCheck;
-
-/// Short enough for an axis.
-std::string short_name(const CrossCheck& check) {
-  if (const auto* estimator = std::get_if<method::hysteresis::Estimator>(&check.method)) {
-    return estimator_words(*estimator);
-  }
-  switch (std::get<method::selection::IndependentMethod>(check.method)) {
-    case method::selection::IndependentMethod::sweep_directions:
-      return tr("directions of the sweep");
-    case method::selection::IndependentMethod::run_directions:
-      return tr("directions of the runs");
-    case method::selection::IndependentMethod::classical:
-      return tr("classical least squares");
-  }
-  return {};
-}
+using method::selection::CrossCheck;
 
 /// Of all masses with their intervals.
 wording::Extent extent_of(const std::vector<CrossCheck>& checks) {
   wording::Extent extent;
   for (const CrossCheck& check : checks) {
     extent.add({check.mass_kg.low, check.mass_kg.high});
-    if (check.resampled_kg) extent.add({check.resampled_kg->low, check.resampled_kg->high});
   }
   return extent;
 }
@@ -82,26 +63,22 @@ class MassRows {
            const wording::AxisScale& scale)
       : panel_(panel), extent_(extent), scale_(scale) {}
 
-  void add(const std::vector<CrossCheck>& checks, bool resampled) {
-    const render::figure::Colour colour =
-        resampled ? render::figure::palette::vermilion : render::figure::palette::blue;
-    render::figure::Series centres = line(resampled ? tr("bootstrap") : tr("closed form"), {}, {},
-                                          colour, 2.5, render::figure::LineStyle::none);
-    centres.marker = resampled ? render::figure::Marker::square : render::figure::Marker::circle;
+  void add(const std::vector<CrossCheck>& checks) {
+    const render::figure::Colour colour = render::figure::palette::blue;
+    render::figure::Series centres = line("", {}, {}, colour, 2.5, render::figure::LineStyle::none);
+    centres.marker = render::figure::Marker::circle;
     centres.marker_size_px = 14.0;
     for (std::size_t k = 0; k < checks.size(); ++k) {
-      if (resampled && !checks[k].resampled_kg) continue;
-      const statistics::Estimate& mass =
-          resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
+      const statistics::Estimate& mass = checks[k].mass_kg;
       if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
-      const double row = static_cast<double>(checks.size() - k) + (resampled ? -apart : apart);
+      const double row = static_cast<double>(checks.size() - k);
       add_interval(mass, row, colour);
       if (mass.value >= extent_.low && mass.value <= extent_.high) {
         centres.x.push_back(scale_(mass.value));
         centres.y.push_back(row);
       }
       const bool is_cut = mass.low < extent_.low || mass.high > extent_.high;
-      if (is_cut && !resampled) name_value(mass, row);
+      if (is_cut) name_value(mass, row);
     }
     add_visible(panel_, std::move(centres));
   }
@@ -147,11 +124,11 @@ class MassRows {
 }  // namespace
 
 std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibration& calibration) {
-  const std::vector<method::intervals::CrossCheck>& checks = calibration.cross_checks.checks;
+  const std::vector<method::selection::CrossCheck>& checks = calibration.cross_checks.checks;
   if (checks.size() < 2) return std::nullopt;
   const auto recommended =
       std::find_if(checks.begin(), checks.end(),
-                   [](const method::intervals::CrossCheck& c) { return c.is_recommended; });
+                   [](const method::selection::CrossCheck& c) { return c.is_recommended; });
   ReportFigure out;
   out.id = "fig-masses-by-way";
   out.is_primary = true;
@@ -171,11 +148,11 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
     panel.x.maximum = scale(extent.high + 0.04 * extent.span());
   }
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    panel.y.names.push_back({static_cast<double>(checks.size() - k), short_name(checks[k])});
+    panel.y.names.push_back(
+        {static_cast<double>(checks.size() - k), estimator_words(checks[k].estimator)});
   }
   MassRows rows(panel, extent, scale);
-  rows.add(checks, false);
-  rows.add(checks, true);
+  rows.add(checks);
   if (panel.series.empty()) return std::nullopt;
   if (recommended != checks.end()) {
     panel.reference_lines.push_back(
@@ -188,8 +165,7 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   std::vector<std::string> names;
   std::size_t disagree = 0;
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    names.push_back(
-        wording::words_for("estimator", method::intervals::to_string(checks[k].method)));
+    names.push_back(wording::words_for("estimator", to_string(checks[k].estimator)));
     disagree += checks[k].disagrees ? 1 : 0;
   }
   const std::string agreement =
@@ -203,11 +179,10 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
                      {{"ways", disagree}});
   const std::string ways = wording::listed(names);
   out.caption = tr("95 % intervals, from the top: {ways}.", {{"ways", ways}}) + " " + agreement;
-  out.how_to_read = tr(
-      "Each estimator fails in a different way. In a sound measurement all bars cross the "
-      "dashed line of the recommended one; one that misses it points to the assumption that it "
-      "depends on. The two bars of an estimator should be equally long. A bar with an arrow goes "
-      "on beyond the axis; its value stands beside it.");
+  out.how_to_read =
+      tr("Each estimator fails in a different way. In a sound measurement all bars cross the "
+         "dashed line of the recommended one; one that misses it points to the assumption that it "
+         "depends on. A bar with an arrow goes on beyond the axis; its value stands beside it.");
   out.alt = tr("Surrogate mass with 95 % intervals by {count} estimators: {ways}.",
                {{"count", checks.size()}, {"ways", ways}}) +
             " " + agreement;

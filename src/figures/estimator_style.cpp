@@ -50,8 +50,8 @@ StyleInWords style_in_words(Estimator estimator) {
     case Estimator::sweep:
       return {wording::to_translate("sweep fit"),
               {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}};
-    case Estimator::runs:
-      return {wording::to_translate("fit of the runs"),
+    case Estimator::model:
+      return {wording::to_translate("model of sweeps and runs"),
               {colour::purple, LineStyle::dash_dot, Marker::circle, usual_px, 15.0}};
     case Estimator::stated:
       return {wording::to_translate("stated gravity"),

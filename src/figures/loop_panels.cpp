@@ -94,31 +94,6 @@ void add_loop_points(render::figure::Panel& panel,
   }
 }
 
-namespace {
-
-constexpr double visible_band = 0.004;  // of the loop's width
-
-/// The interval of the peak's angle over the height of what the panel shows, as far as the loop
-/// goes; none where it is wider than the loop.
-void add_peak_interval(render::figure::Panel& panel, const statistics::Estimate& peak,
-                       const wording::Extent& angles, const LoopView& view) {
-  wording::Extent heights;
-  for (const render::figure::Series& one : panel.series) heights.add(one.y);
-  const double low = std::max(peak.low, std::min(peak.value, angles.low));
-  const double high = std::min(peak.high, std::max(peak.value, angles.high));
-  if (heights.empty || !(high - low > visible_band * angles.span())) return;
-  if (low <= angles.low && high >= angles.high) return;
-  render::figure::Band band;
-  band.label = wording::tr("95 % interval of q_{{peak}}");
-  band.x = {view.angle(low), view.angle(high)};
-  band.low = {heights.low, heights.low};
-  band.high = {heights.high, heights.high};
-  band.colour = faded(peak_colour, 40);
-  panel.bands.push_back(std::move(band));
-}
-
-}  // namespace
-
 bool add_gravity_peak(render::figure::Panel& panel, const calibration::Calibration& calibration,
                       const LoopView& view) {
   if (!calibration.q_peak_rad || !std::isfinite(calibration.q_peak_rad->value)) return false;
@@ -129,7 +104,6 @@ bool add_gravity_peak(render::figure::Panel& panel, const calibration::Calibrati
   panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::vertical,
                                    view.angle(peak), "q_{peak}", peak_colour,
                                    render::figure::LineStyle::dash_dot});
-  add_peak_interval(panel, *calibration.q_peak_rad, angles, view);
   return true;
 }
 

@@ -41,8 +41,7 @@ void add_loop_points(render::figure::Panel& panel,
                      const std::vector<method::hysteresis::LoopPoint>& points, LoopSignal signal,
                      bool over_time, const LoopView& view, const wording::AxisScale& y);
 
-/// A vertical line at the gravity peak, if the loop passes it or comes close, and its interval as a
-/// band behind the curves that the panel has by then, where it is wide enough to be seen.
+/// A vertical line at the gravity peak, if the loop passes it or comes close.
 /// @return whether it does.
 bool add_gravity_peak(render::figure::Panel& panel, const calibration::Calibration& calibration,
                       const LoopView& view);

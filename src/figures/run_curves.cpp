@@ -174,14 +174,11 @@ void add_folded_curve(render::figure::Panel& panel, const calibration::Calibrati
   wording::Extent sizes;
   for (const double friction : curve->friction_Nm) sizes.add(std::abs(friction));
   const double span = sizes.span();
-  const method::intervals::CurveBand* band = calibration.intervals.band(curve->estimator);
   for (std::size_t i = 0; i < std::min(calibration.viscous.runs.size(), curve->friction_Nm.size());
        ++i) {
     const method::viscous::ConstantSpeedRun& run = calibration.viscous.runs[i];
     const double size = curve->friction_Nm[i] * (run.speed_rad_s > 0.0 ? 1.0 : -1.0);
-    // The band carries gravity's error too; it is common to all runs.
-    const double half =
-        band == nullptr ? run.torque_half_width_Nm : (band->high_Nm[i] - band->low_Nm[i]) / 2;
+    const double half = run.torque_half_width_Nm;
     if (!std::isfinite(size) || !(half > marker_share * span) || !std::isfinite(half)) continue;
     panel.error_bars.push_back({std::abs(run.speed_rad_s), scale(size - half), scale(size + half),
                                 colour_of(run.speed_rad_s > 0.0, true)});

@@ -180,7 +180,7 @@ std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
                                            const study::StudyFactor& factor) {
   using enum ReadingName;
   const std::vector<ReadingName> readings_of_points{A, B, A_steady, B_steady, midline};
-  const std::vector<ReadingName> averages{AB, CD, EF, sweep, fit, midline};
+  const std::vector<ReadingName> averages{AB, CD, EF, model, fit, midline};
   std::vector<ReadingName> all{A, B, A_steady, B_steady};
   all.insert(all.end(), averages.begin(), averages.end());
   ReportFigure out = empty_figure(factor, "gravity",
@@ -207,7 +207,7 @@ std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
       "Errors of the gravity torque in % of the true value, {runs} run per level. Bias: {biases}",
       "Errors of the gravity torque in % of the true value, {runs} runs per level. Bias: {biases}",
       {{"runs", study.options.runs},
-       {"biases", bias_words(study, factor, {A, B, midline, fit, sweep})}});
+       {"biases", bias_words(study, factor, {A, B, midline, fit, model})}});
   out.how_to_read =
       tr("A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
          "steady loop they lie symmetrically, so that their mean, the other pair means and the "

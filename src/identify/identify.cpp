@@ -14,10 +14,8 @@
 #include "method/hysteresis/break_away.h"
 #include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/lugre_experiments.h"
-#include "method/intervals/bootstrap.h"
 #include "method/model/model_quantities.h"
 #include "method/motion/steady_runs.h"
-#include "method/selection/independent_gravity.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -38,7 +36,6 @@ struct Progress {
   const IdentifyOptions& options;
   joint::Dataset
       cleaned;  ///< Without outliers of the torque and false stamps, where there are some.
-  std::function<void(std::size_t resamples)> resampled;  ///< Told how many are done; may be empty.
 
   const double n = dataset.manifest.drive.gear_ratio();
   method::motion::Sweep rough_sweep;
@@ -51,9 +48,6 @@ struct Progress {
   method::gravity::CogSweep rough;
   method::gravity::CogSweep precise;
   method::hysteresis::Hysteresis loop;
-  method::viscous::ViscousCurves curves;
-  method::selection::FrictionParametersResult friction;  ///< With intervals in closed form.
-  method::selection::IndependentGravities independent;
   Calibration c;
 
   /// Which all steps look at: the sweeps refer to them.
@@ -63,18 +57,12 @@ struct Progress {
   [[nodiscard]] std::vector<const joint::Recording*> recordings(Role role) const {
     return used().with_role(role);
   }
-  [[nodiscard]] method::gravity::KnownOfSweep known_of_sweep() const {
+  [[nodiscard]] bool has_gravity() const {
     const std::optional<joint::StatedGravity>& stated = dataset.manifest.known_gravity;
-    method::gravity::KnownOfSweep known;
-    known.has_no_gravity = stated && stated->amplitude_Nm() == 0;
-    return known;
+    return !stated || stated->amplitude_Nm() != 0;
   }
   [[nodiscard]] const method::hysteresis::SurrogateMass* recommended_mass() const {
     return c.masses.find(c.selection.recommended);
-  }
-  [[nodiscard]] method::intervals::ChainResults chain() const {
-    return {rough,  precise,   c.q_peak_rad, c.q_peak_source, loop,        c.lugre, c.masses,
-            curves, c.quality, c.selection,  friction,        independent, n};
   }
 };
 
@@ -95,32 +83,42 @@ std::optional<statistics::Estimate> inertia_of_model(const method::model::ModelR
   return inertia;
 }
 
-/// The gravity peak: from the sweep with the narrower interval; without sweeps, from the runs.
+/// Gravity by the model, where it is known well enough to place loops and to be taken off runs.
+const method::model::ModelQuantity* gravity_of_model(const method::model::ModelResult& model) {
+  constexpr double widest_angle_rad = 0.5;
+  const method::model::ModelQuantity* gravity = model.find(joint::Quantity::gravity_torque);
+  const method::model::ModelQuantity* angle = model.find(joint::Quantity::cog_angle);
+  if (gravity == nullptr || angle == nullptr || !(gravity->low > 0)) return nullptr;
+  return angle->as_estimate().half_width() < widest_angle_rad ? gravity : nullptr;
+}
+
+/// The gravity peak: by the model; where it gives none, from the sweep with the narrower interval.
 void choose_gravity_peak(Calibration& c) {
   using method::gravity::PeakSource;
+  if (gravity_of_model(c.model) != nullptr) {
+    c.q_peak_rad = c.model.find(joint::Quantity::cog_angle)->as_estimate();
+    c.q_peak_source = PeakSource::model;
+    return;
+  }
   for (const PeakSource source : {PeakSource::rough_sweep, PeakSource::precise_sweep}) {
     const method::gravity::CogSweepResult& sweep =
         source == PeakSource::rough_sweep ? c.rough : c.precise;
     if (!sweep.found) continue;
-    const statistics::Estimate& angle = sweep.q_peak_rad;
-    if (!c.q_peak_rad || angle.half_width() < c.q_peak_rad->half_width()) {
-      c.q_peak_rad = angle;
+    if (!c.q_peak_rad || sweep.q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
+      c.q_peak_rad = sweep.q_peak_rad;
       c.q_peak_source = source;
     }
   }
-  if (!c.q_peak_rad && c.run_gravity.found) {
-    c.q_peak_rad = c.run_gravity.q_peak_rad;
-    c.q_peak_source = PeakSource::runs;
-  }
 }
 
-/// The motor's angle, referred to the joint, with the link at the gravity peak: needed for loops
-/// there.
-std::optional<statistics::Estimate> motor_peak(const Calibration& c) {
-  if (!c.q_peak_rad || !c.rough.twist_rad) return c.q_peak_rad;
-  const double turned = c.rough.twist_rad->value;
-  return statistics::Estimate{c.q_peak_rad->value + turned, c.q_peak_rad->low + turned,
-                              c.q_peak_rad->high + turned, c.q_peak_rad->method};
+/// What other recordings than a precise sweep show of gravity.
+std::optional<method::gravity::KnownGravity> gravity_for_sweep(const Calibration& c) {
+  if (const method::model::ModelQuantity* gravity = gravity_of_model(c.model)) {
+    return method::gravity::KnownGravity{gravity->estimate,
+                                         c.model.find(joint::Quantity::cog_angle)->estimate};
+  }
+  if (!c.rough.found) return std::nullopt;
+  return method::gravity::KnownGravity{c.rough.gravity_Nm.value, c.rough.q_peak_rad.value};
 }
 
 std::optional<statistics::Estimate> gravity_of_loop_fit(const Progress& p) {
@@ -167,16 +165,16 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   }
   fit = method::hysteresis::with_rival_contacts(std::move(fit));
   const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
-  if (dip || (p.friction.waiboer && p.friction.waiboer->converged)) {
+  if (dip || (p.c.friction.waiboer && p.c.friction.waiboer->converged)) {
     fit = method::hysteresis::with_experiments(
-        std::move(fit), p.n, dip ? dip->value : p.friction.waiboer->stribeck_speed_rad_s.value);
+        std::move(fit), p.n, dip ? dip->value : p.c.friction.waiboer->stribeck_speed_rad_s.value);
   }
   fit = method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
   return method::hysteresis::with_friction_of_runs(std::move(fit), p.c.model.friction_of_loops);
 }
 
 std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p) {
-  if (p.known_of_sweep().has_no_gravity) {
+  if (!p.has_gravity()) {
     return method::hysteresis::KnownGravity{
         statistics::symmetric_estimate(0, 0, {"interval.stated_in_manifest"}), 0};
   }
@@ -192,8 +190,26 @@ std::optional<joint::StatedGravity> stated_gravity(const Calibration& c) {
   const std::optional<joint::StatedGravity>& stated = c.manifest.known_gravity;
   const bool shows_none = !c.rough.found && c.rough.coulomb_Nm && c.rough.samples_used > 0 &&
                           c.rough.gravity_Nm.high < most_of_friction * c.rough.coulomb_Nm->value;
-  if (stated || !shows_none || c.hysteresis.midline_Nm || c.run_gravity.found) return stated;
+  if (stated || !shows_none || c.hysteresis.midline_Nm) return stated;
   return joint::StatedGravity(0, 0);
+}
+
+method::hysteresis::OtherGravity other_gravity(const Progress& p) {
+  method::hysteresis::OtherGravity other;
+  other.loop_fit_Nm = gravity_of_loop_fit(p);
+  other.stated = stated_gravity(p.c);
+  const method::model::ModelQuantity* gravity = gravity_of_model(p.c.model);
+  if (gravity == nullptr) return other;
+  other.model_Nm = gravity->as_estimate();
+  other.friction_Nm = p.c.model.friction_Nm;
+  if (const auto* offset = p.c.model.find(joint::effect::offset.key)) {
+    other.offset_Nm = offset->coefficient;
+  }
+  const auto* drift = p.c.model.find(joint::effect::offset_drift.key);
+  if (drift != nullptr && drift->coefficient) {
+    other.offset_drift_Nm = std::abs(drift->coefficient->value);
+  }
+  return other;
 }
 
 /// About as many points as a screen is wide, over all recordings.
@@ -239,9 +255,9 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        std::vector<const joint::Recording*> all;
        for (const joint::Recording& r : p.used().recordings) all.push_back(&r);
-       p.c.model = method::model::identify_joint(all, p.dataset.friction_points, p.n,
-                                                 !p.known_of_sweep().has_no_gravity,
-                                                 sizes_of_effects(p.dataset.manifest));
+       p.c.model =
+           method::model::identify_joint(all, p.dataset.friction_points, p.n, p.has_gravity(),
+                                         sizes_of_effects(p.dataset.manifest));
        p.inertia_kgm2 = inertia_of_model(p.c.model);
        const method::model::ModelEffect* lag = p.c.model.find(joint::effect::lag.key);
        p.loop_timing =
@@ -255,34 +271,16 @@ constexpr Step papers_chain[] = {
     {"centre of gravity, rough sweep",
      [](Progress& p) {
        p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
-       method::gravity::KnownOfSweep known = p.known_of_sweep();
-       // Of a model of the sweep alone it is the sweep's own.
-       const bool has_runs = !p.recordings(Role::constant_speed).empty();
-       if (!p.rough_sweep.samples.constant_speed && has_runs) known.inertia_kgm2 = p.inertia_kgm2;
-       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n, known);
+       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n,
+                                                     p.has_gravity());
        p.c.rough = p.rough.result;
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
-       method::gravity::KnownOfSweep known = p.known_of_sweep();
-       if (p.c.rough.found) {
-         known = {false,
-                  {},
-                  p.c.rough.gravity_Nm,
-                  p.c.rough.q_peak_rad.value,
-                  p.c.rough.twist_rad,
-                  p.c.rough.of_angle,
-                  p.c.rough.ripple};
-       }
        p.precise_sweep = method::motion::Sweep(p.recordings(Role::precise_sweep));
-       p.precise =
-           method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n, known);
+       p.precise = method::gravity::identify_cog_sweep(SweepKind::precise, p.precise_sweep, p.n,
+                                                       p.has_gravity(), gravity_for_sweep(p.c));
        p.c.precise = p.precise.result;
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.run_gravity =
-           method::gravity::identify_run_gravity(p.runs.recordings(), p.n, p.c.rough.of_angle);
      }},
     {"", [](Progress& p) { choose_gravity_peak(p.c); }},
     {"hysteresis loop",
@@ -297,22 +295,21 @@ constexpr Step papers_chain[] = {
          r = &p.prepared.back();
        }
        p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,
-                                                        motor_peak(p.c), known);
+                                                        p.c.q_peak_rad, known);
        p.c.hysteresis = p.loop.result;
      }},
     {"surrogate masses",
      [](Progress& p) {
        const joint::Manifest& m = p.dataset.manifest;
        p.c.masses = method::hysteresis::identify_surrogate_masses(
-           p.c.rough, p.c.hysteresis, motor_peak(p.c), p.n, m.surrogate_distance_m, m.gravity_m_s2,
-           {gravity_of_loop_fit(p), &p.c.run_gravity, stated_gravity(p.c)});
+           p.c.rough, p.c.hysteresis, p.c.q_peak_rad, p.n, m.surrogate_distance_m, m.gravity_m_s2,
+           other_gravity(p));
      }},
     {"viscous curves",
      [](Progress& p) {
-       p.curves = method::viscous::identify_viscous_curves(
+       p.c.viscous = method::viscous::identify_viscous_curves(
            p.runs, p.dataset.friction_points, p.rough_sweep, p.c.rough, p.c.masses, p.c.q_peak_rad,
            p.n, stated_gravity(p.c));
-       p.c.viscous = p.curves.result;
      }},
     {"quality errors",
      [](Progress& p) {
@@ -326,7 +323,7 @@ constexpr Step papers_chain[] = {
      }},
     {"friction parameters",
      [](Progress& p) {
-       p.friction = method::selection::fit_friction_parameters(p.c.viscous, p.c.selection);
+       p.c.friction = method::selection::fit_friction_parameters(p.c.viscous, p.c.selection);
      }},
     {"",
      [](Progress& p) {
@@ -340,7 +337,7 @@ constexpr Step further_steps[] = {
     {"checks on the data",
      [](Progress& p) {
        p.c.data_checks =
-           method::checks::check_recordings(p.used(), {p.c.rough, p.c.run_gravity, p.c.q_peak_rad});
+           method::checks::check_recordings(p.used(), {p.c.rough, p.c.masses, p.c.q_peak_rad});
      }},
     {"break-away ramps and loop shapes",
      [](Progress& p) {
@@ -355,39 +352,20 @@ constexpr Step further_steps[] = {
      [](Progress& p) {
        p.c.loop_shapes = method::hysteresis::describe_loops(p.recordings(Role::oscillation), p.n);
      }},
-    {"independent gravity torques",
+    {"",
      [](Progress& p) {
-       p.independent =
-           method::selection::independent_gravity(p.rough_sweep, p.recordings(Role::constant_speed),
-                                                  p.c.rough, p.c.viscous, p.c.q_peak_rad, p.n);
-     }},
-    {"intervals",
-     [](Progress& p) {
-       p.c.intervals = method::intervals::resample_chain(
-           p.chain(), {p.options.resamples, p.options.seed, p.options.threads}, p.resampled);
+       p.c.cross_checks = method::selection::cross_check(p.c.masses, p.c.selection.recommended,
+                                                         p.c.hysteresis, p.n);
      }},
     {"",
      [](Progress& p) {
-       p.c.cross_checks = method::intervals::cross_check(p.chain(), p.c.intervals);
-     }},
-    {"",
-     [](Progress& p) {
-       method::hysteresis::widen_mass(p.c.selection.recommended,
-                                      p.c.cross_checks.widened_gravity_Nm, p.c.masses);
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.position_plan = method::hysteresis::plan_positions(p.c.rough, p.c.hysteresis,
-                                                              p.loop.cycles.means_Nm.size(), p.n);
-     }},
-    {"",
-     [](Progress& p) {
-       p.c.friction = method::intervals::with_stated_intervals(p.friction, p.c.intervals);
+       p.c.position_plan =
+           method::hysteresis::plan_positions(p.c.rough, p.c.hysteresis, p.loop.steady_cycles, p.n);
      }},
     {"",
      [](Progress& p) {
        p.c.curves = {std::move(p.rough.curves), std::move(p.precise.curves),
-                     std::move(p.loop.traces), method::selection::fitted_curve(p.friction),
+                     std::move(p.loop.traces), method::selection::fitted_curve(p.c.friction),
                      std::move(p.c.curves.log)};
      }},
 };
@@ -402,7 +380,6 @@ void check_known_truth(Progress& p) {
       chain.c.lugre = method::hysteresis::with_ripple_of_loops(std::move(chain.loop.lugre->fit),
                                                                chain.c.rough.ripple);
     }
-    chain.c.friction = std::move(chain.friction);
     return std::move(chain.c);
   };
   p.c.truth_check = truth::check_known_truth(
@@ -413,9 +390,8 @@ constexpr Step truth_step{"known-truth check", check_known_truth};
 
 /// Each quantity as the recordings give it, by closed forms alone.
 std::vector<calibration::QuantityVerdict> quantities_of(const joint::Dataset& dataset) {
-  const IdentifyOptions by_closed_forms{0, 1, 1, 0};
-  Progress p(dataset, by_closed_forms);
-  p.resampled = [](std::size_t /*resamples*/) {};
+  const IdentifyOptions on_one_thread{1, 1, 0};
+  Progress p(dataset, on_one_thread);
   for (const Step& step : papers_chain) step.run(p);
   for (const Step& step : further_steps) step.run(p);
   return verdict::judge(p.c).quantities;
@@ -470,11 +446,6 @@ Calibration identify(const joint::Dataset& dataset, const IdentifyOptions& optio
   int done = 0;
   const auto tell = [&](const std::string& step, int before) {
     if (progress) progress(step, before, all);
-  };
-  p.resampled = [&](std::size_t resamples) {
-    tell("intervals, resample " + std::to_string(resamples) + " of " +
-             std::to_string(options.resamples),
-         done - 1);
   };
   for (const Step& step : steps) {
     if (*step.name != 0) tell(step.name, done++);

@@ -11,8 +11,6 @@
 namespace tribolog::identify {
 
 struct IdentifyOptions {
-  /// Resamples of the block bootstrap for the intervals; 0: closed forms alone.
-  std::size_t resamples{1000};
   std::uint64_t seed{1};   ///< Of everything random: the same seed gives the same numbers.
   std::size_t threads{0};  ///< 0: as many as the machine has cores. Results do not depend on it.
   /// Simulations of what was identified, each identified again: truth/truth_check.h. 0: none.

@@ -38,14 +38,6 @@ const LimitedQuantity* find_limited_quantity(const std::string& key) {
   return it == all.end() ? nullptr : &*it;
 }
 
-bool resamples_are_allowed(std::uint64_t resamples) {
-  return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);
-}
-
-Statement allowed_resamples() {
-  return {"resamples.allowed", {{"fewest", fewest_resamples}, {"most", most_resamples}}};
-}
-
 std::vector<const Recording*> Dataset::with_role(Role role) const {
   std::vector<const Recording*> found;
   for (const Recording& recording : recordings) {

@@ -51,15 +51,6 @@ const LimitedQuantity* find_limited_quantity(const std::string& key);
 
 // A dataset: the manifest's facts about one joint, and its recordings.
 
-/// Fewest resamples from which the ends of a 95 % interval can be read.
-inline constexpr std::size_t fewest_resamples = 100;
-inline constexpr std::size_t most_resamples = 1000000;
-
-/// 0 (no bootstrap), or from the fewest to the most.
-bool resamples_are_allowed(std::uint64_t resamples);
-/// What is allowed: 0, or from the fewest to the most.
-Statement allowed_resamples();
-
 // What a logger is known to write into the column that a manifest takes for the effort.
 
 struct LoggedEffort {
@@ -82,12 +73,6 @@ struct InputFile {
   std::vector<SkippedRows> skipped;
   std::vector<ColumnConversion> conversions;  ///< As applied to a recording; of its own file alone.
   std::optional<LoggedEffort> logged_effort;  ///< Of a log whose logger is known.
-};
-
-/// How the intervals by resampling are made, where the user states it.
-struct IntervalSettings {
-  std::optional<std::uint64_t> resamples;  ///< 0: closed forms alone.
-  std::optional<std::uint64_t> seed;
 };
 
 /// What the user knows of the errors that no recording shows (type B, JCGM 100, 4.3): half widths
@@ -144,7 +129,7 @@ struct Manifest {
   double gravity_m_s2{9.81};
   StatedUncertainty uncertainty;
   EffectSizes effects{};
-  IntervalSettings intervals;
+  std::optional<std::uint64_t> seed;           ///< Of everything random.
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
   std::vector<OtherJoint> other_joints{};      ///< Whose angles were looked for in the logs.

@@ -23,6 +23,7 @@ const std::vector<Effect>& effects() {
                                        hoses,
                                        angle_scale,
                                        peak_drift,
+                                       homing,
                                        harmonics,
                                        smooth_over_angle,
                                        drift,

@@ -90,6 +90,9 @@ inline constexpr Effect angle_scale{
     "angle_scale", Effect::Kind::effect, 0.1, "percent", "record.whole_turn", 4, 15};
 inline constexpr Effect peak_drift{
     "peak_drift", Effect::Kind::effect, 1, "mrad", "record.one_homing", 2, 30};
+/// Where the angle's zero is in each sweep, and in the runs.
+inline constexpr Effect homing{"homing", Effect::Kind::effect, 0.3, "mrad", "record.one_homing", 2,
+                               100};
 inline constexpr Effect harmonics{
     "harmonics", Effect::Kind::effect, 0.05, "percent", "record.whole_turn", 2, 100};
 inline constexpr Effect smooth_over_angle{

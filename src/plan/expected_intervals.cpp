@@ -24,7 +24,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// What a plan is made for, in the order of the table: the paper's single points are not.
 constexpr std::array wanted{ReadingName::midline,
                             ReadingName::fit,
-                            ReadingName::sweep,
+                            ReadingName::model,
                             ReadingName::q_peak,
                             ReadingName::bristle_stiffness,
                             ReadingName::static_torque,
@@ -39,7 +39,6 @@ constexpr std::array wanted{ReadingName::midline,
 
 calibration::Calibration identify_once(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
-  options.resamples = 0;
   options.seed = seed;
   options.threads = 1;  // the runs themselves are spread over the cores
   return identify::identify(dataset, options);

@@ -31,35 +31,6 @@ std::string mean_text(const method::viscous::ConstantSpeedRun& run) {
   return wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus();
 }
 
-std::string run_gravity_in_words(const method::gravity::RunGravityResult& r, double gear_ratio) {
-  const statistics::Estimate gravity = statistics::scaled(r.gravity_Nm, gear_ratio);
-  const std::string left_out =
-      tr_count(r.runs_left_out, "{runs} does not travel far enough",
-               "{runs} do not travel far enough", {{"runs", wording::count(r.runs_left_out)}});
-  const std::string words = tr_count(
-      r.runs_used,
-      "{gravity_torque} at the joint, largest at {angle}; one offset for {runs} run, {left_out}.",
-      "{gravity_torque} at the joint, largest at {angle}; one offset for each of {runs} runs, "
-      "{left_out}.",
-      {{"gravity_torque", wording::in_words(gravity, wording::torque_scale(gravity.value))},
-       {"angle", wording::in_words(r.q_peak_rad, wording::degree_scale())},
-       {"runs", wording::count(r.runs_used)},
-       {"left_out", left_out}});
-  if (!r.always_lifts) return words;
-  return words + " " +
-         tr("The drive lifts the load throughout: friction that grows with the load is included in "
-            "it.");
-}
-
-void describe_run_gravity(const calibration::Calibration& c, Section& section) {
-  const method::gravity::RunGravityResult& r = c.run_gravity;
-  if (c.viscous.from_sweep) return;
-  if (!r.found && r.reason.empty()) return;
-  section.facts.push_back(
-      {tr("Gravity from the runs"),
-       r.found ? run_gravity_in_words(r, c.manifest.drive.gear_ratio()) : as_sentence(r.reason)});
-}
-
 std::string runs_in_words(const method::viscous::ViscousCurvesResult& v) {
   const std::size_t runs = v.runs.size();
   if (v.from_sweep) {
@@ -89,7 +60,6 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
   section.facts.push_back({tr("Runs"), runs_in_words(v)});
 
   if (!v.from_sweep) section.facts.push_back({tr("Angles"), as_sentence(v.angles.described())});
-  describe_run_gravity(c, section);
 
   const method::viscous::ViscousCurve* recommended = v.find(c.selection.recommended);
   const method::viscous::ViscousCurve* papers = v.find(c.selection.paper_rule);

@@ -35,8 +35,8 @@ std::string meaning_of(Estimator estimator) {
       return tr("gravity torque of LuGre fitted to all loops");
     case Estimator::sweep:
       return tr("gravity amplitude of the rough sweep");
-    case Estimator::runs:
-      return tr("gravity amplitude of the runs at constant speed");
+    case Estimator::model:
+      return tr("gravity of the model of sweeps and runs");
     case Estimator::stated:
       return tr("gravity stated in the manifest");
   }

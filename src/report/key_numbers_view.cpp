@@ -95,8 +95,8 @@ std::string estimator_name(Estimator estimator) {
       return tr("LuGre fit");
     case Estimator::sweep:
       return tr("Sweep");
-    case Estimator::runs:
-      return tr("Runs at constant speed");
+    case Estimator::model:
+      return tr("Model of sweeps and runs");
     case Estimator::stated:
       return tr("Stated");
     default:
@@ -177,10 +177,8 @@ class KeyNumbers {
       return;
     }
     if (c_.q_peak_rad) {
-      if (c_.q_peak_source == PeakSource::runs) {
-        angle(peak, *c_.q_peak_rad,
-              tr("stage {stage}, fit of the runs at constant speed",
-                 {{"stage", stage_number(StageId::viscous_curves)}}));
+      if (c_.q_peak_source == PeakSource::model) {
+        angle(peak, *c_.q_peak_rad, tr("model of sweeps and runs"));
         link_angle();
         return;
       }

@@ -187,7 +187,7 @@ ReportView make_report_view(const calibration::Calibration& c,
     view.sections.push_back(make_section(c, stage));
     view.sections.back().finding = findings.number_of(stage_report(c, stage).reason);
   }
-  if (!c.cross_checks.checks.empty() || !c.intervals.quantities.empty()) {
+  if (!c.cross_checks.checks.empty()) {
     view.sections.push_back(cross_checks_section(c));
     view.sections.back().number = static_cast<int>(view.sections.size());
   }

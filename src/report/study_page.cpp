@@ -333,7 +333,6 @@ std::string study_json(const StudyReport& report) {
                  {"scenario_file", report.scenario_file},
                  {"runs", study.options.runs},
                  {"seed", study.options.seed},
-                 {"resamples", study.options.resamples},
                  {"sentence", wording::words(study::study_sentence(study))},
                  {"findings", wording::words(study::study_findings(study))},
                  {"factors", std::move(factors)},

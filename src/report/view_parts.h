@@ -60,9 +60,8 @@ void describe_break_away(const calibration::Calibration& calibration, Section& s
 /// The loops without any model; no rows where none was recorded.
 Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes, double gear_ratio,
                         const Section& section);
-/// Behind the stages: gravity by every way, ripple, positions, intervals.
+/// Behind the stages: gravity by every way, ripple, positions.
 Section cross_checks_section(const calibration::Calibration& calibration);
-void add_interval_tables(const calibration::Calibration& calibration, Section& section);
 /// A recording's path without its folders, which are in the provenance.
 std::string log_name(const std::string& recording);
 void describe_lugre(const method::hysteresis::LuGreFit& fit, double gear_ratio, Section& section);

@@ -10,11 +10,8 @@
 
 namespace tribolog::statistics {
 
-// A nonlinear fit linearised about its solution: all that resampling its residuals needs.
-//
-// With residuals r(p) = r0 + J (p - p0), a resample r* of the residuals moves the parameters by
-// -J^+ r*, with no second fit. It holds as long as the model is linear over the resulting
-// intervals.
+// A nonlinear fit linearised about its solution: with residuals r(p) = r0 + J (p - p0), a change r*
+// of the residuals moves the parameters by -J^+ r*.
 
 /// A number that the fit gives, as a function of its parameters.
 struct LinearisedReading {
@@ -27,16 +24,11 @@ struct LinearisedFit {
   Eigen::VectorXd parameters;  ///< p0, the solution; their meaning is the fit's own.
   Eigen::MatrixXd jacobian;    ///< J there: one row per residual, one column per parameter.
   Eigen::VectorXd residuals;   ///< r0 = model - measured.
-  /// Number of neighbouring samples whose mean a row is.
-  std::size_t samples_in_row{1};
   /// Block of each row, counted from 0, non-decreasing: residuals within a block are correlated.
   std::vector<std::size_t> block_of_row;
   /// Errors that residuals do not show: each column, times an independent standard normal number,
   /// shifts the parameters; may have no columns.
   Eigen::MatrixXd further_shifts;
-  std::vector<LinearisedReading> readings;  ///< Of every reported number; of none that is held.
-  /// Columns of the gravity torque, one for each recording; empty where none is found.
-  std::vector<Eigen::Index> gravity_columns;
 };
 
 // Nonlinear least squares by Eigen's port of MINPACK, with the one interface our fits need.

@@ -26,16 +26,6 @@ double median_interval(const std::vector<double>& rising);
 /// turn for 2.5 ms). NaN with fewer than two values.
 double even_interval(const std::vector<double>& rising);
 
-// The ends of a 95 % interval from resampled values.
-
-/// 2.5 % and 97.5 % quantiles, extended to include the estimate. Values that are not finite do not
-/// count; where they are more than one in twenty the interval is infinite.
-Estimate percentile_interval(double estimate, std::vector<double> values);
-
-/// The same for a root mean square. Noise can only enlarge one, in the data as in each resample:
-/// what it adds to the mean square is subtracted twice, and the lower end may be zero.
-Estimate root_mean_square_interval(double estimate, std::vector<double> values);
-
 // Robust centre, scatter and distance.
 
 /// @throw std::logic_error without values.

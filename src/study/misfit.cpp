@@ -113,8 +113,7 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       [&](std::size_t run) {
         const simulate::Noise noise = noise_of_run(laid.noise, options.seed, run);
         const auto keep = run == 0 ? options.keep_logs : KeepLogs{};
-        const calibration::Judgement judgement =
-            identified(out, laid, ideal, noise, options.resamples, keep);
+        const calibration::Judgement judgement = identified(out, laid, ideal, noise, keep);
         is_named[run] = out.has_cause && names(judgement, *disturbance) ? 1 : 0;
         runs[run] = {judgement.quantities, truths};
       },
@@ -147,13 +146,11 @@ std::vector<Item> picked(const std::vector<Item>& all, const std::vector<std::st
 
 calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
                                   std::vector<simulate::IdealRecording> ideal,
-                                  const simulate::Noise& noise, std::size_t resamples,
-                                  const KeepLogs& keep) {
+                                  const simulate::Noise& noise, const KeepLogs& keep) {
   std::vector<joint::Recording> logs =
       simulate::with_noise(std::move(ideal), noise, laid.gear_ratio);
   if (keep) keep(of, laid, logs);
   identify::IdentifyOptions how;
-  how.resamples = resamples;
   how.seed = noise.seed;
   how.threads = 1;
   return identify::identify(simulate::simulated_dataset(laid, std::move(logs)), how).judgement;

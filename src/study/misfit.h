@@ -81,7 +81,6 @@ struct MisfitOptions {
   std::size_t runs{50};
   std::uint64_t seed{1};
   std::size_t threads{0};
-  std::size_t resamples{0};
   std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
   std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
   bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
@@ -99,7 +98,6 @@ struct MixedOptions {
   std::size_t joints{100};
   std::uint64_t seed{1};  ///< Of the joints, their effects and their noise.
   std::size_t threads{0};
-  std::size_t resamples{0};
   /// Of each joint, in a case of that one alone; may be empty, and called from several threads.
   KeepLogs keep_logs;
 };

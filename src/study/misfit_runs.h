@@ -21,8 +21,7 @@ struct MisfitRun {
 /// One run by the whole chain. @param of the case that `keep`, if any, is told.
 calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
                                   std::vector<simulate::IdealRecording> ideal,
-                                  const simulate::Noise& noise, std::size_t resamples,
-                                  const KeepLogs& keep);
+                                  const simulate::Noise& noise, const KeepLogs& keep);
 
 /// Each quantity that has a truth. @param runs one or more.
 std::vector<MisfitQuantity> count_runs(const std::vector<MisfitRun>& runs);

@@ -25,7 +25,7 @@ MisfitRun run_joint(std::size_t number, double size, const MixedOptions& options
   of.size = size;
   of.runs = 1;
   const simulate::Noise noise = noise_of_run(joint.laid.noise, options.seed, number);
-  return {identified(of, joint.laid, ideal, noise, options.resamples, options.keep_logs).quantities,
+  return {identified(of, joint.laid, ideal, noise, options.keep_logs).quantities,
           truths_of(joint.undisturbed, joint.laid, ideal)};
 }
 

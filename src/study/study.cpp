@@ -18,10 +18,8 @@
 namespace tribolog::study {
 namespace {
 
-calibration::Calibration identify_quietly(const joint::Dataset& dataset, std::size_t resamples,
-                                          std::uint64_t seed) {
+calibration::Calibration identify_quietly(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
-  options.resamples = resamples;
   options.seed = seed;
   options.threads = 1;  // the runs themselves are spread over the cores
   options.truth_runs = 0;
@@ -38,7 +36,7 @@ StudiedCase run_case(const std::string& name, const simulate::Scenario& scenario
         const simulate::Noise noise = noise_of_run(scenario.noise, options.seed, run);
         const joint::Dataset dataset = simulate::simulated_dataset(
             scenario, simulate::with_noise(ideal, noise, scenario.gear_ratio));
-        found[run] = truth::readings_of(identify_quietly(dataset, options.resamples, noise.seed));
+        found[run] = truth::readings_of(identify_quietly(dataset, noise.seed));
       },
       options.threads);
   StudiedCase out{name, {}};
@@ -140,7 +138,7 @@ std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario) {
 std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario,
                                           const joint::Dataset& ideal) {
   std::vector<truth::Reading> truths =
-      truth::readings_of(identify_quietly(ideal, 0, simulate::Noise{}.seed));
+      truth::readings_of(identify_quietly(ideal, simulate::Noise{}.seed));
   for (truth::Reading& truth : truths) {
     const double value = stated_truth(scenario, truth).value_or(truth.estimate.value);
     truth.estimate = {value, value, value, {"interval.known"}};

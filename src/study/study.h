@@ -99,7 +99,6 @@ struct StudyOptions {
   std::size_t runs{200};             ///< Of each case; >= 2.
   std::uint64_t seed{1};             ///< The same seed gives the same numbers.
   std::size_t threads{0};            ///< 0: as many as the machine has cores. Changes no number.
-  std::size_t resamples{0};          ///< Of the bootstrap in each run; 0: intervals in closed form.
   std::vector<std::string> factors;  ///< Keys of those to study; none: all.
 };
 

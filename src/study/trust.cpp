@@ -145,7 +145,7 @@ TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor, 
 }
 
 std::optional<ReadingName> recommended_reading(const StudyResult& study) {
-  for (const ReadingName reading : {ReadingName::midline, ReadingName::sweep}) {
+  for (const ReadingName reading : {ReadingName::model, ReadingName::midline}) {
     if (study.base_case().find(reading) != nullptr) return reading;
   }
   return std::nullopt;
@@ -172,7 +172,7 @@ std::vector<Statement> study_findings(const StudyResult& study) {
   const StudiedCase& base = study.base_case();
   add_bias_findings(base, findings);
   add_steady_finding(base, findings);
-  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::sweep}) {
+  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::model}) {
     if (base.find(reading) == nullptr) continue;
     for (const Criterion criterion : {Criterion::fine, Criterion::coarse, Criterion::coverage}) {
       findings.push_back(limit_finding(study, reading, criterion));

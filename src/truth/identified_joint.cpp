@@ -136,23 +136,26 @@ class Maker {
     const double coulomb = sweep.coulomb_Nm ? sweep.coulomb_Nm->value : 0.0;
     const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
     const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
-    const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
     const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
-    const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
-    ModelTorque torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
-    if (sweep.load_coulomb_Nm) add_load_friction(r, motion, sweep, torque);
+    const SlidingFriction friction(coulomb, viscous, rest_speed(motion));
+    const method::model::ModelEffect* offset = c_.model.find(joint::effect::offset.key);
+    const double offset_Nm =
+        offset != nullptr && offset->coefficient ? offset->coefficient->value : sweep.offset_Nm;
+    ModelTorque torque = sliding(r, motion, friction, offset_Nm, inertia);
+    if (inertia != 0) sharpen_inertia(r, motion, inertia, torque);
     return torque;
   }
 
-  /// Friction that grows with the gravity torque.
-  void add_load_friction(const joint::Recording& r, const method::motion::MotionSegments& motion,
-                         const method::gravity::CogSweepResult& sweep, ModelTorque& torque) const {
-    const SlidingFriction per_load(present(sweep.load_coulomb_Nm).value, 0.0, rest_speed(motion));
+  /// Local slopes round the corners of the speed, where a joint's inertia acts: by a spline along
+  /// the angle, where there is one.
+  void sharpen_inertia(const joint::Recording& r, const method::motion::MotionSegments& motion,
+                       double inertia_kgm2, ModelTorque& torque) const {
+    const method::motion::MotionTrace trace = method::motion::trace_motion(r);
+    if (!trace.motion) return;
+    const std::unique_ptr<simulate::Motion> motor = trace.motion->motor_motion(n_);
     for (std::size_t i = 0; i < r.size(); ++i) {
-      const double added = per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
-                           std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
-      torque.friction_Nm[i] += added;
-      torque.whole_Nm[i] += added;
+      torque.whole_Nm[i] += inertia_kgm2 * (motor->acceleration(r.t_s[i] - r.t_s.front()) -
+                                            n_ * motion.acceleration_rad_s2[i]);
     }
   }
 
@@ -252,8 +255,8 @@ bool is_read_from(const Reading& reading, joint::Role role) {
     case ReadingKind::sweep_friction:
       return role == joint::Role::rough_sweep;
     case ReadingKind::gravity:
-      return role == (reading.name == ReadingName::sweep ? joint::Role::rough_sweep
-                                                         : joint::Role::oscillation);
+      return reading.name == ReadingName::model ? role != joint::Role::oscillation
+                                                : role == joint::Role::oscillation;
     case ReadingKind::stiffness:
     case ReadingKind::static_torque:
       return role == joint::Role::oscillation;

@@ -116,7 +116,7 @@ std::vector<Reading> readings_of(const calibration::Calibration& c) {
   using enum ReadingName;
   read_masses(c, {A, B, C, D, E, F}, out);
   read_steady_points(c, out);
-  read_masses(c, {AB, CD, EF, midline, sweep}, out);
+  read_masses(c, {AB, CD, EF, midline, model}, out);
   if (c.lugre) read_loop_fit(*c.lugre, out);
   out.add(ReadingName::q_peak, ReadingKind::peak_angle, c.q_peak_rad);
   if (c.rough.found)

@@ -9,9 +9,6 @@ std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   if (from_runs && angles.has_rising && angles.has_falling && !angles.share_angles()) {
     findings.push_back({"verdict.runs_share_no_angle", {{"angles", angles.described()}}});
   }
-  if (c.run_gravity.found && c.run_gravity.always_lifts && !c.rough.found) {
-    findings.push_back({"verdict.runs_always_lift"});
-  }
   return findings;
 }
 

@@ -21,11 +21,11 @@ bool says(const Statement& statement, const std::vector<Code>& codes) {
   });
 }
 
-/// Whether what one finding tells is a consequence of what the other does: estimates that disagree
-/// as an offset makes them, loops that are beside a peak that a moving joint has shifted or that no
-/// gravity makes.
+/// Whether what one finding tells is a consequence of what the other does: loops that disagree with
+/// sweeps and runs as an offset makes them, loops that are beside a peak that a moving joint has
+/// shifted or that no gravity makes.
 bool follows_from(const Statement& finding, const Statement& cause) {
-  if (says(finding, {"cross_check.offset_or_direction"})) {
+  if (says(finding, {"cross_check.disagree"})) {
     return says(cause, {"effect.offset", "effect.asymmetry"});
   }
   return says(finding, {"check.oscillation_at_peak"}) &&

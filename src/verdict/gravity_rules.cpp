@@ -21,10 +21,6 @@ const std::vector<Quantity> of_gravity{Quantity::cog_angle, Quantity::gravity_to
                                        Quantity::surrogate_mass};
 const std::vector<Quantity> of_mass{Quantity::gravity_torque, Quantity::surrogate_mass};
 
-/// The certain part of a value: its magnitude less its half width; negative where the interval
-/// includes zero.
-double sure(const statistics::Estimate& e) { return std::abs(e.value) - e.half_width(); }
-
 /// The largest friction that the joint has shown [N·m, motor side]; 0: none.
 double largest_friction_Nm(const Calibration& c) {
   double friction = c.hysteresis.midline_friction_Nm;
@@ -51,30 +47,6 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
                    {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
 }
 
-/// Torque that varies with the joint's angle as no weight's does.
-std::optional<Measured> torque_of_angle(const Calibration& c) {
-  if (!c.rough.found) return std::nullopt;
-  if (c.rough.torque_of_angle_left_Nm > 0) {
-    const double left = 100 * c.rough.torque_of_angle_left_Nm / c.rough.gravity_Nm.value;
-    return Measured{left,
-                    {"cause.torque_of_angle_left",
-                     {{"amplitude_Nm", c.rough.torque_of_angle_left_Nm}, {"percent", left}}}};
-  }
-  if (!c.rough.of_angle) return Measured{};
-  const double percent = 100 * c.rough.of_angle->amplitude_Nm / c.rough.gravity_Nm.value;
-  return Measured{percent,
-                  {c.rough.of_angle->cosine_Nm == 0 && c.rough.of_angle->sine_Nm == 0
-                       ? Code{"cause.spring"}
-                       : Code{"cause.torque_of_angle"},
-                   {{"amplitude_Nm", c.rough.of_angle->amplitude_Nm}, {"percent", percent}}}};
-}
-
-/// The same where it was not taken off.
-std::optional<Measured> torque_of_angle_left(const Calibration& c) {
-  if (!c.rough.found) return std::nullopt;
-  return c.rough.torque_of_angle_left_Nm > 0 ? torque_of_angle(c) : Measured{};
-}
-
 /// What a torque out of proportion does to friction at the largest torque, in percent: a cube's
 /// slope is three times its share there.
 std::optional<Measured> slope_out_of_proportion(const Calibration& c) {
@@ -82,65 +54,6 @@ std::optional<Measured> slope_out_of_proportion(const Calibration& c) {
   std::optional<Measured> found = measure_effect(c, "torque_nonlinear", c.model.top_Nm);
   if (found) found->value *= slope_of_cube;
   return found;
-}
-
-std::optional<Measured> gear_twist(const Calibration& c) {
-  const std::optional<statistics::Estimate>& twist = c.rough.twist_rad;
-  // Slow ripple of a motor that hardly turns looks the same.
-  const double n = c.manifest.drive.gear_ratio();
-  constexpr double fewest_turns = 3;
-  const double turns = n * (c.rough.highest_rad - c.rough.lowest_rad) / 6.28;
-  if (!c.rough.found || !twist || (turns < fewest_turns && c.rough.ripple_Nm > 0)) {
-    return std::nullopt;
-  }
-  return Measured{joint::degrees_per_rad * sure(*twist),
-                  {twist->value < 0 ? Code{"cause.negative_twist"} : Code{"cause.elastic_gear"},
-                   {{"twist_deg", joint::degrees_per_rad * twist->value},
-                    {"half_width_deg", joint::degrees_per_rad * twist->half_width()}}}};
-}
-
-/// How far two recordings of the same joint put its gravity peak apart, beyond their intervals: the
-/// angle's zero moved between them, or the joint's base did.
-std::optional<Measured> angles_apart(const Calibration& c) {
-  using method::gravity::PeakSource;
-  constexpr double beyond_doubt = 1.25;  // half widths of the difference
-  if (!c.q_peak_rad || !c.rough.found) return std::nullopt;
-  struct Other {
-    const statistics::Estimate& q_peak_rad;
-    Code cause;
-  };
-  std::vector<Other> others;
-  if (c.precise.found) others.push_back({c.precise.q_peak_rad, "cause.angle_of_precise_sweep"});
-  if (c.run_gravity.found && !c.run_gravity.always_lifts) {
-    others.push_back({c.run_gravity.q_peak_rad, "cause.angle_of_runs"});
-  }
-  if (others.empty()) return std::nullopt;
-  const statistics::Estimate& rough = c.rough.q_peak_rad;
-  // Runs that take the motor's angle for the link's are off by up to the gear's twist.
-  const double twist = c.rough.twist_rad ? c.rough.twist_rad->value : 0.0;
-  Measured largest{0, {}};
-  for (const Other& other : others) {
-    const double apart = std::remainder(other.q_peak_rad.value - rough.value, 2 * std::numbers::pi);
-    const double unexplained = std::max(0.0, std::abs(apart - twist / 2) - std::abs(twist) / 2);
-    const double within = std::hypot(other.q_peak_rad.half_width(), rough.half_width());
-    if (unexplained < beyond_doubt * within || unexplained < largest.value) continue;
-    largest = {unexplained,
-               {other.cause,
-                {{"rough_deg", joint::degrees_per_rad * rough.value},
-                 {"other_deg", joint::degrees_per_rad * (rough.value + apart)},
-                 {"apart_deg", joint::degrees_per_rad * apart},
-                 {"half_width_deg", joint::degrees_per_rad * within}}}};
-  }
-  largest.value *= joint::degrees_per_rad;
-  return largest;
-}
-
-std::optional<Measured> sweep_offset_drift(const Calibration& c) {
-  const std::optional<statistics::Estimate>& drift = c.rough.offset_drift_Nm;
-  if (!drift || !c.rough.found) return std::nullopt;
-  return Measured{100 * sure(*drift) / c.rough.gravity_Nm.value,
-                  {"cause.offset_drifts",
-                   {{"drift_Nm", drift->value}, {"half_width_Nm", drift->half_width()}}}};
 }
 
 std::optional<Measured> motion_harmonics(const Calibration& c) {
@@ -216,18 +129,16 @@ std::optional<Measured> vibration_in_loops(const Calibration& c) {
   return largest;
 }
 
-/// How far apart loops and sweep put gravity, in percent of it, where they disagree: an offset, or
-/// torques that are not logged to the same scale.
+/// How far apart the loops' mid-line and the model put gravity, in percent of it, where they
+/// disagree: torques that are not logged to the same scale.
 std::optional<Measured> scale_of_loops(const Calibration& c) {
-  using method::hysteresis::Estimator;
-  const method::hysteresis::SurrogateMass* loops = c.masses.find(Estimator::midline);
-  const method::hysteresis::SurrogateMass* sweep = c.masses.find(Estimator::sweep);
-  if (loops == nullptr || sweep == nullptr) return std::nullopt;
-  const double apart = loops->gravity_Nm.value - sweep->gravity_Nm.value;
-  const double within = std::hypot(loops->gravity_Nm.half_width(), sweep->gravity_Nm.half_width());
-  const double percent_per_Nm = 100 / sweep->gravity_Nm.value;
-  return Measured{percent_per_Nm * std::max(0.0, std::abs(apart) - within),
-                  {"cause.scale_of_loops", {{"percent", percent_per_Nm * apart}}}};
+  for (const method::selection::CrossCheck& check : c.cross_checks.checks) {
+    if (check.estimator != method::hysteresis::Estimator::midline || !check.counts()) continue;
+    const double apart = std::abs(check.difference_percent) - check.difference_half_width_percent;
+    return Measured{std::max(0.0, apart),
+                    {"cause.scale_of_loops", {{"percent", check.difference_percent}}}};
+  }
+  return std::nullopt;
 }
 
 /// A course of the torque over the joint's angle, slower than the motor turns, that no term
@@ -250,22 +161,6 @@ std::optional<Measured> course_of_angle(const Calibration& c) {
 /// An offset of the torque, which the curves of each direction contain, in percent of friction.
 std::optional<Measured> offset_in_curves(const Calibration& c) {
   return measure_effect(c, "offset", largest_friction_Nm(c));
-}
-
-/// What the curves of each direction are off by if another method that disagrees is right about
-/// gravity, in percent of friction.
-std::optional<Measured> gravity_in_curves(const Calibration& c) {
-  const double friction = largest_friction_Nm(c);
-  if (!(friction > 0) || c.cross_checks.checks.empty()) return std::nullopt;
-  double percent = 0;
-  for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
-    if (!check.counts() || !check.disagrees) continue;
-    percent = std::max(percent, std::abs(check.difference_percent));
-  }
-  const double gravity = c.rough.found ? c.rough.gravity_Nm.value : 0.0;
-  const double off_Nm = percent / 100 * gravity;
-  return Measured{100 * off_Nm / friction,
-                  {"cause.gravity_in_curves", {{"off_Nm", off_Nm}, {"percent", percent}}}};
 }
 
 std::optional<Measured> other_joint(const Calibration& c) { return periodic_in_time(c, true); }
@@ -369,6 +264,16 @@ std::vector<Rule> gravity_rules() {
       // twentieth is common, and looks like gravity.
       {"friction_over_gravity", "%", 1250, Verdict::not_identifiable, of_gravity,
        "record.with_load", friction_over_gravity},
+      // Joints that are held move by less.
+      {"others_move",
+       "deg",
+       1,
+       Verdict::doubtful,
+       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
+        Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
+        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
+       "record.others_at_rest_or_described",
+       others_move},
       // What changes slowly in time, by more than a small share, is gravity that changes.
       {"gravity_in_time", "%", 0.5, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
        other_joint},
@@ -382,16 +287,6 @@ std::vector<Rule> gravity_rules() {
         Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
        "record.other_joints_at_rest",
        other_joint_on_friction},
-      // Joints that are held move by less.
-      {"others_move",
-       "deg",
-       1,
-       Verdict::doubtful,
-       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
-        Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
-       "record.others_at_rest_or_described",
-       others_move},
       {"others_inertia",
        "deg",
        1,
@@ -413,35 +308,6 @@ std::vector<Rule> gravity_rules() {
         Quantity::inertia},
        "record.torque_at_loads",
        slope_out_of_proportion},
-      {"gear_twist", "deg", 0.02, told, {Quantity::cog_angle}, "record.sweep", gear_twist},
-      {"angles_apart",
-       "deg",
-       0.05,
-       Verdict::doubtful,
-       {Quantity::cog_angle},
-       "record.one_homing",
-       angles_apart},
-      {"torque_of_angle", "%", 0.05, told, of_gravity, "record.sweep", torque_of_angle},
-      // Over part of a turn, what such a torque has in common with gravity cannot be told from it:
-      // as much as shows, at a right angle to gravity, turns the angle by a third of a degree.
-      {"torque_of_angle_in_angle",
-       "%",
-       0.5,
-       Verdict::doubtful,
-       {Quantity::cog_angle},
-       "record.sweep",
-       torque_of_angle},
-      // A spring that shows so much has as a rule as much that looks like gravity.
-      {"torque_of_angle_large", "%", 1, Verdict::doubtful, of_gravity, "record.sweep",
-       torque_of_angle},
-      // In slow runs over other angles than the sweep's it is as wrong as it is large.
-      {"torque_of_angle_left",
-       "%",
-       0,
-       Verdict::doubtful,
-       {Quantity::viscous_curve},
-       "record.sweep",
-       torque_of_angle_left},
       {"scale_of_loops",
        "%",
        2,
@@ -463,14 +329,6 @@ std::vector<Rule> gravity_rules() {
        {Quantity::viscous_curve},
        "record.sweep",
        offset_in_curves},
-      {"gravity_in_curves",
-       "%",
-       1.5,
-       Verdict::doubtful,
-       {Quantity::viscous_curve},
-       "record.sweep_and_oscillation",
-       gravity_in_curves},
-      {"sweep_offset_drift", "%", 0.05, told, of_mass, "record.sweep", sweep_offset_drift},
       {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics, true},
       {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
       {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},

@@ -91,12 +91,6 @@ bool is_of_gravity(Quantity quantity) {
 /// changes in time alone does not.
 bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity quantity) {
   if (rule.rule == "gravity_in_time") return is_of_gravity(quantity);
-  // Over part of a turn a spring that shows has as a rule as much that looks like gravity.
-  constexpr std::array of_angle{"angles_apart", "torque_of_angle_in_angle",
-                                "torque_of_angle_large"};
-  if (std::find(of_angle.begin(), of_angle.end(), rule.rule) != of_angle.end()) {
-    return quantity == Quantity::cog_angle;
-  }
   if (rule.rule == "others_move") {
     // Friction turns with the direction; gravity and inertia are others with each posture.
     return (is_of_gravity(quantity) && !has_stated_no_gravity(c)) || quantity == Quantity::inertia;
@@ -119,6 +113,17 @@ Statement remedy_of(std::string_view key) {
   const joint::Effect* row = row_of_effect(key);
   return row == nullptr || row->remedy.empty() ? Statement{record_runs}
                                                : Statement{Code::of(std::string(row->remedy))};
+}
+
+/// Whether the effect is a torque of the joint's angle, as gravity is.
+bool is_of_angle(std::string_view effect) {
+  constexpr std::array all{joint::effect::hoses.key,
+                           joint::effect::harmonics.key,
+                           joint::effect::smooth_over_angle.key,
+                           joint::effect::angle_scale.key,
+                           joint::effect::homing.key,
+                           joint::effect::torque_over_turn.key};
+  return std::find(all.begin(), all.end(), effect) != all.end();
 }
 
 bool is_of_friction(Quantity quantity) {
@@ -198,17 +203,18 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
   constexpr double most = 0.5;       // the same
   constexpr double most_of_others = 0.5;
   Doubt doubt = common;
+  // Over part of a turn what looks like gravity has many forms, and one that shows may be another.
+  double of_angle = 0;
+  for (const auto& share : by_model.shares) of_angle += is_of_angle(share.effect) ? share.share : 0;
   for (const ModelEffect& effect : c.model.effects) {
     if (effect.key == "law_misfit") continue;
     // A size that nothing explains is not asked of a chi-square.
     const bool shows = std::isnan(effect.chi2) || effect.chi2 > significant * effect.freedom;
     const bool is_at_cap = shows && effect.is_near_cap();
-    // Over part of a turn what looks like gravity has many forms.
-    const bool is_plain_there = is_of_gravity(quantity) && effect.is_plain();
+    const bool shows_there = shows && is_of_gravity(quantity) && is_of_angle(effect.key);
     for (const auto& share : by_model.shares) {
       if (share.effect != effect.key) continue;
-      if (!(is_at_cap && share.share >= matters) && !(is_plain_there && share.share >= most))
-        continue;
+      if (!(is_at_cap && share.share >= matters) && !(shows_there && of_angle >= most)) continue;
       doubt.lower(Verdict::doubtful,
                   {is_at_cap ? Code{"model.effect_too_large"} : Code{"model.rests_on_effect"},
                    {{"effect", name_of_effect(effect.key)}}},

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "calibration/headline.h"
 #include "joint/degrees.h"
@@ -45,24 +44,13 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   }
   q.estimate = c.q_peak_rad;
   lower_by_angle(c.q_peak_rad->half_width(), q);
+  using method::gravity::PeakSource;
   const statistics::StageReport& source =
-      c.q_peak_source == method::gravity::PeakSource::precise_sweep ? c.precise.stage
-                                                                    : c.rough.stage;
-  if (source.state == statistics::StageState::partial) {
+      c.q_peak_source == PeakSource::precise_sweep ? c.precise.stage : c.rough.stage;
+  if (c.q_peak_source != PeakSource::model && source.state == statistics::StageState::partial) {
     calibration::lower(q, calibration::Verdict::doubtful, source.reason, record_a_sweep);
   }
   return q;
-}
-
-/// Whether pairs of runs give the gravity torque of sweep or loops, with about the same certainty.
-bool runs_confirm_gravity(const calibration::Calibration& c) {
-  constexpr double widest_percent = 2;
-  const auto& checks = c.cross_checks.checks;
-  return std::any_of(checks.begin(), checks.end(), [](const method::intervals::CrossCheck& check) {
-    const auto* method = std::get_if<method::selection::IndependentMethod>(&check.method);
-    return method != nullptr && *method == method::selection::IndependentMethod::run_directions &&
-           !check.disagrees && check.difference_half_width_percent < widest_percent;
-  });
 }
 
 }  // namespace
@@ -95,14 +83,10 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
   std::vector<calibration::QuantityVerdict> all{
       angle(c), by_estimate(Quantity::gravity_torque, gravity_Nm, why, both),
       by_estimate(Quantity::surrogate_mass, mass_kg, why, both)};
-  // Each independent way to gravity has to be present, or the mass rests on one alone. Runs in both
-  // directions can replace either.
-  const bool no_sweep = c.rough.stage.state == statistics::StageState::skipped;
+  // Without the model of sweeps and runs, each independent way to gravity has to be present, or the
+  // mass rests on one alone.
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
-    const bool is_beside_another =
-        stage == &c.hysteresis.stage ? c.rough.found : no_sweep && c.hysteresis.found;
-    if (is_beside_another && runs_confirm_gravity(c)) continue;
     for (const Quantity quantity : {Quantity::gravity_torque, Quantity::surrogate_mass}) {
       calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful,
                          {"verdict.nothing_independent", {{"why", stage->reason}}}, both);

@@ -234,15 +234,6 @@ std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent_in_loops(c);
 }
 
-/// Where friction was read from a sweep: how far its strokes are from one line over the speed.
-std::optional<Measured> strokes_of_sweep(const Calibration& c) {
-  if (!c.viscous.from_sweep || !c.rough.coulomb_Nm || c.rough.strokes_apart_Nm == 0) {
-    return std::nullopt;
-  }
-  const double percent = 100 * c.rough.strokes_apart_Nm / std::abs(c.rough.coulomb_Nm->value);
-  return Measured{percent, {"cause.strokes_apart", {{"percent", percent}}}};
-}
-
 /// Misfit of the loops where the break-away torque comes from them, for want of ramps.
 std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
@@ -368,7 +359,6 @@ const std::vector<Rule>& rules() {
        {Quantity::break_away_torque},
        "record.slower_starts",
        ramps_without_inertia},
-      {"strokes_of_sweep", "%", 3, Verdict::doubtful, of_curve, "record.runs", strokes_of_sweep},
       {"friction_by_motor_angle", "%", 1, Verdict::usable, {}, {}, by_motor_angle},
       {"break_away_by_motor_angle", "%", 1, Verdict::usable, {}, {}, between_ramps},
       {"stribeck_exponent", "%", 0.5, Verdict::usable, {}, {}, stribeck_exponent},

@@ -83,20 +83,6 @@ double freedom_of(Quantity quantity, const calibration::Calibration& c) {
   return is_of_law && law.fitted && law.freedom > 0 ? law.freedom : well_known;
 }
 
-/// Share of the half width that was added for methods that disagree.
-double share_of_disagreement(Quantity quantity, const calibration::Calibration& c) {
-  const bool is_of_mass =
-      quantity == Quantity::gravity_torque || quantity == Quantity::surrogate_mass;
-  if (!is_of_mass || !c.cross_checks.widened_gravity_Nm) return 0;
-  for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
-    if (!check.is_recommended) continue;
-    const double wide = c.cross_checks.widened_gravity_Nm->half_width();
-    const double narrow = std::min(wide, check.gravity_Nm.half_width());
-    return std::sqrt(1 - narrow * narrow / (wide * wide));
-  }
-  return 0;
-}
-
 class BudgetMaker {
  public:
   BudgetMaker(const calibration::Calibration& c, const LoggedSides& sides,
@@ -150,13 +136,7 @@ class BudgetMaker {
   void add_recordings() {
     const double freedom = freedom_of(quantity_, c_);
     const double whole = estimate_.half_width() / calibration::coverage_factor(freedom);
-    const double added = share_of_disagreement(quantity_, c_);
-    parts_.push_back({Influence::recordings, false, std::nullopt, 1,
-                      whole * std::sqrt(1 - added * added), freedom, 0});
-    if (added > 0) {
-      parts_.push_back(
-          {Influence::disagreement, false, std::nullopt, 1, whole * added, freedom, 0});
-    }
+    parts_.push_back({Influence::recordings, false, std::nullopt, 1, whole, freedom, 0});
   }
 
   void add(Influence influence, double exponent, const std::optional<double>& percent) {

@@ -74,9 +74,6 @@ const Messages& friction_messages() {
        text("angle of the known gravity peak {angle_rad} is not finite")},
       {"joint.highest_angle_not_above_lowest",
        text("highest angle {highest_deg:.6g} deg is not above the lowest, {lowest_deg:.6g} deg")},
-      {"resamples.not_allowed",
-       text("{resamples} resamples are not allowed; it must be {allowed}")},
-      {"resamples.allowed", text("0 (closed forms alone), or {fewest} to {most}")},
 
       // The arm that carries the joint.
       {"arm.no_joint", text("the arm has no joint")},

@@ -70,22 +70,12 @@ const Messages& gravity_messages() {
        text("T = offset of each direction + G cos(q − q_peak), G from the rough sweep")},
       {"sweep_fit.varying_speed",
        text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak)")},
-      {"sweep_fit.varying_speed_with_load",
-       text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak) + Coulomb "
-            "of the load sgn(q̇) |cos(q − q_peak)|")},
       {"sweep_fit.varying_speed_known_gravity",
        text("T = offset + Coulomb sgn(q̇) + viscous q̇ + inertia q̈ + G cos(q − q_peak), G from "
             "the rough sweep")},
 
       // Gravity from the runs at constant speed.
-      {"gravity.no_runs", text("no run at constant speed was recorded")},
-      {"gravity.runs_too_short",
-       text("no run at constant speed travels far enough for gravity: the widest covers "
-            "{widest_deg:.2g}°; at least {needed_deg:.2g}° is needed")},
-      {"gravity.not_shown_by_runs",
-       text("the runs at constant speed do not show gravity well enough: amplitude "
-            "{gravity_Nm:.3g} N·m with a 95 % interval from {low_Nm:.3g} to {high_Nm:.3g} N·m; "
-            "longer travel, or a slow sweep, would")}};
+  };
   return all;
 }
 

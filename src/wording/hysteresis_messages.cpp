@@ -40,9 +40,9 @@ const Messages& hysteresis_messages() {
       {"masses.of_sweep_only",
        text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
             "the mass comes from the sweep's gravity amplitude")},
-      {"masses.of_runs_only",
+      {"masses.of_model_only",
        text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
-            "the mass comes from the gravity amplitude of the runs at constant speed")},
+            "the mass comes from the gravity of sweeps and runs")},
       {"masses.of_stated_gravity_only",
        text("without a hysteresis loop the paper's six masses and the mid-line are not available; "
             "the mass comes from the gravity stated in the manifest")},

@@ -215,7 +215,7 @@ const Messages& plan_messages() {
       // Whose interval is to be expected, by the name of the reading.
       {"expected.midline", text("gravity torque, mid-line of the loops")},
       {"expected.fit", text("gravity torque, LuGre fit")},
-      {"expected.sweep", text("gravity torque, sweep")},
+      {"expected.model", text("gravity torque, model of sweeps and runs")},
       {"expected.q_peak", text("angle of the gravity peak")},
       {"expected.bristle_stiffness", text("bristle stiffness σ₀")},
       {"expected.static_torque", text("break-away torque T_s, LuGre fit")},

@@ -40,16 +40,13 @@ const Messages& selection_messages() {
             "model; a single point still contains the friction at its instant.")},
       {"selection.no_gravity",
        text("The joint has no gravity torque: friction is all that there is.")},
-      {"selection.sweep_is_surer",
-       text("The rough sweep tells gravity from an offset of the torque and from friction that "
-            "differs between the directions; the mid-line of the loop cannot, and is less certain "
-            "for it.")},
+      {"selection.model",
+       text("The model of sweeps and runs tells gravity from an offset of the torque, from hoses "
+            "and from friction that differs between the directions, as far as the recordings do; "
+            "a loop at one position cannot.")},
       {"selection.sweep_alone",
        text("No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the "
             "rough sweep is the only estimate of the mass.")},
-      {"selection.runs_alone",
-       text("Neither a hysteresis loop at the gravity peak nor a sweep was recorded; the gravity "
-            "amplitude of the runs at constant speed is the only estimate of the mass.")},
       {"selection.stated_alone",
        text("No recording shows the gravity torque; the mass is the one stated in the manifest.")},
       {"selection.quality_errors",
@@ -92,11 +89,8 @@ const Messages& selection_messages() {
       {"estimator.midline", text("mid-line")},
       {"estimator.fit", text("LuGre model fitted to the loops")},
       {"estimator.sweep", text("rough sweep")},
-      {"estimator.runs", text("gravity from the runs")},
+      {"estimator.model", text("model of sweeps and runs")},
       {"estimator.stated", text("stated")},
-      {"estimator.sweep_directions", text("mean of the sweep's directions at equal angle")},
-      {"estimator.run_directions", text("mean of both directions of the runs")},
-      {"estimator.classical", text("linear least squares over all moving samples")},
 
       // Estimators that disagree, and what would do that.
       {"cross_check.disagree",
@@ -111,13 +105,7 @@ const Messages& selection_messages() {
       {"cross_check.ripple_load_or_zero",
        text("torque ripple, friction that depends on the load, or a torque that is not zero "
             "without load would explain it")},
-      {"cross_check.friction_by_load_or_direction",
-       text("friction that depends on load or direction would explain it")},
-      {"cross_check.offset_or_direction", text("a constant offset of the torque, or friction that "
-                                               "differs with the direction would explain it")},
-      {"cross_check.linear_model",
-       text("the linear model has neither Stribeck effect nor curved viscous friction, and takes "
-            "them for gravity where angles and speeds are not balanced")}};
+  };
   return all;
 }
 

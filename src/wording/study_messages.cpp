@@ -71,20 +71,22 @@ const Messages& study_messages() {
        text("In the base case the mid-line is within {error_percent:.2g} % of the true gravity "
             "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
             "contain the true value.")},
-      {"study_sentence.sweep",
-       text("In the base case the sweep fit is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
+      {"study_sentence.model",
+       text("In the base case the model of sweeps and runs is within {error_percent:.2g} % of the "
+            "true gravity torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated "
+            "intervals "
             "contain the true value.")},
       {"study_sentence.midline_beside_B",
        text("In the base case the mid-line is within {error_percent:.2g} % of the true gravity "
             "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
             "contain the true value; point B is off by {point_b_bias_percent:+.2f} %, the mid-line "
             "by {bias_percent:+.3f} %.")},
-      {"study_sentence.sweep_beside_B",
-       text("In the base case the sweep fit is within {error_percent:.2g} % of the true gravity "
-            "torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated intervals "
-            "contain the true value; point B is off by {point_b_bias_percent:+.2f} %, the sweep "
-            "fit by {bias_percent:+.3f} %.")},
+      {"study_sentence.model_beside_B",
+       text("In the base case the model of sweeps and runs is within {error_percent:.2g} % of the "
+            "true gravity torque in 95 of 100 runs, and {coverage_percent:.0f} % of its stated "
+            "intervals "
+            "contain the true value; point B is off by {point_b_bias_percent:+.2f} %, the model "
+            "by {bias_percent:+.3f} %.")},
 
       // What was found.
       {"study.gravity_in_base_case", text("Gravity torque in the base case: {estimators:; }.")},
@@ -98,7 +100,7 @@ const Messages& study_messages() {
             "nearer in the paper's reading depends on the start-up stroke alone.")},
       {"studied.midline", text("Mid-line")},
       {"studied.fit", text("LuGre fit")},
-      {"studied.sweep", text("Sweep fit")},
+      {"studied.model", text("Model of sweeps and runs")},
       {"study_fine.not_in_base_case", text("{estimator} exceeds 0.1 % already in the base case.")},
       {"study_coarse.not_in_base_case",
        text("{estimator} exceeds 0.3 % already in the base case.")},

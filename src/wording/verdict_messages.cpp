@@ -34,8 +34,6 @@ const Messages& verdict_messages() {
       {"rule.runs_against_loops",
        text("Friction at rest by the runs' law, less than that of the loops")},
       {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
-      {"rule.torque_of_angle_in_angle",
-       text("Torque that depends on the angle and is not gravity, for the angle of the peak")},
       {"rule.ramps_that_slide", text("Friction at the speed of sliding ramps, below that at rest")},
       {"rule.inertia_at_break_away", text("Ramps read without the torque of inertia")},
       {"rule.false_stamps", text("Scatter of the time stamps, relative to the sampling interval")},
@@ -88,10 +86,6 @@ const Messages& verdict_messages() {
        text("the other joints' motion changes gravity by up to {largest_Nm:.3g} N·m at the joint; "
             "it is taken off by the masses of {file}, which are taken to be right within "
             "{percent:g} %")},
-      {"rule.strokes_of_sweep", text("Strokes of the sweep off one straight line over speed")},
-      {"cause.strokes_apart",
-       text("the strokes of the sweep lie {percent:.0f} % of friction off one straight line over "
-            "the speed: another law, or a torque that is not right at some speed")},
       {"rule.stribeck_exponent", text("Stribeck exponent other than 2, effect on friction")},
       {"rule.stribeck_exponent_in_loops",
        text("Stribeck dip of the curve unlike that of the loops' model, effect on friction")},
@@ -122,34 +116,14 @@ const Messages& verdict_messages() {
        text(
            "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "
            "dip: {needed} would")},
-      {"rule.torque_of_angle", text("Torque that depends on the angle and is not gravity")},
-      {"rule.torque_of_angle_large",
-       text("Torque that depends on the angle and is not gravity, large")},
-      {"cause.spring",
-       text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) grows "
-            "with the joint's angle, as of a spring or of hoses: it was taken off")},
-      {"cause.torque_of_angle_left",
-       text("the sweep's torque differs from gravity's by up to ±{amplitude_Nm:.3g} N·m "
-            "({percent:.2g} % of gravity), in the course of the angle or of the time: a spring, a "
-            "linkage, or gravity that changes; it is not taken off")},
-      {"cause.torque_of_angle",
-       text("beside gravity a torque of ±{amplitude_Nm:.3g} N·m ({percent:.2g} % of gravity) "
-            "changes with the joint's angle, as of a linkage, of hoses, or of an encoder that is "
-            "not centred: it was taken off")},
-      {"rule.torque_of_angle_left", text("Torque of the angle that was not taken off")},
       {"rule.scale_of_loops",
        text("Gravity of the loops against the sweep's, the part that is certain")},
       {"rule.course_of_angle",
        text("Course of the torque over the joint's angle, as a share of friction")},
       {"rule.offset_in_curves", text("Offset of the torque, as a share of friction")},
-      {"rule.gravity_in_curves", text("Gravity's disagreement, as a share of friction")},
       {"rule.loops_against_ramps", text("Friction at rest, loops against ramps")},
       {"rule.vibration_in_loops", text("Vibration that the loops' cycles do not average out")},
       {"rule.runs_against_ramps_at_rest", text("Friction at rest, runs against ramps")},
-      {"rule.angles_apart", text("Gravity peak of other recordings, against the rough sweep's")},
-      {"rule.gear_twist", text("Twist of the gear under gravity, the part that is certain")},
-      {"rule.sweep_offset_drift",
-       text("Drift of that offset over the sweep, the part that is certain")},
       {"rule.motion_harmonics", text("Largest harmonic of an oscillation's motion")},
       {"rule.ripple", text("Torque ripple, relative to the gravity torque")},
       {"rule.vibration", text("Torque vibration, relative to the gravity torque")},
@@ -181,9 +155,6 @@ const Messages& verdict_messages() {
        text("the torque swings by {amplitude_Nm:.2g} N·m ({percent:.1f} % of gravity) with a "
             "period of {period_s:.1f} s, whatever the angle: gravity changes in time, as when "
             "another joint moves")},
-      {"cause.elastic_gear",
-       text("the gear twists by {twist_deg:.2f} ± {half_width_deg:.2f}° under the gravity torque, "
-            "and the encoder sees the motor; the angle stated is the link's")},
       {"cause.loops_against_ramps",
        text("friction at rest is {loops_Nm:.3g} N·m by the loops and {ramps_Nm:.3g} N·m by the "
             "ramps: "
@@ -203,30 +174,6 @@ const Messages& verdict_messages() {
             "describes, "
             "of ±{amplitude_Nm:.3g} N·m or {percent:.2g} % of the friction, slower than the motor "
             "turns: as of a linkage, a hose that catches or a worn place")},
-      {"cause.gravity_in_curves",
-       text("the methods disagree about gravity by {off_Nm:.3g} N·m, by which the friction of each "
-            "direction may be off; the mean of both is not")},
-      {"cause.angle_of_precise_sweep",
-       text("the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° "
-            "in "
-            "the precise sweep, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would be within "
-            "their intervals: between them the angle's zero moved, as by a new homing, or the base "
-            "did")},
-      {"cause.angle_of_runs",
-       text(
-           "the gravity peak lies at {rough_deg:.2f}° in the rough sweep and at {other_deg:.2f}° "
-           "in "
-           "the runs at constant speed, {apart_deg:+.2f}° away where {half_width_deg:.2f}° would "
-           "be within their intervals: between them the angle's zero moved, as by a new homing, or "
-           "the base did")},
-      {"cause.negative_twist", text("beside gravity a small torque grows with the joint's angle, "
-                                    "as of a spring or of hoses: "
-                                    "as a twist of the gear it would be {twist_deg:.2f} ± "
-                                    "{half_width_deg:.2f}°, against its "
-                                    "load; the angle's interval holds it")},
-      {"cause.offset_drifts",
-       text("the torque's offset drifts by {drift_Nm:.2g} ± {half_width_Nm:.1g} N·m over the "
-            "sweep")},
       {"cause.motion",
        text("the oscillation is not a sine: its motion has {second_percent:.1f} % of a second and "
             "{third_percent:.1f} % of a third harmonic; mid-lines are taken over the angle, and "
@@ -307,7 +254,7 @@ const Messages& verdict_messages() {
       {"reading.CD", text("mean of C and D")},
       {"reading.EF", text("mean of E and F")},
       {"reading.midline", text("mid-line")},
-      {"reading.sweep", text("sweep fit")},
+      {"reading.model", text("model of sweeps and runs")},
       {"reading.fit", text("LuGre fit")},
       {"reading.q_peak", text("gravity peak q_peak")},
       {"reading.bristle_stiffness", text("bristle stiffness σ₀")},
@@ -396,10 +343,6 @@ const Messages& verdict_messages() {
       {"verdict.runs_share_no_angle",
        text("{angles}, so that gravity and friction cannot be told apart by comparing them; record "
             "every speed in both directions over the same angles")},
-      {"verdict.runs_always_lift",
-       text("in the runs at constant speed the drive lifts the load all the way: friction that "
-            "grows with the load would be taken for gravity; runs that also lower it would show "
-            "which")},
       {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
 
       // The uncertainty budget.

@@ -128,7 +128,7 @@ TEST(ACalibration, HasWhatTheProgramWrites) {
   const std::string file = scratch.file("calibration.json");
   const ProgramRun run =
       run_shell(std::string("SOURCE_DATE_EPOCH=1700000000 '" TRIBOLOG_PROGRAM "' identify '") +
-                example_manifest + "' --truth-runs 0 --resamples 100 -o '" + file + "'");
+                example_manifest + "' --truth-runs 0 -o '" + file + "'");
   ASSERT_EQ(run.status, 0) << run.err;
   const Calibration read = Calibration::read(file);
   expect_same(identified_example(), read, "en");
@@ -211,8 +211,8 @@ TEST(Identifying, GivesTheSameBytesForASeedAndOthersForAnother) {
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
   const Dataset dataset = Dataset::read(example_manifest);
   IdentifyOptions options;
-  options.resamples = 100;
   options.threads = 1;
+  options.truth_runs = 1;
   const std::string once = identify_joint(dataset, options).to_json();
   options.threads = 3;
   EXPECT_EQ(identify_joint(dataset, options).to_json(), once) << "whatever the threads";
@@ -223,7 +223,6 @@ TEST(Identifying, GivesTheSameBytesForASeedAndOthersForAnother) {
 
 TEST(Identifying, TellsItsProgress) {
   IdentifyOptions options;
-  options.resamples = 0;
   std::vector<std::size_t> done;
   options.progress = [&](const std::string& what, std::size_t so_far, std::size_t all) {
     EXPECT_FALSE(what.empty());

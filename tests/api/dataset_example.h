@@ -9,10 +9,6 @@ namespace tribolog::test {
 
 inline const std::string example_manifest = TRIBOLOG_SOURCE_DIR "/examples/ur_like/dataset.toml";
 
-inline Calibration identified_example() {
-  IdentifyOptions options;
-  options.resamples = 100;
-  return identify_joint(Dataset::read(example_manifest), options);
-}
+inline Calibration identified_example() { return identify_joint(Dataset::read(example_manifest)); }
 
 }  // namespace tribolog::test

@@ -61,12 +61,9 @@ TEST(AFailure, NamesLineAndColumnOfAManifest) {
 
 TEST(AFailure, IsOfTheKindThatTheProgramEndsWith) {
   const Dataset dataset = Dataset::read(example_manifest);
-  IdentifyOptions impossible;
-  impossible.resamples = 5;
   const auto status = [](const std::function<void()>& call) {
     return failure_of(call).exit_status();
   };
-  EXPECT_EQ(status([&] { identify_joint(dataset, impossible); }), 2);
   const Calibration found = identified_example();
   EXPECT_EQ(status([&] { static_cast<void>(found.sentence("tlh")); }), 2);
   EXPECT_EQ(status([&] { static_cast<void>(dataset.notes("tlh")); }), 2);

@@ -23,9 +23,8 @@ class PostgresProgram : public testing::Test {
   void SetUp() override {
     if (!server_.why_not().empty()) GTEST_SKIP() << server_.why_not();
     uri_ = server_.new_database();
-    const ProgramRun run =
-        run_shell(program + "identify '" + dataset_.file("dataset.toml") + "' -o '" +
-                  calibration() + "' --truth-runs 0 --resamples 0 --quiet");
+    const ProgramRun run = run_shell(program + "identify '" + dataset_.file("dataset.toml") +
+                                     "' -o '" + calibration() + "' --truth-runs 0 --quiet");
     ASSERT_EQ(run.status, 0) << run.err;
   }
   [[nodiscard]] std::string calibration() const { return dataset_.file("calibration.json"); }

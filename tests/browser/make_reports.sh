@@ -8,7 +8,7 @@ tribolog=$1
 sources=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$2" && cd "$2"
 
-quick='--resamples 0 --truth-runs 0'
+quick='--truth-runs 0'
 
 for name in scenario scenario_noise; do
   "$tribolog" --quiet simulate "$sources/../../examples/paper/$name.toml" -o $name

@@ -32,8 +32,8 @@ class ArchiveCommands : public testing::Test {
   SmallDataset dataset_;
 };
 
-const std::string identified = "identify dataset.toml -o cal.json --truth-runs 0 --resamples 0";
-const std::string reported = "report dataset.toml -o r.html --truth-runs 0 --resamples 0";
+const std::string identified = "identify dataset.toml -o cal.json --truth-runs 0";
+const std::string reported = "report dataset.toml -o r.html --truth-runs 0";
 
 TEST_F(ArchiveCommands, IdentifyArchivesWhatAddWouldAdd) {
   const ProgramRun first = run(identified);
@@ -120,7 +120,7 @@ TEST_F(ArchiveCommands, AnEmptyLocationIsNotTheUsersOwn) {
 }
 
 TEST_F(ArchiveCommands, AddAndRemoveAnswerInJson) {
-  ASSERT_EQ(run("identify dataset.toml -o cal.json --truth-runs 0 --resamples 0").status, 0);
+  ASSERT_EQ(run("identify dataset.toml -o cal.json --truth-runs 0").status, 0);
   const std::string id = only_id();
   const json added = json::parse(run("archive add cal.json --json").out);
   EXPECT_EQ(added["id"], id);
@@ -218,7 +218,7 @@ TEST_F(ArchiveCommands, WhatIsRefusedStartsNoArchive) {
     EXPECT_FALSE(std::filesystem::exists(dataset_.file("a.tribolog"))) << command;
   };
   for (const std::string& command : {identified, reported}) {
-    expect_refusal(replaced(command, "--resamples 0", "--resamples 50"), 2);
+    expect_refusal(replaced(command, "--truth-runs 0", "--truth-runs many"), 2);
     expect_refusal(replaced(command, "dataset.toml", "absent.toml"), 3);
     expect_refusal(replaced(command, "-o ", "-o absent/"), 4);
   }

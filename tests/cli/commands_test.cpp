@@ -30,7 +30,7 @@ TEST(Commands, HelpTeaches) {
   for (const char* command : {"report", "identify"}) {
     const ProgramRun help = run_shell(program + command + " --help");
     EXPECT_EQ(help.status, 0);
-    for (const char* key : {"gear_ratio = 100", "[intervals]", "[[limit]]", "[[known_load]]",
+    for (const char* key : {"gear_ratio = 100", "[uncertainty]", "[[limit]]", "[[known_load]]",
                             "[known_gravity]", "\"none\"", "README.md"}) {
       EXPECT_NE(help.out.find(key), std::string::npos) << command << " --help: " << key;
     }
@@ -265,7 +265,7 @@ TEST(Commands, AReaderThatGoesAwayIsNoFault) {
   EXPECT_NE(run.err.find("status 0"), std::string::npos) << run.err;
 }
 
-TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
+TEST(Commands, TheSeedOfTheCommandLineWinsOverTheManifests) {
   const SmallDataset dataset(
       replaced(small_manifest(), "[columns]", "[intervals]\nresamples = 300\nseed = 5\n[columns]"));
   const auto numbers = [&](const std::string& options) {
@@ -276,13 +276,13 @@ TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
   const auto holds = [](const std::string& text, const std::string& piece) {
     return text.find(piece) != std::string::npos;
   };
-  const std::string stated = numbers("");
-  EXPECT_TRUE(holds(stated, "\"resamples\": 300,\n  \"seed\": 5,"));
-  EXPECT_TRUE(holds(stated, "\"name\": \"Resamples\""));
-  EXPECT_TRUE(holds(numbers("--resamples 200"), "\"resamples\": 200,\n  \"seed\": 5,"));
-  EXPECT_TRUE(holds(numbers("--seed 6"), "\"resamples\": 300,\n  \"seed\": 6,"));
-  EXPECT_TRUE(holds(numbers("--resamples 0"), "closed-form intervals only"));
-  EXPECT_EQ(dataset.run("identify --resamples 7", "c.json").status, 2);
+  const std::string of_seed_5 = "\"name\": \"Seed of the known-truth check\",\n";
+  EXPECT_FALSE(holds(numbers("--truth-runs 0"), of_seed_5));
+  const std::string stated = numbers("--truth-runs 1");
+  EXPECT_TRUE(holds(stated, of_seed_5) && holds(stated, "\"text\": \"5\""));
+  EXPECT_TRUE(holds(numbers("--truth-runs 1 --seed 6"), "\"text\": \"6\""));
+  // Of commands and manifests of programs that resampled: accepted, without effect.
+  EXPECT_EQ(replaced(numbers("--truth-runs 1 --resamples 7"), " --resamples 7", ""), stated);
   EXPECT_EQ(dataset.run("identify --resamples many", "c.json").status, 2);
 }
 

@@ -102,7 +102,7 @@ class HostileTexts : public testing::Test {
     EXPECT_TRUE(nlohmann::json::accept(text)) << text.substr(0, 300);
   }
   void archive_it() const {
-    ASSERT_EQ(run("identify dataset.toml -o c.json --resamples 100 --truth-runs 0").status, 0);
+    ASSERT_EQ(run("identify dataset.toml -o c.json --truth-runs 0").status, 0);
     ASSERT_EQ(run("archive add c.json --archive a.tribolog").status, 0);
   }
   [[nodiscard]] std::string id() const {
@@ -120,8 +120,7 @@ TEST_F(HostileTexts, OfAManifestAndALogAreShownByNoCommandAsTheyAre) {
   expect_json(read_text(scratch_.file("s.json")));
   EXPECT_EQ(run("init " + log + " -o init.toml").status, 0);
   EXPECT_EQ(hidden_in(read_text(scratch_.file("init.toml"))), "");
-  EXPECT_EQ(run("report dataset.toml -o r.html --no-figures --resamples 100 --truth-runs 0").status,
-            0);
+  EXPECT_EQ(run("report dataset.toml -o r.html --no-figures --truth-runs 0").status, 0);
   EXPECT_EQ(hidden_in(read_text(scratch_.file("r.html"))), "");
   expect_json(read_text(scratch_.file("r.calibration.json")));
   EXPECT_EQ(run("show r.html").status, 0);

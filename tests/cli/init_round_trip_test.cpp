@@ -75,8 +75,7 @@ bool is_proposed(const ScratchDirectory& scratch, const std::string& file, const
   const ProgramRun init = run_shell(there + "init --force -o d.toml ./" + quoted_for_shell(file));
   EXPECT_TRUE(init.status == 0 || init.status == 3) << words << ": " << init.err;
   if (init.status == 0) {
-    const ProgramRun run =
-        run_shell(there + "identify --resamples 0 --truth-runs 0 d.toml -o c.json");
+    const ProgramRun run = run_shell(there + "identify --truth-runs 0 d.toml -o c.json");
     EXPECT_EQ(run.status, 0) << words << ": " << run.err << read_text(scratch.file("d.toml"));
   }
   std::filesystem::remove(path);

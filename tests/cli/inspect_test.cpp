@@ -30,8 +30,7 @@ nlohmann::json identified(const ScratchDirectory& scratch, const std::string& in
   const ProgramRun init = run_shell(program + "init " + init_arguments + " -o " + manifest);
   EXPECT_EQ(init.status, 0) << init.err;
   const std::string out = scratch.file("calibration.json");
-  const ProgramRun run =
-      run_shell(program + "identify --resamples 0 --truth-runs 0 " + manifest + " -o " + out);
+  const ProgramRun run = run_shell(program + "identify --truth-runs 0 " + manifest + " -o " + out);
   EXPECT_EQ(run.status, expected_status) << run.err;
   return nlohmann::json::parse(read_text(out));
 }
@@ -73,8 +72,8 @@ TEST_P(Ur10e, TheSineIsFoundAndIdentifiedAsByHand) {
       identified(scratch, log + fmt::format("--torque-constant {}", c.torque_constant_Nm_A));
   const std::string by_hand = scratch.file("by_hand.json");
   const ProgramRun run =
-      run_shell(program + "identify --resamples 0 --truth-runs 0 " +
-                TRIBOLOG_SOURCE_DIR "/tests/data/" + c.hand_written + " -o " + by_hand);
+      run_shell(program + "identify --truth-runs 0 " + TRIBOLOG_SOURCE_DIR "/tests/data/" +
+                c.hand_written + " -o " + by_hand);
   ASSERT_EQ(run.status, 0) << run.err;
   const nlohmann::json reference = nlohmann::json::parse(read_text(by_hand));
   for (const char* pointer : {"/cog/rough/gravity_joint_Nm/estimate",
@@ -181,10 +180,10 @@ TEST(Inspect, RampsAndPreslidingOfCiceseHaveTheirRoles) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("3 oscillation, 10 break_away"), std::string::npos) << run.out;
   const std::string out = scratch.file("c.json");
-  EXPECT_EQ(run_shell(program + "identify --resamples 0 --truth-runs 0 " +
-                      scratch.file("dataset.toml") + " -o " + out)
-                .status,
-            0);
+  EXPECT_EQ(
+      run_shell(program + "identify --truth-runs 0 " + scratch.file("dataset.toml") + " -o " + out)
+          .status,
+      0);
   const nlohmann::json calibration = nlohmann::json::parse(read_text(out));
   EXPECT_EQ(calibration["break_away"]["ramps"].size(), 10U);
 }

@@ -90,7 +90,7 @@ class LeRobotFolder {
 const std::string init =
     "init set -o d.toml --joint elbow --gear-ratio 1 --effort-kind joint_torque --effort-side "
     "joint";
-const std::string identify = "identify --resamples 0 --truth-runs 0 d.toml -o c.json";
+const std::string identify = "identify --truth-runs 0 d.toml -o c.json";
 
 /// Angle of the gravity peak and amplitude, of the sweeps.
 std::vector<double> numbers_of(const LeRobotFolder& folder) {

@@ -151,17 +151,16 @@ class MovingArm {
   }
 
   /// @param share of the mass in the description; 0: there is none.
-  [[nodiscard]] json identified(double share, int resamples = 200, double zero_rad = 0) const {
+  [[nodiscard]] json identified(double share, double zero_rad = 0) const {
     std::string manifest = manifest_;
     if (share > 0) {
       scratch_.write("arm.urdf", urdf(share, zero_rad));
       manifest = replaced(manifest, "[robot]\n", "[robot]\ndescription = \"arm.urdf\"\n");
     }
     scratch_.write("moving.toml", manifest);
-    const ProgramRun run = run_shell(
-        fmt::format("{}--quiet identify '{}' --joint J1 --truth-runs 0 --resamples {} -o "
-                    "'{}'",
-                    program, scratch_.file("moving.toml"), resamples, scratch_.file("c.json")));
+    const ProgramRun run =
+        run_shell(fmt::format("{}--quiet identify '{}' --joint J1 --truth-runs 0 -o '{}'", program,
+                              scratch_.file("moving.toml"), scratch_.file("c.json")));
     EXPECT_EQ(run.status, 0) << run.err;
     return json::parse(read_text(scratch_.file("c.json")));
   }
@@ -214,7 +213,7 @@ TEST(MovingJoints, ComeBackToTheTruthWithTheArmsMassesAndAreDoubtfulWithout) {
   expect_in_expanded(off, "cog_angle", peak_rad);
   // What is stated is what the ends of the stated range of masses make of it.
   const auto angle_by = [&](double share) {
-    return quantity_in(arm.identified(share, 0), "cog_angle")["estimate"]["estimate"].get<double>();
+    return quantity_in(arm.identified(share), "cog_angle")["estimate"]["estimate"].get<double>();
   };
   const double angle = angle_by(1);
   const double largest = std::max(std::abs(angle_by(0.9) - angle), std::abs(angle_by(1.1) - angle));
@@ -224,7 +223,7 @@ TEST(MovingJoints, ComeBackToTheTruthWithTheArmsMassesAndAreDoubtfulWithout) {
               1e-4 * largest);
 
   // A description with another zero is told by the gravity that it gives the joint.
-  const json turned = quantity_in(arm.identified(1, 0, 0.4), "gravity_torque");
+  const json turned = quantity_in(arm.identified(1, 0.4), "gravity_torque");
   EXPECT_NE(turned["verdict"], "usable");
   EXPECT_NE(turned["reasons"].dump().find("from the same zero"), std::string::npos);
 

@@ -39,7 +39,6 @@ const std::vector<NumberOption> all_options{
     {"plan j.toml -o o", "--threads", true},
     {"study -o s.html", "--seed", true},
     {"study -o s.html", "--runs", true},
-    {"study -o s.html", "--resamples", true},
     {"study -o s.html", "--threads", true},
     {"models --compare -o m.html", "--processes", true},
     {"paper -o p.html", "--processes", true},

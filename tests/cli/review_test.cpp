@@ -16,7 +16,7 @@ class ReviewCommands : public testing::Test {
  protected:
   void SetUp() override {
     const ProgramRun made =
-        run("report dataset.toml -o r.html --truth-runs 0 --resamples 0 --no-figures --archive "
+        run("report dataset.toml -o r.html --truth-runs 0 --no-figures --archive "
             "a.tribolog");
     ASSERT_EQ(made.status, 0) << made.err;
     original_ = read_text(dataset_.file("r.html"));

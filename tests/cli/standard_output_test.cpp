@@ -27,7 +27,7 @@ class StandardOutput : public testing::Test {
   }
 
   SmallDataset dataset_;
-  const std::string few_ = " --truth-runs 0 --resamples 0";
+  const std::string few_ = " --truth-runs 0";
 };
 
 TEST_F(StandardOutput, GetsExactlyTheBytesOfTheFile) {

@@ -62,7 +62,7 @@ TEST(MainJob, FromScenarioToReport) {
 
 TEST(MainJob, NoisyScenariosReportToo) {
   // Ripple takes eight positions, and time.
-  const std::string fewer = " --resamples 100 --truth-runs 2";
+  const std::string fewer = " --truth-runs 2";
   for (const auto& [scenario, options] :
        {std::pair{"scenario_noise.toml", every_case() ? "" : fewer},
         std::pair{"scenario_ripple.toml", every_case() ? fewer : fewer + " --no-figures"}}) {

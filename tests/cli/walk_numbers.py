@@ -52,7 +52,6 @@ amplitude_Nm = 1.825
 angles = ["q"]
 phase_deg = -90
 [intervals]
-resamples = 100
 seed = 1
 [[limit]]
 quantity = "coulomb_joint_Nm"

@@ -256,19 +256,19 @@ std::string curve_at(const std::string& side, const std::string& document) {
                  "</dcc:list>");
 }
 
-/// Half widths of the runs' torques, and a band of the friction that holds gravity's error too.
-ArchivedJoint with_curve_uncertainty(bool has_band) {
+/// Half widths of the runs' torques, and, if asked for, of the gravity that was subtracted.
+ArchivedJoint with_curve_uncertainty(bool has_gravity) {
   ArchivedJoint joint = sample();
   json file = json::parse(joint.calibration);
-  json low = json::array();
-  json high = json::array();
   for (std::size_t k = 0; k < 5; ++k) {
-    const double friction = file["viscous"]["curves"]["midline"][k];
     file["viscous"]["runs"][k]["torque_half_width_Nm"] = 0.001 * static_cast<double>(k + 1);
-    low.push_back(friction - 0.02);
-    high.push_back(friction + 0.03);
+    file["viscous"]["runs"][k]["mean_cos"] = 0.5;
   }
-  if (has_band) file["intervals"]["curve_bands"]["midline"] = {{"low_Nm", low}, {"high_Nm", high}};
+  file["surrogate_masses"] = json::array();
+  if (has_gravity) {
+    file["surrogate_masses"].push_back(
+        {{"estimator", "midline"}, {"gravity_Nm", {{"low", 3.82}, {"high", 3.94}}}});
+  }
   joint.calibration = file.dump();
   return joint;
 }
@@ -302,10 +302,11 @@ TEST(DigitalCertificate, HasTheFrictionCurveWithItsUncertainties) {
               50 * std::hypot(0.005, 0.02 * 0.70, 0.01 * 0.70), 1e-10);
 }
 
-TEST(DigitalCertificate, TakesTheBandOfTheCurveWhereThereIsOne) {
+TEST(DigitalCertificate, HasTheErrorOfGravityInTheCurveWhereItIsRecorded) {
   const std::string motor = curve_at("motor", digital_certificate(with_curve_uncertainty(true)));
   for (const double expanded : list_of(motor, "si:uncertaintyXMLList")) EXPECT_GT(expanded, 0.03);
-  EXPECT_NEAR(list_of(motor, "si:uncertaintyXMLList")[2], std::hypot(0.03, 0.02 * 0.32), 1e-12);
+  EXPECT_NEAR(list_of(motor, "si:uncertaintyXMLList")[2], std::hypot(0.003, 0.03, 0.02 * 0.32),
+              1e-12);
   EXPECT_NE(motor.find("gravity torque is included"), std::string::npos);
 }
 

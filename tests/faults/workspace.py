@@ -66,7 +66,7 @@ class Command:
 
 
 ARCHIVED = " --archive {out}/a.tribolog"
-FEW = " --truth-runs 0 --resamples 0"
+FEW = " --truth-runs 0"
 COMMANDS = [
     Command("--help"),
     Command("--version", draws=True),

@@ -150,7 +150,7 @@ TEST_F(HostileCalibration, NothingChosenAndEveryPointTheSame) {
 
 TEST_F(HostileCalibration, AnEstimatorWithoutMassOrCurveIsRecommended) {
   calibration_.selection.recommended = Estimator::stated;
-  calibration_.selection.paper_rule = Estimator::runs;
+  calibration_.selection.paper_rule = Estimator::model;
   calibration_.viscous.curves.front().estimator = Estimator::fit;
   expect_figures_survive();
 }

@@ -60,27 +60,6 @@ TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
   }
 }
 
-TEST_F(LoopFigures, ThePeaksIntervalIsABandAsFarAsTheLoopGoes) {
-  calibration_.q_peak_rad->low = known::q_peak_rad - 30e-6;
-  calibration_.q_peak_rad->high = known::q_peak_rad + 1;
-  for (const auto& figure :
-       {torque_loop_figure(calibration_), torque_choice_figure(calibration_)}) {
-    ASSERT_TRUE(figure);
-    const auto& bands = figure->figure.panels.front().bands;
-    ASSERT_EQ(bands.size(), 1U);
-    EXPECT_NEAR(bands.front().x.front(), -30, 1e-6);
-    EXPECT_NEAR(bands.front().x.back(), known::amplitude_rad * micro, 0.1);
-    EXPECT_EQ(bands.front().label, "95 % interval of q_{peak}");
-  }
-  calibration_.q_peak_rad->low = known::q_peak_rad - 1;
-  const auto wider_than_the_loop = torque_loop_figure(calibration_);
-  ASSERT_TRUE(wider_than_the_loop);
-  EXPECT_TRUE(wider_than_the_loop->figure.panels.front().bands.empty());
-  calibration_.q_peak_rad->low = known::q_peak_rad - 1e-9;
-  calibration_.q_peak_rad->high = known::q_peak_rad + 1e-9;
-  EXPECT_TRUE(torque_loop_figure(calibration_)->figure.panels.front().bands.empty());
-}
-
 TEST_F(LoopFigures, FirstStrokesRunFromTheStartPastTheLastReading) {
   const auto figure = torque_loop_figure(calibration_);
   ASSERT_TRUE(figure);

@@ -14,7 +14,7 @@ robots=${2:-${TRIBOLOG_EVERY_CASE:+12}}
 robots=${robots:-6}
 joints=${3:-${TRIBOLOG_EVERY_CASE:+4}}
 joints=${joints:-2}
-options=(--resamples 0 --truth-runs 0 --no-figures)
+options=(--truth-runs 0 --no-figures)
 export SOURCE_DATE_EPOCH=1767225600  # when it was identified is part of a calibration
 
 scratch=$(mktemp -d /tmp/tribolog-fleet-XXXXXX)

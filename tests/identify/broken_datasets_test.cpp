@@ -40,12 +40,7 @@ joint::Dataset good_dataset() {
   return good;
 }
 
-/// At a change with intervals in closed form, each night with resamples.
-calibration::Calibration identified(const joint::Dataset& d) {
-  identify::IdentifyOptions options;
-  options.resamples = test::every_case() ? 200 : 0;
-  return identify::identify(d, options);
-}
+calibration::Calibration identified(const joint::Dataset& d) { return identify::identify(d); }
 
 void each(joint::Dataset& d, const std::function<void(joint::Recording&)>& change) {
   for (joint::Recording& r : d.recordings) change(r);
@@ -129,10 +124,10 @@ TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
       << wording::words(check->found);
   EXPECT_FALSE(check->consequence.empty());
   EXPECT_FALSE(check->experiment.empty());
-  if (c.selection.recommended == method::hysteresis::Estimator::sweep &&
+  if (c.selection.recommended == method::hysteresis::Estimator::model &&
       (check->name == CheckName::torque_ripple || check->name == CheckName::oscillation_at_peak)) {
-    // The sweep averages over the ripple that the loop's position holds, and passes through the
-    // peak: its mass can be used.
+    // Sweeps and runs average over the ripple that the loop's position holds, and pass through the
+    // peak: their mass can be used.
     const auto* gravity = c.judgement.find(joint::Quantity::gravity_torque);
     EXPECT_LE(gravity->estimate->low, test::true_gravity_Nm);
     EXPECT_GE(gravity->estimate->high, test::true_gravity_Nm);

@@ -47,7 +47,6 @@ joint::Dataset loops_and_contradicting_ramps(double largest_torque_Nm) {
 
 calibration::Calibration identified(const joint::Dataset& dataset) {
   identify::IdentifyOptions options;
-  options.resamples = 100;
   options.truth_runs = 2;
   return identify::identify(dataset, options);
 }
@@ -63,17 +62,11 @@ TEST(ContradictingRamps, TheLevelHasNoNumberNoIntervalAndAReason) {
   const calibration::Calibration c = identified(loops_and_contradicting_ramps(2.5));
   ASSERT_TRUE(c.lugre && c.lugre->converged);
   EXPECT_FALSE(c.lugre->shown(LuGreParameterName::static_torque));
-  EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
-  // What they do not contradict stays, resampled, with numbers of its own.
+  // What they do not contradict stays, with a number of its own.
   const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
   ASSERT_TRUE(stiffness);
   EXPECT_LE(stiffness->low, 465.42);
   EXPECT_GE(stiffness->high, 465.42);
-  const method::intervals::TwoIntervals* both = c.intervals.find("lugre.bristle_stiffness_Nm_rad");
-  ASSERT_NE(both, nullptr);
-  ASSERT_TRUE(both->closed_form && both->bootstrap);
-  EXPECT_EQ(both->closed_form->value, stiffness->value);
-  EXPECT_NEAR(both->bootstrap->half_width() / stiffness->half_width(), 1, 0.5);
   // The break-away torque is that of the ramps, which end 0.7 % below it.
   const calibration::QuantityVerdict& q = break_away_verdict(c);
   ASSERT_TRUE(q.estimate);

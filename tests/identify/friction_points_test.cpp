@@ -53,7 +53,6 @@ joint::Dataset points_of(const Law& law, double noise_Nm, int repeats, std::uint
 
 Calibration identified(const joint::Dataset& d, std::size_t truth_runs = 0) {
   identify::IdentifyOptions options;
-  options.resamples = 200;
   options.truth_runs = truth_runs;
   return identify::identify(d, options);
 }

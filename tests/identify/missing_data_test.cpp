@@ -47,7 +47,7 @@ TEST(MissingData, RecordingsOfARoleMayBeMany) {
   for (std::size_t i = 0; i < once; ++i) d.recordings.push_back(d.recordings[i]);
   const calibration::Calibration c = identify::identify(d);
   EXPECT_NEAR(c.masses.find(Estimator::midline)->mass_kg.value, test::true_surrogate_mass_kg, 0.01);
-  EXPECT_NEAR(c.q_peak_rad->value, test::true_q_peak_rad(), 1e-7);
+  EXPECT_NEAR(c.q_peak_rad->value, test::true_q_peak_rad(), 1e-5);
   EXPECT_EQ(c.viscous.runs.size(), 80U);
 }
 

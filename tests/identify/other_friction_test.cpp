@@ -57,9 +57,7 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
     const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
     const method::hysteresis::SurrogateMass* midline = c.masses.find(Estimator::midline);
     ASSERT_NE(midline, nullptr);
-    // Where the loop does not repeat, the sweep is surer.
-    EXPECT_TRUE(c.selection.recommended == Estimator::midline ||
-                c.selection.recommended == Estimator::sweep);
+    EXPECT_EQ(c.selection.recommended, Estimator::model);
     EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error()) << noisy;
     EXPECT_NEAR(c.precise.q_peak_rad.value, test::true_q_peak_rad(), noisy ? 0.02 : 1e-6);
   }

@@ -15,7 +15,6 @@ calibration::TruthCheckResult check_of(const std::string& manifest) {
   const joint::Dataset dataset =
       ingest::dataset::read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + manifest);
   identify::IdentifyOptions options;
-  options.resamples = 0;
   options.truth_runs = 20;
   return identify::identify(dataset, options).truth_check;
 }
@@ -25,7 +24,7 @@ TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
     const calibration::TruthCheckResult check = check_of(manifest);
     for (const ReadingName name :
-         {ReadingName::sweep, ReadingName::q_peak, ReadingName::sweep_friction}) {
+         {ReadingName::model, ReadingName::q_peak, ReadingName::sweep_friction}) {
       const calibration::ReturnedQuantity* q = check.find(name);
       ASSERT_NE(q, nullptr) << manifest << to_string(name);
       EXPECT_TRUE(q->comes_back) << manifest << to_string(name);

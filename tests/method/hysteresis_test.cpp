@@ -185,7 +185,7 @@ TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
   ASSERT_TRUE(h.lugre);
   EXPECT_EQ(h.lugre->fit.loops.size(), 2U);
   const auto m = method::hysteresis::identify_surrogate_masses(
-      {}, h.result, peak, 100, 0.5, 9.81, {h.lugre->fit.gravity_Nm, nullptr, {}});
+      {}, h.result, peak, 100, 0.5, 9.81, {.loop_fit_Nm = h.lugre->fit.gravity_Nm});
   ASSERT_NE(m.find(Estimator::fit), nullptr);
   EXPECT_NEAR(m.find(Estimator::fit)->mass_kg.value, test::true_surrogate_mass_kg,
               1e-3 * test::true_surrogate_mass_kg);

@@ -193,60 +193,6 @@ TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
   }
 }
 
-TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
-  // A small disturbance moves the solution by what the Jacobian says.
-  std::vector<joint::Recording> loops = test::oscillations_of(test::noisy_paper_joint(5));
-  const method::hysteresis::FittedLuGre before = test::fitted_loops(loops);
-  ASSERT_TRUE(before.linearised);
-  const statistics::LinearisedFit& at = *before.linearised;
-  ASSERT_EQ(at.jacobian.rows(), static_cast<Eigen::Index>(loops[0].size()));
-  ASSERT_EQ(at.jacobian.cols(), at.parameters.size());
-  ASSERT_EQ(at.block_of_row.size(), loops[0].size());
-  EXPECT_EQ(at.block_of_row.back(), 20U);  // half cycles of ten, and the last sample
-  // At the solution no column explains any of the residuals.
-  const Eigen::VectorXd gradient = at.jacobian.transpose() * at.residuals;
-  for (Eigen::Index k = 0; k < gradient.size(); ++k) {
-    EXPECT_LT(std::abs(gradient(k)), 1e-6 * at.jacobian.col(k).norm() * at.residuals.norm()) << k;
-  }
-  Eigen::VectorXd disturbance(at.residuals.size());
-  for (Eigen::Index i = 0; i < disturbance.size(); ++i) {
-    disturbance(i) = 1e-3 * std::sin(0.013 * static_cast<double>(i));
-    loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
-  }
-  const method::hysteresis::FittedLuGre after = test::fitted_loops(loops);
-  const Eigen::VectorXd predicted = at.jacobian.colPivHouseholderQr().solve(disturbance);
-  const Eigen::VectorXd moved = after.linearised->parameters - at.parameters;
-  for (Eigen::Index k = 0; k < moved.size(); ++k) {
-    EXPECT_NEAR(moved(k), predicted(k), 0.02 * predicted.norm()) << k;
-  }
-}
-
-TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
-  std::vector<joint::Recording> loops = test::oscillations_of(with_loop(0.05, 1.0));
-  const method::hysteresis::FittedLuGre before = test::fitted_loops(loops);
-  const statistics::LinearisedFit& at = *before.linearised;
-  EXPECT_EQ(at.readings.size(),
-            method::hysteresis::lugre_parameters.size());  // the whole model is shown
-  Eigen::VectorXd disturbance(at.residuals.size());
-  for (Eigen::Index i = 0; i < disturbance.size(); ++i) {
-    disturbance(i) = 1e-4 * std::sin(0.013 * static_cast<double>(i));
-    loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
-  }
-  const method::hysteresis::FittedLuGre after = test::fitted_loops(loops);
-  const Eigen::VectorXd step = at.jacobian.colPivHouseholderQr().solve(disturbance);
-  ASSERT_EQ(before.readings.size(), at.readings.size());
-  for (std::size_t k = 0; k < at.readings.size(); ++k) {
-    const statistics::LinearisedReading& r = at.readings[k];
-    const double value = after.fit.shown(before.readings[k])->value;
-    const double moved = r.logarithmic ? std::log(value / r.value) : value - r.value;
-    EXPECT_NEAR(moved / r.gradient.dot(step), 1, 0.02) << to_string(before.readings[k]);
-  }
-  ASSERT_EQ(at.gravity_columns.size(), 1U);
-  EXPECT_NEAR(
-      (after.fit.gravity_Nm->value - before.fit.gravity_Nm->value) / step(at.gravity_columns[0]), 1,
-      0.02);
-}
-
 // ---- loops that show little or nothing
 
 TEST(LuGreFit, StiffnessIsHeldWhereTheEncoderIsCoarserThanTheTorquesNoise) {

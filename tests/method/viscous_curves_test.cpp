@@ -28,9 +28,8 @@ Chain run(const simulate::Scenario& s) {
   c.masses = method::hysteresis::identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100,
                                                            0.5, 9.81);
   c.viscous = method::viscous::identify_viscous_curves(
-                  method::motion::SteadyRuns(c.dataset.with_role(joint::Role::constant_speed)), {},
-                  sweep, c.rough, c.masses, c.rough.q_peak_rad, 100)
-                  .result;
+      method::motion::SteadyRuns(c.dataset.with_role(joint::Role::constant_speed)), {}, sweep,
+      c.rough, c.masses, c.rough.q_peak_rad, 100);
   return c;
 }
 

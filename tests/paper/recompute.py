@@ -131,7 +131,7 @@ for name, (t, deflection) in points.items():
     ours = torque(t, deflection)
     compare(f"torque at {name} [N·m]", ours, program["hysteresis"]["points"][name]["torque_Nm"], 1e-4)
     theirs = masses[name]
-    cosine = math.cos(theirs["q_rad"] - program["cog"]["precise"]["q_peak_rad"]["estimate"])
+    cosine = math.cos(theirs["q_rad"] - program["cog"]["q_peak_rad"]["estimate"])
     compare(f"mass of {name} by its torque [kg]",
             n * theirs["torque_Nm"]["estimate"] / (9.81 * distance * cosine),
             theirs["mass_kg"]["estimate"], 1e-9)

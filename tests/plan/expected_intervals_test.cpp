@@ -36,7 +36,6 @@ std::vector<std::vector<truth::Reading>> independent_runs(const plan::Experiment
         for (simulate::Noise::Ripple& r : noise.ripple)
           r.phase_rad += 2.399 * static_cast<double>(run + 1);
         identify::IdentifyOptions once;
-        once.resamples = 0;
         once.threads = 1;
         found[run] = truth::readings_of(
             identify::identify(simulate::simulated_dataset(
@@ -76,7 +75,7 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
   }
   const auto runs = independent_runs(plan, 10);
   for (const ReadingName name :
-       {ReadingName::midline, ReadingName::fit, ReadingName::sweep, ReadingName::q_peak,
+       {ReadingName::midline, ReadingName::fit, ReadingName::model, ReadingName::q_peak,
         ReadingName::bristle_stiffness, ReadingName::static_torque, ReadingName::sweep_friction,
         ReadingName::stribeck_speed, ReadingName::viscous_coefficient, ReadingName::viscous_power,
         ReadingName::asperity_torque}) {
@@ -96,7 +95,7 @@ TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
       plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {runs});
   const plan::ExpectedIntervals much =
       plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {runs});
-  for (const ReadingName name : {ReadingName::midline, ReadingName::sweep, ReadingName::q_peak,
+  for (const ReadingName name : {ReadingName::midline, ReadingName::model, ReadingName::q_peak,
                                  ReadingName::bristle_stiffness, ReadingName::sweep_friction}) {
     EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << to_string(name);
   }

@@ -93,7 +93,7 @@ std::vector<Truth> truths_of(const simulate::Scenario& joint) {
   constexpr double gravity_Nm = 3.88318571;
   constexpr double static_Nm = 0.88437633;
   return {{ReadingName::midline, gravity_Nm},       {ReadingName::fit, gravity_Nm},
-          {ReadingName::sweep, gravity_Nm},         {ReadingName::q_peak, joint.load.q_peak_rad()},
+          {ReadingName::model, gravity_Nm},         {ReadingName::q_peak, joint.load.q_peak_rad()},
           {ReadingName::bristle_stiffness, 465.42}, {ReadingName::static_torque, static_Nm},
           {ReadingName::asperity_torque, 0.8844},   {ReadingName::stribeck_speed, 5},
           {ReadingName::viscous_coefficient, 0.12}, {ReadingName::viscous_power, 0.6}};
@@ -103,7 +103,6 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
   const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   simulate::Scenario joint = paper_joint_with_noise();
   identify::IdentifyOptions options;
-  options.resamples = 0;
   std::size_t stated = 0;
   std::size_t held = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {

@@ -81,7 +81,7 @@ TEST(ReportView, EachReasonIsSaidOnceAndReferredTo) {
 TEST(ReportView, BeforeWhatIsKnownLittleStandsWhatMayBeWhy) {
   calibration::Judgement judgement;
   const Statement ripple{"cause.vibration", {{"amplitude_Nm", 0.1}, {"frequency_Hz", 7.0}}};
-  const Statement drift{"cause.offset_drifts", {{"drift_Nm", 0.01}, {"half_width_Nm", 0.003}}};
+  const Statement drift{"cause.ripple_without_lines", {{"ripple_Nm", 0.01}}};
   judgement.findings = {drift, ripple};
   judgement.rules = {{"offset_drift",
                       calibration::RuleState::broken,
@@ -414,16 +414,15 @@ TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "see the verdict on it");
 }
 
-TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
+TEST(ReportView, CrossChecksHaveASectionOfTheirOwn) {
   calibration::Calibration c = complete_calibration();
-  method::intervals::CrossCheck ours;
-  ours.method = method::hysteresis::Estimator::midline;
+  method::selection::CrossCheck ours;
+  ours.estimator = method::hysteresis::Estimator::midline;
   ours.mass_kg = statistics::symmetric_estimate(79.17, 0.01);
   ours.is_recommended = true;
-  method::intervals::CrossCheck other = ours;
-  other.method = method::selection::IndependentMethod::sweep_directions;
+  method::selection::CrossCheck other = ours;
+  other.estimator = method::hysteresis::Estimator::fit;
   other.mass_kg = statistics::symmetric_estimate(79.97, 0.02);
-  other.resampled_kg = statistics::symmetric_estimate(79.97, 0.02);
   other.is_recommended = false;
   other.difference_percent = 1.01;
   other.difference_half_width_percent = 0.028;
@@ -431,9 +430,6 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   other.disagrees = true;
   c.cross_checks.checks = {ours, other};
   c.cross_checks.doubtful = true;
-  c.intervals.resamples = 1000;
-  c.intervals.quantities = {{"waiboer.stribeck_power", statistics::symmetric_estimate(0.7, 0.1),
-                             statistics::symmetric_estimate(0.7, 0.05), true}};
   const report::ReportView view = view_of(c);
   ASSERT_EQ(view.sections.size(), 9U);
   const report::Section& section = view.sections.back();
@@ -441,14 +437,9 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   EXPECT_EQ(section.status, "disagreement");
   ASSERT_GE(section.tables.size(), 2U);
   const std::vector<std::string>& row = section.tables.front().rows[1].cells;
-  EXPECT_EQ(row.front(), "2. mean of the sweep's directions at equal angle");
-  EXPECT_EQ(row[4], "+1.010");
+  EXPECT_EQ(row.front(), "2. LuGre model fitted to the loops");
+  EXPECT_EQ(row[3], "+1.010");
   EXPECT_EQ(row.back(), "disagrees");
-  const report::Table& intervals = section.tables.back();
-  ASSERT_EQ(intervals.rows.size(), 1U);
-  EXPECT_EQ(intervals.rows[0].cells[3], "0.60 … 0.80");
-  EXPECT_EQ(intervals.rows[0].cells[5], "0.50");
-  EXPECT_EQ(intervals.rows[0].cells.back(), "bootstrap");
 }
 
 TEST(ReportView, OfAPrintedAngleTheStepIsABound) {

@@ -21,7 +21,6 @@ using calibration::ReadingName;
 
 calibration::Calibration plain(const joint::Dataset& dataset, std::uint64_t seed) {
   identify::IdentifyOptions options;
-  options.resamples = 0;
   options.seed = seed;
   options.threads = 1;
   return identify::identify(dataset, options);
@@ -38,7 +37,7 @@ TEST(KnownTruth, PapersJointComesBackWithoutNoise) {
   EXPECT_LT(check.white_Nm, 1e-6);
   EXPECT_TRUE(check.findings.empty());
   for (const ReadingName name :
-       {ReadingName::midline, ReadingName::fit, ReadingName::sweep, ReadingName::q_peak,
+       {ReadingName::midline, ReadingName::fit, ReadingName::model, ReadingName::q_peak,
         ReadingName::bristle_stiffness, ReadingName::static_torque, ReadingName::asperity_torque,
         ReadingName::viscous_power}) {
     const calibration::ReturnedQuantity* q = check.find(name);
@@ -84,7 +83,6 @@ TEST(KnownTruth, OfTheChainIsThatOfWholeIdentifications) {
   // The chain makes its simulations go through the compared stages alone.
   const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
   identify::IdentifyOptions options;
-  options.resamples = 0;
   options.truth_runs = 4;
   const calibration::TruthCheckResult of_chain = identify::identify(dataset, options).truth_check;
   const calibration::TruthCheckResult of_whole = checked(dataset, 4);
@@ -111,7 +109,7 @@ TEST(KnownTruth, AWrongTruthIsCaught) {
   const calibration::TruthCheckResult check = truth::check_known_truth(joint, plain, {5, 1, 0});
   EXPECT_FALSE(check.find(ReadingName::midline)->comes_back);
   EXPECT_FALSE(check.find(ReadingName::bristle_stiffness)->comes_back);
-  EXPECT_TRUE(check.find(ReadingName::sweep)->comes_back);
+  EXPECT_TRUE(check.find(ReadingName::model)->comes_back);
   ASSERT_EQ(check.findings.size(), 2U);
   EXPECT_NE(wording::words(check.findings[0].finding).find("mid-line"), std::string::npos)
       << wording::words(check.findings[0].finding);
@@ -136,7 +134,7 @@ TEST(KnownTruth, AWrongStageIsCaught) {
   const calibration::TruthCheckResult check =
       truth::check_known_truth(dataset, plain(dataset, 1), wrong, {5, 1, 0});
   EXPECT_FALSE(check.find(ReadingName::q_peak)->comes_back);
-  EXPECT_TRUE(check.find(ReadingName::sweep)->comes_back);
+  EXPECT_TRUE(check.find(ReadingName::model)->comes_back);
 }
 
 TEST(KnownTruth, AChainThatFindsNothingIsCaught) {
@@ -156,7 +154,7 @@ TEST(KnownTruth, ASweepAloneIsChecked) {
   simulate::Scenario scenario = test::small_scenario();
   scenario.oscillation.reset();
   const calibration::TruthCheckResult check = checked(simulate::simulated_dataset(scenario), 4);
-  EXPECT_NE(check.find(ReadingName::sweep), nullptr);
+  EXPECT_NE(check.find(ReadingName::model), nullptr);
   EXPECT_NE(check.find(ReadingName::q_peak), nullptr);
   EXPECT_EQ(check.find(ReadingName::midline), nullptr);
   EXPECT_TRUE(check.findings.empty());
@@ -193,7 +191,6 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
     }
     return calibration::Verdict::not_identifiable;
   };
-  ASSERT_EQ(c.selection.recommended, method::hysteresis::Estimator::midline);
   c.truth_check.findings = {
       {ReadingName::midline, Statement::verbatim("the mid-line does not come back")}};
   // The mass is then that of the model of sweeps and runs, which does not rest on the mid-line.
@@ -202,6 +199,7 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
       by_model.find(joint::Quantity::surrogate_mass)->estimate->method.is("interval.of_model"));
   EXPECT_EQ(verdict_on(joint::Quantity::cog_angle), calibration::Verdict::usable);
   c.model = {};
+  c.selection.recommended = method::hysteresis::Estimator::midline;
   EXPECT_EQ(verdict_on(joint::Quantity::surrogate_mass), calibration::Verdict::doubtful);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
   EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
@@ -215,7 +213,6 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
 TEST(KnownTruth, IdentifyMakesItWhereAsked) {
   const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
   identify::IdentifyOptions options;
-  options.resamples = 0;
   EXPECT_EQ(identify::identify(dataset, options).truth_check.runs, 0U);
   options.truth_runs = 2;
   const calibration::Calibration c = identify::identify(dataset, options);

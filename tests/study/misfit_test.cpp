@@ -148,9 +148,9 @@ TEST(MisfitStudy, ATorqueOrAJumpOfTheAngleLeavesNothingWrongAndUsable) {
                                    "torque_grows_out_of_proportion"},
                                   4)) {
     for (const study::MisfitCase& c : study::run_misfit_study(on_the_arm(disturbance))) {
-      // Over part of a turn less than this does not show, and moves gravity by what matters.
-      constexpr double least_shown = 0.01;
-      if (c.size > 0 && c.size < least_shown) continue;
+      // Over part of a turn no more than this shows, and moves gravity by what matters.
+      constexpr double most_hidden = 0.01;
+      if (c.size > 0 && c.size <= most_hidden) continue;
       for (const study::MisfitQuantity& q : c.quantities) {
         EXPECT_EQ(q.wrong_usable, 0U)
             << disturbance << " " << c.size << " " << to_string(q.quantity);
@@ -257,8 +257,7 @@ TEST(MisfitStudy, OutliersOfTheTorqueDoNotHideAWarmUp) {
   s.noise.effects.outlier_Nm = 0.6;
   for (const double percent : {0.0, 0.2, 1.0}) {
     s.noise.effects.outlier_percent = percent;
-    const calibration::Calibration c =
-        identify::identify(simulate::simulated_dataset(s), {.resamples = 0});
+    const calibration::Calibration c = identify::identify(simulate::simulated_dataset(s));
     EXPECT_EQ(c.torque_outliers.replaced > 0, percent > 0);
     const StatedValue drift("effect", Statement("effect.drift"));
     EXPECT_TRUE(std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),

@@ -19,7 +19,7 @@ picture() {  # NAME WIDTH HEIGHT
 for logs in "$out"/logs/*/; do
   name=$(basename "$logs")
   page=$out/$name.html
-  "$tribolog" --quiet report "$logs/dataset.toml" -o "$page" --no-figures --resamples 200 \
+  "$tribolog" --quiet report "$logs/dataset.toml" -o "$page" --no-figures \
     --truth-runs 0 || [ $? -eq 1 ]
   picture "$name-desktop" 1400 1000
   picture "$name-phone" 390 844

@@ -57,20 +57,20 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   EXPECT_TRUE(b.is_biased(matters));
   EXPECT_NEAR(a.bias + b.bias, 0, 4 * std::hypot(a.bias_standard_error, b.bias_standard_error));
   for (const ReadingName reading : {ReadingName::AB, ReadingName::CD, ReadingName::EF,
-                                    ReadingName::midline, ReadingName::fit, ReadingName::sweep}) {
+                                    ReadingName::midline, ReadingName::fit, ReadingName::model}) {
     EXPECT_FALSE(errors(reading).is_biased(matters)) << to_string(reading);
   }
   // The mid-line is less the offset that the sweep shows, and has the offset's noise.
   EXPECT_LT(errors(ReadingName::midline).scatter, errors(ReadingName::B).scatter);
   // An honest 95 % interval holds the truth in 18 of 24 runs or fewer once in 2,400 studies.
-  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::sweep,
+  for (const ReadingName reading : {ReadingName::midline, ReadingName::fit, ReadingName::model,
                                     ReadingName::bristle_stiffness, ReadingName::static_torque}) {
     EXPECT_GE(errors(reading).coverage.value, 19.0 / runs) << to_string(reading);
   }
   EXPECT_LT(errors(ReadingName::B).coverage.value, 0.5);
   double last = -1;
   for (const study::StudyLevel& level : factor(study, "torque_noise").levels) {
-    const double scatter = study.case_of(level).find(ReadingName::sweep)->errors.scatter;
+    const double scatter = study.case_of(level).find(ReadingName::model)->errors.scatter;
     EXPECT_GT(scatter, last) << wording::words(level.text);
     last = scatter;
   }
@@ -146,7 +146,7 @@ TEST(Study, ASweepAloneHasTheFactorsOfASweep) {
   const study::StudyResult study = study::run_study(sweep, options);
   EXPECT_EQ(study.factors.size(), 3U);
   EXPECT_EQ(study.base_case().find(ReadingName::midline), nullptr);
-  ASSERT_NE(study.base_case().find(ReadingName::sweep), nullptr);
+  ASSERT_NE(study.base_case().find(ReadingName::model), nullptr);
 }
 
 TEST(Study, ThreadsChangeNoNumber) {
@@ -177,10 +177,10 @@ TEST(Study, AnotherSeedGivesOtherNumbers) {
   options.runs = 2;
   options.factors = {"torque_step"};
   const double first =
-      study::run_study(sweep, options).base_case().find(ReadingName::sweep)->errors.bias;
+      study::run_study(sweep, options).base_case().find(ReadingName::model)->errors.bias;
   options.seed = 2;
   EXPECT_NE(first,
-            study::run_study(sweep, options).base_case().find(ReadingName::sweep)->errors.bias);
+            study::run_study(sweep, options).base_case().find(ReadingName::model)->errors.bias);
 }
 
 TEST(Study, RefusesOneRunAndUnknownFactors) {

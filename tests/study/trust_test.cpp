@@ -114,8 +114,8 @@ TEST(Trust, TheSentenceNamesPointBWhereItWasRead) {
             "In the base case the mid-line is within 0.025 % of the true gravity torque in 95 of "
             "100 runs, and 100 % of its stated intervals contain the true value; point B is off by "
             "−0.50 %, the mid-line by +0.025 %.");
-  study.cases[0].readings = {reading(ReadingName::sweep, 0.004, 1)};
-  EXPECT_TRUE(study::study_sentence(study).is("study_sentence.sweep"));
+  study.cases[0].readings = {reading(ReadingName::model, 0.004, 1)};
+  EXPECT_TRUE(study::study_sentence(study).is("study_sentence.model"));
   study.cases[0].readings.clear();
   EXPECT_TRUE(study::study_sentence(study).is("study.no_gravity"));
 }

@@ -13,7 +13,7 @@ namespace tribolog::test {
 /// Its oscillations alone; z is recorded as the scenario says.
 std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario);
 
-/// The fit with its signals and what a resample needs.
+/// The fit with its signals.
 method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations);
 inline method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations) {
   return fitted_loops(oscillations).fit;

@@ -10,8 +10,8 @@ mkdir -p "$2" && cd "$2"
 rm -rf ./*
 
 # One report says what resampling and simulation bring; the others need not.
-full='--resamples 100 --truth-runs 2 --no-figures'
-quick='--resamples 0 --truth-runs 0 --no-figures'
+full='--truth-runs 2 --no-figures'
+quick='--truth-runs 0 --no-figures'
 $tribolog simulate "$examples/paper/scenario_noise.toml" -o noise
 python3 "$here/vary_dataset.py" noise
 # At every change those that say most; each night, by tests/nightly.sh cases, all.

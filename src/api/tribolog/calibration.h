@@ -71,9 +71,6 @@ class TRIBOLOG_EXPORT Calibration {
 };
 
 struct IdentifyOptions {
-  /// Bootstrap resamples for the intervals: 0 (closed forms only), or 100 to 1 000 000. Default: as
-  /// in the manifest, or 1000.
-  std::optional<std::uint64_t> resamples;
   /// Seed of everything random: the same dataset and seed give the same numbers on every machine.
   /// Default: as in the manifest, or 1.
   std::optional<std::uint64_t> seed;
@@ -92,7 +89,7 @@ struct IdentifyOptions {
 /// says so, and what to record. Starts its own threads, which end before it returns.
 /// The time in the calibration is that of the clock or, for reproducible output, of the environment
 /// variable SOURCE_DATE_EPOCH.
-/// @throw Failure usage: resamples or SOURCE_DATE_EPOCH cannot be used.
+/// @throw Failure usage: SOURCE_DATE_EPOCH cannot be used.
 TRIBOLOG_EXPORT Calibration identify_joint(const Dataset& dataset,
                                            const IdentifyOptions& options = {});
 

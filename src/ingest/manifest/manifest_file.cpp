@@ -92,16 +92,13 @@ double read_sign(const TomlTable& effort) {
   return sign;
 }
 
-joint::IntervalSettings read_intervals(const TomlTable& table) {
-  joint::IntervalSettings settings;
-  if (table.has("resamples")) settings.resamples = table.count_or("resamples", 0);
-  if (table.has("seed")) settings.seed = table.count_or("seed", 0);
-  if (settings.resamples && !joint::resamples_are_allowed(*settings.resamples)) {
-    table.refuse("resamples", {"not usable", fmt::format("{}", *settings.resamples),
-                               wording::words(joint::allowed_resamples()), ""});
-  }
-  table.refuse_unknown_keys();
-  return settings;
+/// The table's other key is of programs that resampled: it is accepted in manifests of that time.
+std::optional<std::uint64_t> read_seed(const TomlTable& intervals) {
+  static_cast<void>(intervals.count_or("resamples", 0));
+  std::optional<std::uint64_t> seed;
+  if (intervals.has("seed")) seed = intervals.count_or("seed", 0);
+  intervals.refuse_unknown_keys();
+  return seed;
 }
 
 /// @param arm where the description has masses.
@@ -188,7 +185,7 @@ void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
     manifest.arm_gravity->description_percent = *percent;
   }
   if (const auto intervals = top.find_table("intervals")) {
-    manifest.intervals = read_intervals(*intervals);
+    manifest.seed = read_seed(*intervals);
   }
   manifest.known_loads = read_known_loads(top);
   manifest.known_gravity = read_known_gravity(top);

@@ -7,7 +7,7 @@
 #include "joint/dataset.h"
 #include "method/checks/data_check.h"
 #include "method/gravity/cog_sweep.h"
-#include "method/gravity/run_gravity.h"
+#include "method/hysteresis/surrogate_masses.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::checks {
@@ -16,10 +16,10 @@ namespace tribolog::method::checks {
 /// on motion still run.
 DataChecksResult check_recordings(const joint::Dataset& dataset);
 
-/// What the sweeps and the runs show of gravity.
+/// What the recordings show of gravity.
 struct GravityResults {
-  const gravity::CogSweepResult& rough;   ///< The sweep whose amplitude is used in later stages.
-  const gravity::RunGravityResult& runs;  ///< Without a sweep, compared with the stated gravity.
+  const gravity::CogSweepResult& rough;  ///< The sweep whose amplitude is used in later stages.
+  const hysteresis::SurrogateMassesResult& masses;
   const std::optional<statistics::Estimate>& q_peak_rad;
 };
 

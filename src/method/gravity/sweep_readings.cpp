@@ -35,24 +35,8 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
       out.coulomb_Nm =
           statistics::symmetric_estimate(c(d.direction), half_width(d.direction), method);
     }
-    if (d.load >= 0) {
-      out.unloaded_coulomb_Nm = out.coulomb_Nm;
-      out.load_coulomb_Nm = statistics::symmetric_estimate(c(d.load), half_width(d.load), method);
-      const double load = d.x.col(d.load).cwiseAbs().mean();
-      Eigen::VectorXd mean = Eigen::VectorXd::Zero(c.size());
-      mean(d.direction) = 1;
-      mean(d.load) = load;
-      out.coulomb_Nm = statistics::symmetric_estimate(
-          mean.dot(c), fit.regression.half_width_along(mean), method);
-    }
-    double fastest_change = 0;
-    for (const double a : samples.acceleration_rad_s2) {
-      fastest_change = std::max(fastest_change, std::abs(a));
-    }
-    out.largest_acceleration_rad_s2 = gear_ratio * fastest_change;
     out.viscous_Nms_rad = statistics::symmetric_estimate(c(d.speed) / gear_ratio,
                                                          half_width(d.speed) / gear_ratio, method);
-    if (d.acceleration < 0) return;
     out.inertia_kgm2 = statistics::symmetric_estimate(
         c(d.acceleration) / gear_ratio, half_width(d.acceleration) / gear_ratio, method);
     return;
@@ -86,31 +70,6 @@ void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
   gradient(0) = -1;
   out.torque_offset_Nm = statistics::symmetric_estimate(
       out.offset_Nm, fit.regression.half_width_along(gradient), {"interval.least_squares_blocks"});
-  if (d.drift < 0) return;
-  out.offset_drift_Nm = statistics::symmetric_estimate(2 * fit.regression.coefficients(d.drift),
-                                                       2 * fit.regression.half_width(d.drift),
-                                                       {"interval.least_squares_blocks"});
-}
-
-void read_strokes(const motion::SweepSamples& samples, const SweepGravityFit& fit,
-                  CogSweepResult& out) {
-  constexpr std::size_t fewest = 4;
-  std::vector<double> sum(samples.stroke.back() + 1);
-  std::vector<double> count(sum.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    sum[samples.stroke[i]] +=
-        samples.direction[i] * fit.regression.residuals(static_cast<Eigen::Index>(i));
-    count[samples.stroke[i]] += 1;
-  }
-  if (sum.size() < fewest) return;
-  double squares = 0;
-  double strokes = 0;
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    if (count[k] == 0) continue;
-    squares += std::pow(sum[k] / count[k], 2);
-    strokes += 1;
-  }
-  out.strokes_apart_Nm = std::sqrt(squares / strokes);
 }
 
 }  // namespace tribolog::method::gravity

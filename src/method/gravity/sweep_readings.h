@@ -22,12 +22,8 @@ Eigen::VectorXd offset_gradient(const SweepDesign& d, const motion::SweepSamples
 void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
                    const SweepGravityFit& fit, double gear_ratio, CogSweepResult& out);
 
-/// The offset, its drift, and their intervals; nothing from one direction alone.
+/// The offset and its interval; nothing from one direction alone.
 void read_offset(const SweepDesign& d, const motion::SweepSamples& samples,
                  const SweepGravityFit& fit, CogSweepResult& out);
-
-/// By how much strokes of four or more differ.
-void read_strokes(const motion::SweepSamples& samples, const SweepGravityFit& fit,
-                  CogSweepResult& out);
 
 }  // namespace tribolog::method::gravity

@@ -140,8 +140,7 @@ void refer_to_runs(const std::optional<statistics::Estimate>& difference, BreakA
 
 /// Removes the static torque, and what was read relative to it, from what the fit shows, with the
 /// reason, where ramps show that the joint holds more: its loops then creep, and do not flatten
-/// because of break-away. What the fit keeps for resampling (FittedLuGre::linearised) still has
-/// them.
+/// because of break-away.
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
 
 }  // namespace tribolog::method::hysteresis

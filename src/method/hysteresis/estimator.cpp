@@ -8,8 +8,8 @@ namespace tribolog::method::hysteresis {
 namespace {
 
 /// In the order of the enumeration.
-constexpr std::array keys{"A",  "B",  "C",       "D",   "E",     "F",    "AB",
-                          "CD", "EF", "midline", "fit", "sweep", "runs", "stated"};
+constexpr std::array keys{"A",  "B",  "C",       "D",   "E",     "F",     "AB",
+                          "CD", "EF", "midline", "fit", "sweep", "model", "stated"};
 
 }  // namespace
 

@@ -23,14 +23,14 @@ enum class Estimator {
   midline,  ///< Mean of the steady loop.
   fit,      ///< Of LuGre fitted to all loops.
   sweep,    ///< Gravity amplitude of the rough sweep.
-  runs,     ///< That of the runs at constant speed.
+  model,    ///< Gravity of the one model of sweeps and runs.
   stated,   ///< That of the manifest, which decides nothing where anything was identified.
 };
 
 inline constexpr std::array all_estimators{
-    Estimator::A,   Estimator::B,     Estimator::C,    Estimator::D,     Estimator::E,
-    Estimator::F,   Estimator::AB,    Estimator::CD,   Estimator::EF,    Estimator::midline,
-    Estimator::fit, Estimator::sweep, Estimator::runs, Estimator::stated};
+    Estimator::A,   Estimator::B,     Estimator::C,     Estimator::D,     Estimator::E,
+    Estimator::F,   Estimator::AB,    Estimator::CD,    Estimator::EF,    Estimator::midline,
+    Estimator::fit, Estimator::sweep, Estimator::model, Estimator::stated};
 inline constexpr std::array loop_points{Estimator::A, Estimator::B, Estimator::C,
                                         Estimator::D, Estimator::E, Estimator::F};
 inline constexpr std::array pair_means{Estimator::AB, Estimator::CD, Estimator::EF};

@@ -129,9 +129,9 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
     const std::optional<LoopMidline>& midline = loops.front().midline;
     if (midline) out.midline_Nm = midline->torque_Nm;
   } else if (!at_peak.empty()) {
-    made.cycles.positions =
+    const PositionMean positions =
         mean_over_positions(at_peak, angle, ripple, {"interval.scatter_of_cycles_and_recordings"});
-    out.midline_Nm = made.cycles.positions->gravity_Nm;
+    out.midline_Nm = positions.gravity_Nm;
     const auto first = std::find_if(loops.begin(), loops.end(),
                                     [](const LoopResult& loop) { return bool(loop.midline); });
     if (first->midline->mean_cos < 0) {
@@ -139,7 +139,7 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
       out.midline_mean_cos = -1;
       out.midline_Nm = statistics::scaled(*out.midline_Nm, -1);
     }
-    out.positions_hold_ripple = made.cycles.positions->freedom > 0;
+    out.positions_hold_ripple = positions.freedom > 0;
   }
 }
 
@@ -302,7 +302,7 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
   combine_midlines(loops, rough.ripple, gear_ratio, made);
   out.midline_q_rad = first.oscillation.centre_rad;
   if (first.midline) {
-    made.cycles.means_Nm = first.midline->cycle_means_Nm;
+    made.steady_cycles = first.midline->cycle_means_Nm.size();
     out.midline_q_rad = first.midline->mean_q_rad;
     if (loops.size() == 1) out.midline_mean_cos = first.midline->mean_cos;
   }
@@ -319,12 +319,6 @@ Hysteresis identify_hysteresis(const std::vector<const joint::Recording*>& oscil
           read_turns(first.trace, reader, next, is_symmetric ? 1 / first.motion->frequency_Hz : 0);
       out.steady_points = average_turns(turns);
       widen_by_scatter(out.steady_points, turns.size(), out.points);
-      for (const std::vector<LoopPoint>& turn : turns) {
-        made.cycles.turn_torques_Nm.emplace_back();
-        for (std::size_t k = 0; k < turn.size(); ++k) {
-          made.cycles.turn_torques_Nm.back()[k] = turn[k].torque_Nm;
-        }
-      }
       if (out.steady_points.empty()) out.steady_points = out.points;
     }
   } else {

@@ -90,19 +90,11 @@ struct HysteresisResult {
   bool step_is_of_print{};  ///< That step is of the log's decimals; see AngleStep.
 };
 
-/// What a resample needs to repeat the loop's readings without its samples.
-struct LoopCycles {
-  std::vector<double> means_Nm;  ///< Of the first recording's steady cycles.
-  /// Torques at A to F, in the order of loop_points, in each steady turn of the first.
-  std::vector<std::array<double, loop_points.size()>> turn_torques_Nm;
-  std::optional<PositionMean> positions;  ///< Of the mid-lines, where there are several recordings.
-};
-
 struct Hysteresis {
   HysteresisResult result;
   std::vector<LoopTrace> traces;     ///< In the order of HysteresisResult::oscillations.
   std::optional<FittedLuGre> lugre;  ///< Stage 8; its signals have been moved into the traces.
-  LoopCycles cycles;
+  std::size_t steady_cycles{};       ///< Of the first recording that have a mid-line.
 };
 
 /// @param oscillations recordings of that role; may be empty.

@@ -311,19 +311,6 @@ void add_columns(const Eigen::MatrixXd& more, Eigen::MatrixXd& to) {
   to.rightCols(more.cols()) = more;
 }
 
-/// All that resampling needs.
-statistics::LinearisedFit linearised(const LuGreClimb& climb,
-                                     std::vector<statistics::LinearisedReading> readings,
-                                     std::size_t recordings, std::size_t samples_in_row) {
-  statistics::LinearisedFit out = climb.linear.fit;
-  out.readings = std::move(readings);
-  out.samples_in_row = samples_in_row;
-  for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
-    out.gravity_columns.push_back(LuGreProblem::gravity_column(climb.free, r));
-  }
-  return out;
-}
-
 Statement what_is_not_shown(LuGreRung rung, const LuGreFit& fit) {
   switch (rung) {
     case LuGreRung::elastic:
@@ -461,8 +448,7 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   fit.damping_fall = fall_of_damping(climb, problem, known.inertia_kgm2);
   climb.around.covariance += shifts * shifts.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
-  LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);
-  fit.parameters = std::move(readings.parameters);
+  fit.parameters = read_lugre_parameters(climb, fit.peak_speed_rad_s);
   fit.identifiability =
       lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
   const std::vector<std::size_t> samples_in_row = samples_in_rows(problem);
@@ -494,9 +480,6 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   add_grain(samples_in_row, fit);
   add_starts(fit);
   fit.reason.add(worst_misfit(fit));
-  made.linearised = std::make_shared<statistics::LinearisedFit>(
-      linearised(climb, std::move(readings.readings), loops.size(), samples_in_row.front()));
-  made.readings = std::move(readings.shown);
   fit = with_experiments(std::move(fit), gear_ratio, std::nullopt);
   return made;
 }

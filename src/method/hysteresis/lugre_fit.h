@@ -167,9 +167,6 @@ struct FittedLuGre {
   std::vector<LuGreSignals> signals;  ///< In the order of LuGreFit::loops.
   /// Gravity, its interval not yet widened by ripple; present with LuGreFit::gravity_Nm.
   std::optional<PositionMean> positions;
-  /// For resampling, of a fit that converged (statistics/levenberg_marquardt.h).
-  std::shared_ptr<const statistics::LinearisedFit> linearised;
-  std::vector<LuGreParameterName> readings;  ///< Names of the readings in `linearised`, in order.
 };
 
 /// @param loops at least one.

@@ -146,37 +146,34 @@ Statement described_direction(const std::vector<Statement>& names,
 
 }  // namespace
 
-LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_rad_s) {
+std::vector<LuGreParameter> read_lugre_parameters(const LuGreClimb& climb,
+                                                  double peak_speed_rad_s) {
   const Reader reader(climb);
   const Shared::Vector& p = climb.point.shared;
   const double s0 = std::exp(p(Shared::log_stiffness));
   const double ts = std::exp(p(Shared::log_static));
   const double share = std::exp(p(Shared::log_share));
   const double fall = p(Shared::fall);
-  LuGreReadings out;
-  const auto judge = [&](LuGreParameterName name, const char* unit, Reading r) {
-    out.parameters.push_back(judged(name, unit, r, reader, climb));
-    if (!out.parameters.back().estimate) return;
-    out.shown.push_back(name);
-    out.readings.push_back(std::move(r));
+  std::vector<LuGreParameter> out;
+  const auto judge = [&](LuGreParameterName name, const char* unit, const Reading& r) {
+    out.push_back(judged(name, unit, r, reader, climb));
   };
   judge(LuGreParameterName::bristle_stiffness, "N·m/rad",
         reader.product(s0, {{Shared::log_stiffness, 1}}));
   if (climb.column(Shared::damping) >= 0) {
     judge(LuGreParameterName::bristle_damping, "N·m·s/rad", reader.plain(Shared::damping));
   } else {
-    out.parameters.push_back(held(LuGreParameterName::bristle_damping, 0.0, Statement{}));
+    out.push_back(held(LuGreParameterName::bristle_damping, 0.0, Statement{}));
   }
   if (climb.column(Shared::viscous) >= 0) {
     judge(LuGreParameterName::viscous, "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
-    out.parameters.push_back(
-        held(LuGreParameterName::viscous, 0.0, {"lugre.viscous_looks_like_damping"}));
+    out.push_back(held(LuGreParameterName::viscous, 0.0, {"lugre.viscous_looks_like_damping"}));
   }
   if (climb.column(Shared::log_static) >= 0) {
     judge(LuGreParameterName::static_torque, "N·m", reader.product(ts, {{Shared::log_static, 1}}));
   } else {
-    out.parameters.push_back(
+    out.push_back(
         held(LuGreParameterName::static_torque, std::nullopt, {"lugre.loop_does_not_bend"}));
   }
   const bool whole = climb.rung == LuGreRung::whole;
@@ -189,8 +186,8 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
     const Statement why{climb.rung == LuGreRung::curvature ? Code{"lugre.friction_begins_to_fall"}
                                                            : Code{"lugre.friction_not_yet_falling"},
                         {{"peak_speed_rad_s", peak_speed_rad_s}}};
-    out.parameters.push_back(held(LuGreParameterName::coulomb_torque, std::nullopt, why));
-    out.parameters.push_back(held(LuGreParameterName::stribeck_speed, std::nullopt, why));
+    out.push_back(held(LuGreParameterName::coulomb_torque, std::nullopt, why));
+    out.push_back(held(LuGreParameterName::stribeck_speed, std::nullopt, why));
   }
   if (climb.column(Shared::fall) >= 0) {
     judge(LuGreParameterName::speed_weakening, "N·m·s²/rad²",
@@ -198,14 +195,13 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
                                                    {Shared::log_share, -share / (1 - share)},
                                                    {Shared::fall, 1 / fall}}));
   } else {
-    out.parameters.push_back(
+    out.push_back(
         held(LuGreParameterName::speed_weakening, 0.0, {"lugre.same_friction_at_all_speeds"}));
   }
   if (climb.column(Shared::inertia) >= 0) {
     judge(LuGreParameterName::inertia, "kg·m²", reader.plain(Shared::inertia));
   } else {
-    out.parameters.push_back(
-        held(LuGreParameterName::inertia, 0.0, {"lugre.inertia_looks_elastic"}));
+    out.push_back(held(LuGreParameterName::inertia, 0.0, {"lugre.inertia_looks_elastic"}));
   }
   return out;
 }

@@ -19,61 +19,33 @@ struct Context {
   double gravity_m_s2{};
 };
 
-/// The value where its interval excludes zero, else 0.
-double beyond_interval(const statistics::Estimate& e) {
-  return e.low > 0 || e.high < 0 ? e.value : 0.0;
-}
-
-/// The sweep's offset, where it is known well enough to be subtracted.
-struct SweepOffset {
+/// The offset of the model, where it is known well enough to be subtracted.
+struct ModelOffset {
   double value_Nm{}, half_width_Nm{};
-  double friction_Nm{};  ///< Of the sweep.
-  double drift_Nm{};     ///< Within the sweep; 0 where none shows.
+  double friction_Nm{};
   bool is_known{};
-  double or_of_angle_Nm{};  ///< Amplitude of a torque of twice the angle, if it may be one; else 0.
-  const std::optional<gravity::TorqueOfAngle>& of_angle;
 
-  explicit SweepOffset(const gravity::CogSweepResult& rough) : of_angle(rough.of_angle) {
+  explicit ModelOffset(const OtherGravity& other) : friction_Nm(other.friction_Nm) {
     // A short sweep cannot distinguish an offset from gravity: subtracting its error would do harm.
     constexpr double widest_share = 0.02;
-    if (!rough.found || !rough.torque_offset_Nm || !rough.coulomb_Nm) return;
-    value_Nm = rough.torque_offset_Nm->value;
-    half_width_Nm = rough.torque_offset_Nm->half_width();
-    // What is not gravity of the sweep is as uncertain as what is.
-    if (of_angle) half_width_Nm = std::max(half_width_Nm, rough.gravity_Nm.half_width());
-    friction_Nm = rough.coulomb_Nm->value;
-    if (rough.offset_drift_Nm) drift_Nm = beyond_interval(*rough.offset_drift_Nm);
-    or_of_angle_Nm = rough.offset_of_angle_Nm;
-    is_known = friction_Nm > 0 && half_width_Nm <= widest_share * rough.gravity_Nm.value;
+    if (!other.model_Nm || !other.offset_Nm) return;
+    value_Nm = other.offset_Nm->value;
+    half_width_Nm = std::hypot(other.offset_Nm->half_width(), other.offset_drift_Nm);
+    is_known = friction_Nm > 0 && half_width_Nm <= widest_share * other.model_Nm->value;
   }
 
-  /// @param friction_Nm mean friction in the reading, there and back.
-  /// @param q_rad where it was read.
-  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm, double q_rad) const {
-    OffsetTaken taken = of_torque(friction_of_reading_Nm);
-    if (of_angle) taken.value_Nm += of_angle->torque_Nm(q_rad);
-    return taken;
-  }
-
- private:
-  [[nodiscard]] OffsetTaken of_torque(double friction_of_reading_Nm) const {
+  /// @param friction_of_reading_Nm mean friction in the reading, there and back.
+  [[nodiscard]] OffsetTaken at(double friction_of_reading_Nm) const {
     if (!is_known) return {};
     constexpr double largest_ratio = 3;
     const double ratio = std::clamp(friction_of_reading_Nm / friction_Nm, 0.0, largest_ratio);
     const double share = (1 + ratio) / 2;
-    // From the sweep to the loop it may drift on as far as it did within the sweep, and as far
-    // again.
-    constexpr double as_far_again = 2;
-    // If there is none, it was wrongly subtracted, and what passes for it acts on the loop, too.
-    const double if_of_angle =
-        or_of_angle_Nm > 0 ? share * std::abs(value_Nm) + or_of_angle_Nm : 0.0;
-    return {share * value_Nm, share,
-            std::abs(value_Nm * (1 - ratio)) / 2 + as_far_again * std::abs(drift_Nm) + if_of_angle};
+    return {share * value_Nm, share, std::abs(value_Nm * (1 - ratio)) / 2};
   }
 };
 
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
-/// @param offset subtracted from it; @param offset_half_width of the sweep's.
+/// @param offset subtracted from it; @param offset_half_width of the model's.
 SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double q_rad,
                         double cosine, const Context& c, const OffsetTaken& offset = {},
                         double offset_half_width = 0) {
@@ -97,7 +69,7 @@ SurrogateMass make_mass(Estimator estimator, statistics::Estimate torque, double
   m.offset = offset;
   m.gravity_Nm = statistics::symmetric_estimate(
       (torque.value - offset.value_Nm) / cosine, half_width,
-      offset.share > 0 ? Statement{"interval.less_offset_of_sweep", {{"interval", torque.method}}}
+      offset.share > 0 ? Statement{"interval.less_offset", {{"interval", torque.method}}}
                        : torque.method);
   m.mass_kg = statistics::scaled(
       m.gravity_Nm, joint::surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
@@ -116,20 +88,20 @@ double cosine_at(const Context& c, double q_rad) {
 
 /// Whose gravity amplitude gives the mass where there is no loop.
 Code mass_without_loop(const gravity::CogSweepResult& rough, const SurrogateMassesResult& out) {
+  if (out.find(Estimator::model) != nullptr) return {"masses.of_model_only"};
   if (rough.found) return {"masses.of_sweep_only"};
-  if (out.find(Estimator::runs) != nullptr) return {"masses.of_runs_only"};
   return {"masses.of_stated_gravity_only"};
 }
 
 /// The paper's six, the pair means, the mid-line and the loop fit.
 void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
-                     const std::optional<statistics::Estimate>& fit_Nm, const Context& context,
+                     const OtherGravity& other, const Context& context,
                      SurrogateMassesResult& out) {
   const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
-  const SweepOffset offset(rough);
+  const ModelOffset offset(other);
   // At the trough the amplitude stands in the torque with a minus.
   const double side = cosine_at(context, hysteresis.midline_q_rad) < 0 ? -1.0 : 1.0;
-  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm, hysteresis.midline_q_rad);
+  const OffsetTaken of_loop = offset.at(hysteresis.midline_friction_Nm);
   for (const Estimator name : loop_points) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -149,7 +121,7 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const statistics::Estimate torque = statistics::symmetric_estimate(
         (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
-    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2, angle);
+    const OffsetTaken of_pair = offset.at(std::abs(p->torque_Nm - q->torque_Nm) / 2);
     out.masses.push_back(make_mass(pair, gravity::with_ripple(torque, ripple), angle, cosine,
                                    context, of_pair, offset.half_width_Nm));
   }
@@ -161,9 +133,9 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
                                    hysteresis.midline_mean_cos, context, of_loop,
                                    offset.half_width_Nm));
   }
-  if (fit_Nm) {
+  if (other.loop_fit_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(make_mass(Estimator::fit, statistics::scaled(*fit_Nm, side),
+    out.masses.push_back(make_mass(Estimator::fit, statistics::scaled(*other.loop_fit_Nm, side),
                                    hysteresis.midline_q_rad, side, context, of_loop,
                                    offset.half_width_Nm));
   }
@@ -191,25 +163,20 @@ SurrogateMassesResult identify_surrogate_masses(
   }
   const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
   const bool is_near_peak = !hysteresis.found || std::abs(loop_cosine) >= least_loop_cosine;
-  if (is_near_peak) add_loop_masses(rough, hysteresis, other.loop_fit_Nm, context, out);
+  if (is_near_peak) add_loop_masses(rough, hysteresis, other, context, out);
+  Context at_peak = context;
+  at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it
   if (rough.found) {
-    Context at_peak = context;
-    at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it
     out.masses.push_back(make_mass(Estimator::sweep, rough.gravity_Nm,
                                    context.q_peak_rad.value_or(rough.q_peak_rad.value), 1.0,
                                    at_peak));
   }
-  if (other.runs != nullptr && other.runs->found) {
-    Context at_peak = context;
-    at_peak.q_peak_rad = other.runs->q_peak_rad.value;
-    at_peak.q_peak_half_width = 0;
-    out.masses.push_back(make_mass(Estimator::runs, other.runs->gravity_Nm,
-                                   other.runs->q_peak_rad.value, 1.0, at_peak));
+  if (other.model_Nm && context.q_peak_rad) {
+    out.masses.push_back(
+        make_mass(Estimator::model, *other.model_Nm, *context.q_peak_rad, 1.0, at_peak));
   }
   if (other.stated) {
-    Context at_peak = context;
     at_peak.q_peak_rad = other.stated->q_peak_rad();
-    at_peak.q_peak_half_width = 0;
     const double torque = other.stated->amplitude_Nm() / gear_ratio;
     out.masses.push_back(make_mass(Estimator::stated,
                                    {torque, torque, torque, {"interval.stated_in_manifest"}},
@@ -236,17 +203,6 @@ SurrogateMassesResult identify_surrogate_masses(
     out.stage.state = statistics::StageState::done;
   }
   return out;
-}
-
-void widen_mass(std::optional<Estimator> estimator,
-                const std::optional<statistics::Estimate>& gravity_Nm,
-                SurrogateMassesResult& masses) {
-  const auto it = std::find_if(masses.masses.begin(), masses.masses.end(),
-                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
-  if (it == masses.masses.end() || !gravity_Nm) return;
-  const double kg_per_Nm = it->mass_kg.value / it->gravity_Nm.value;
-  it->gravity_Nm = *gravity_Nm;
-  it->mass_kg = statistics::scaled(*gravity_Nm, kg_per_Nm);
 }
 
 }  // namespace tribolog::method::hysteresis

@@ -29,6 +29,34 @@ MatrixXd beside(const ArrayXd& a, const ArrayXd& b) {
   return both;
 }
 
+/// One column for each sweep and one for all runs, 1 at its cells; of many sweeps, one for all.
+/// None where there is but one.
+MatrixXd homing_columns(const Cells& cells) {
+  constexpr std::size_t most_sweeps = 4;
+  std::map<int, Index> sweeps;
+  bool has_runs = false;
+  for (const Cell& row : cells.rows) {
+    if (row.count == 0) continue;
+    if (row.is_run > 0) {
+      has_runs = true;
+    } else {
+      sweeps.emplace(row.recording, 0);
+    }
+  }
+  const bool is_one = sweeps.size() > most_sweeps;
+  Index next = 0;
+  for (auto& [recording, column] : sweeps) column = is_one ? 0 : next++;
+  const Index of_sweeps = is_one ? 1 : next;
+  const Index all = of_sweeps + (has_runs ? 1 : 0);
+  if (all < 2) return {cells.size(), 0};
+  MatrixXd columns = MatrixXd::Zero(cells.size(), all);
+  for (Index i = 0; i < cells.size(); ++i) {
+    const Cell& row = cells.rows[static_cast<std::size_t>(i)];
+    if (row.count > 0) columns(i, row.is_run > 0 ? of_sweeps : sweeps.at(row.recording)) = 1;
+  }
+  return columns;
+}
+
 /// Cell::others of all rows.
 MatrixXd others_of(const Cells& cells) {
   MatrixXd all(cells.size(), static_cast<Index>(values_of_other * cells.others()));
@@ -240,6 +268,10 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
       const ArrayXd steep = place * (point.gravity_sin_Nm * cos_q - point.gravity_cos_Nm * sin_q);
       add_one(effect::angle_scale, steep * (q - middle), size_of(effect::angle_scale));
       add_one(effect::peak_drift, steep * (2 * age - 1), size_of(effect::peak_drift));
+      if (const MatrixXd own = homing_columns(cells); own.cols() > 0) {
+        add(effect::homing, steep.matrix().asDiagonal() * own,
+            ArrayXd::Constant(own.cols(), size_of(effect::homing)));
+      }
       const double peak = std::atan2(point.gravity_sin_Nm, point.gravity_cos_Nm);
       MatrixXd waves(n, 4);
       for (Index k = 0; k < 2; ++k) {

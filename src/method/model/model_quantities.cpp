@@ -29,6 +29,7 @@ constexpr double form = 0.2;
 constexpr double far_off_share = 0.01;  // of the friction: less matters to nobody
 constexpr double far_off_weight = 0.3;
 
+/// The angle, by whole turns, that is nearest to `about`.
 double wrapped(double angle, double about) {
   return about + std::remainder(angle - about, 2 * std::numbers::pi);
 }
@@ -357,7 +358,16 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
     if (speed >= 0.95 * slowest && speed <= 1.05 * fastest) wanted.push_back({{}, speed});
   }
   const Describer describer(model);
-  for (const Wanted& one : wanted) result.quantities.push_back(describer.describe(one));
+  const ArrayXd q = model.cells.of(&Cell::q_rad);
+  const double middle = (q.minCoeff() + q.maxCoeff()) / 2;
+  for (const Wanted& one : wanted) {
+    ModelQuantity found = describer.describe(one);
+    if (found.quantity == Quantity::cog_angle) {
+      const double turns = wrapped(found.estimate, middle) - found.estimate;
+      for (double* value : {&found.estimate, &found.low, &found.high}) *value += turns;
+    }
+    result.quantities.push_back(std::move(found));
+  }
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     result.effects.push_back(describer.describe_effect(e));
   }

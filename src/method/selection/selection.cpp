@@ -34,29 +34,16 @@ struct Recommendation {
 };
 
 /// The first that has a mass is chosen.
-constexpr Recommendation in_order_of_trust[] = {{Estimator::midline, "selection.midline"},
+constexpr Recommendation in_order_of_trust[] = {{Estimator::model, "selection.model"},
+                                                {Estimator::midline, "selection.midline"},
                                                 {Estimator::sweep, "selection.sweep_alone"},
-                                                {Estimator::runs, "selection.runs_alone"},
                                                 {Estimator::stated, "selection.stated_alone"}};
-
-/// A loop's torque contains asymmetric friction and an offset as far as the sweep cannot separate
-/// the two; where that makes it clearly less certain than the sweep, the sweep is chosen.
-bool sweep_is_surer(const hysteresis::SurrogateMassesResult& masses) {
-  constexpr double clearly = 0.8;
-  constexpr double numerical_share = 1e-4;  // no interval is narrower
-  const hysteresis::SurrogateMass* midline = masses.find(Estimator::midline);
-  const hysteresis::SurrogateMass* sweep = masses.find(Estimator::sweep);
-  return midline != nullptr && sweep != nullptr && midline->offset.share > 0 &&
-         midline->mass_kg.half_width() > numerical_share * std::abs(midline->mass_kg.value) &&
-         sweep->mass_kg.half_width() < clearly * midline->mass_kg.half_width();
-}
 
 std::optional<Recommendation> recommend(const hysteresis::SurrogateMassesResult& masses) {
   const hysteresis::SurrogateMass* stated = masses.find(Estimator::stated);
   if (stated != nullptr && stated->gravity_Nm.value == 0) {
     return Recommendation{Estimator::stated, "selection.no_gravity"};
   }
-  if (sweep_is_surer(masses)) return Recommendation{Estimator::sweep, "selection.sweep_is_surer"};
   for (const Recommendation& one : in_order_of_trust) {
     if (masses.find(one.estimator) != nullptr) return one;
   }

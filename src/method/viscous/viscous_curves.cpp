@@ -26,7 +26,6 @@ struct BlockMean {
   double mean{};
   double half_width{};  // 95 %, from the scatter of the blocks
   double standard_error{};
-  std::vector<double> blocks;
 };
 
 /// Mean of a signal over the samples that count.
@@ -55,13 +54,12 @@ BlockMean block_mean(const PlateauSamples& samples, std::size_t first, std::size
     all += count;
   }
   mean /= all;
-  if (means.size() < 2) return {mean, std::numeric_limits<double>::infinity(), 0, {}};
+  if (means.size() < 2) return {mean, std::numeric_limits<double>::infinity(), 0};
   double squares = 0;
   for (double m : means) squares += (m - mean) * (m - mean);
   const auto b = static_cast<double>(means.size());
   const double standard_error = std::sqrt(squares / (b - 1) / b);
-  return {mean, statistics::student_t_975(b - 1) * standard_error, standard_error,
-          std::move(means)};
+  return {mean, statistics::student_t_975(b - 1) * standard_error, standard_error};
 }
 
 /// Friction that changes with the motor's angle, as the sweep shows it: its lines, and the friction
@@ -122,25 +120,21 @@ FrictionOfAngle friction_of_runs(const std::vector<const joint::Recording*>& rec
   return gain > 0 ? known : FrictionOfAngle{};
 }
 
-/// T less the sweep's gravity, so that the scatter is of friction and noise alone. What else the
-/// sweep has found that varies with the angle is subtracted from the run. The sweep's ripple, at
-/// the same motor angles, is subtracted from the run where that reduces the scatter. Friction that
+/// T less gravity, so that the scatter is of friction and noise alone. The sweep's ripple, at the
+/// same motor angles, is subtracted from the run where that reduces the scatter. Friction that
 /// changes with the motor's angle is subtracted too: a slow run crosses only part of its period.
 /// @param torque_step_Nm that the torque is rounded to; 0: it is not.
 /// @param taken_off_Nm of the recording's torque, for the inertia (SteadyRuns).
 /// @param samples receives those of the plateau that count.
-/// @param blocks_Nm receives the friction's means over the run's blocks.
 ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
                           double gear_ratio, double q_peak, double gravity,
                           const gravity::CogSweepResult& sweep,
                           const FrictionOfAngle& friction_of_angle, double torque_step_Nm,
-                          const std::vector<double>& taken_off_Nm, PlateauSamples& samples,
-                          std::vector<double>& blocks_Nm) {
+                          const std::vector<double>& taken_off_Nm, PlateauSamples& samples) {
   const std::vector<double> of_angle = friction_of_angle.torque_Nm(r, plateau);
   const gravity::Ripple& ripple = sweep.ripple;
   const auto torque_at = [&](std::size_t i) {
-    const double conservative = sweep.of_angle ? sweep.of_angle->torque_Nm(r.q_rad[i]) : 0.0;
-    return r.torque_Nm[i] - of_angle[i - plateau.first] - conservative;
+    return r.torque_Nm[i] - of_angle[i - plateau.first];
   };
   const auto friction_at = [&](std::size_t i) {
     return torque_at(i) - gravity * std::cos(r.q_rad[i] - q_peak);
@@ -180,12 +174,12 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   run.torque_Nm = torque / n;
   BlockMean friction = block_mean(samples, plateau.first, plateau.last, friction_at);
   if (!ripple.lines.empty()) {
-    BlockMean without = block_mean(samples, plateau.first, plateau.last, [&](std::size_t i) {
+    const BlockMean without = block_mean(samples, plateau.first, plateau.last, [&](std::size_t i) {
       return friction_at(i) - ripple.torque_Nm(gear_ratio * r.q_rad[i]);
     });
     if (without.half_width < friction.half_width) {
       run.torque_Nm += without.mean - friction.mean;
-      friction = std::move(without);
+      friction = without;
     }
   }
   // What was taken off is known but for a part.
@@ -194,7 +188,6 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   run.torque_half_width_Nm = std::hypot(friction.half_width, statistics::normal_975 * of_angle_Nm);
   run.torque_standard_error_Nm =
       std::hypot(std::hypot(friction.standard_error, samples.rounding_error_Nm), of_angle_Nm);
-  blocks_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
   run.direction_mean_Nm = nan;
@@ -202,14 +195,9 @@ ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plat
   return run;
 }
 
-/// What the sweep found that varies with the angle: gravity, to be subtracted before scatter is
-/// estimated, and what else does.
+/// Gravity, to be subtracted before scatter is estimated.
 struct GravityShape {
   double q_peak_rad, gravity_Nm;
-  const std::optional<gravity::TorqueOfAngle>& of_angle;
-  [[nodiscard]] double other_Nm(double q_rad) const {
-    return of_angle ? of_angle->torque_Nm(q_rad) : 0.0;
-  }
   [[nodiscard]] double torque_Nm(double q_rad) const {
     return gravity_Nm * std::cos(q_rad - q_peak_rad);
   }
@@ -234,7 +222,7 @@ MeanTorque torque_between(const RunSource& s, double low, double high, const Gra
   double count = 0;
   for (std::size_t i = from; i < to; ++i) {
     if (!s.samples.has(i)) continue;
-    mean.torque_Nm += s.recording->torque_Nm[i] - shape.other_Nm(s.recording->q_rad[i]);
+    mean.torque_Nm += s.recording->torque_Nm[i];
     mean.cosine += std::cos(s.recording->q_rad[i] - shape.q_peak_rad);
     count += 1;
   }
@@ -242,8 +230,7 @@ MeanTorque torque_between(const RunSource& s, double low, double high, const Gra
   mean.torque_Nm /= count;
   mean.cosine /= count;
   mean.half_width_Nm = block_mean(s.samples, from, to, [&](std::size_t i) {
-                         const double q = s.recording->q_rad[i];
-                         return s.recording->torque_Nm[i] - shape.torque_Nm(q) - shape.other_Nm(q);
+                         return s.recording->torque_Nm[i] - shape.torque_Nm(s.recording->q_rad[i]);
                        }).half_width;
   return mean;
 }
@@ -392,8 +379,7 @@ DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
   return out;
 }
 
-void sort_by_speed(std::vector<ConstantSpeedRun>& runs, std::vector<std::vector<double>>& blocks) {
-  blocks.resize(runs.size());
+void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -403,16 +389,13 @@ void sort_by_speed(std::vector<ConstantSpeedRun>& runs, std::vector<std::vector<
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
   std::vector<ConstantSpeedRun> sorted;
   sorted.reserve(runs.size());
-  std::vector<std::vector<double>> sorted_blocks;
   for (const std::size_t i : order) {
     sorted.push_back(runs[i]);
-    sorted_blocks.push_back(std::move(blocks[i]));
     if (sorted.back().partner >= 0) {
       sorted.back().partner = place[static_cast<std::size_t>(sorted.back().partner)];
     }
   }
   runs = std::move(sorted);
-  blocks = std::move(sorted_blocks);
 }
 
 }  // namespace
@@ -440,22 +423,21 @@ const ViscousCurve* ViscousCurvesResult::find(
   return it == curves.end() ? nullptr : &*it;
 }
 
-ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
-                                      const std::vector<joint::FrictionPoints>& points,
-                                      const motion::Sweep& sweep,
-                                      const gravity::CogSweepResult& rough,
-                                      const hysteresis::SurrogateMassesResult& masses,
-                                      const std::optional<statistics::Estimate>& q_peak_rad,
-                                      double gear_ratio,
-                                      const std::optional<joint::StatedGravity>& stated) {
-  ViscousCurves made;
-  ViscousCurvesResult& out = made.result;
+ViscousCurvesResult identify_viscous_curves(const motion::SteadyRuns& steady,
+                                            const std::vector<joint::FrictionPoints>& points,
+                                            const motion::Sweep& sweep,
+                                            const gravity::CogSweepResult& rough,
+                                            const hysteresis::SurrogateMassesResult& masses,
+                                            const std::optional<statistics::Estimate>& q_peak_rad,
+                                            double gear_ratio,
+                                            const std::optional<joint::StatedGravity>& stated) {
+  ViscousCurvesResult out;
   out.stage = {"viscous_curves", statistics::StageState::skipped, {}};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
-  const hysteresis::SurrogateMass* of_runs = masses.find(hysteresis::Estimator::runs);
-  const double gravity = rough.found          ? rough.gravity_Nm.value
-                         : of_runs != nullptr ? of_runs->gravity_Nm.value
-                                              : 0.0;
+  const hysteresis::SurrogateMass* of_model = masses.find(hysteresis::Estimator::model);
+  const double gravity = of_model != nullptr ? of_model->gravity_Nm.value
+                         : rough.found       ? rough.gravity_Nm.value
+                                             : 0.0;
   std::vector<RunSource> sources;
   const std::vector<const joint::Recording*> recordings = steady.recordings();
   const FrictionOfAngle of_angle = friction_of_runs(recordings, rough, gear_ratio);
@@ -464,11 +446,9 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
     const motion::MotionSegments motion = motion::find_plateaus(*r);
     for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, {}});
-      made.block_friction_Nm.emplace_back();
       PlateauSamples& samples = sources.back().samples;
       out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough, of_angle,
-                                  steady.torque_step_Nm(), steady.taken_off_Nm(k), samples,
-                                  made.block_friction_Nm.back()));
+                                  steady.torque_step_Nm(), steady.taken_off_Nm(k), samples));
       out.samples_used += samples.size();
       out.samples_left_out += samples.left_out;
     }
@@ -477,7 +457,7 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
   }
   const bool is_free = stated && stated->amplitude_Nm() == 0;
   if (!out.runs.empty()) {
-    if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity, rough.of_angle});
+    if (!is_free) pair_directions(out.runs, sources, {q_peak, gravity});
   } else if (is_free && rough.coulomb_Nm && rough.both_directions && !rough.constant_speed) {
     out.runs = bin_sweep_by_speed(sweep, rough, gear_ratio);
     for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
@@ -494,7 +474,7 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
     out.runs.insert(out.runs.end(), runs.begin(), runs.end());
   }
   pair_by_speed(out.runs, is_free && !out.from_sweep);
-  sort_by_speed(out.runs, made.block_friction_Nm);
+  sort_by_speed(out.runs);
   out.angles = direction_angles(out.runs);
   for (const hysteresis::SurrogateMass& mass : masses.masses) {
     ViscousCurve curve{mass.estimator, {}};
@@ -524,7 +504,7 @@ ViscousCurves identify_viscous_curves(const motion::SteadyRuns& steady,
   } else {
     out.stage.state = statistics::StageState::done;
   }
-  return made;
+  return out;
 }
 
 }  // namespace tribolog::method::viscous

@@ -87,26 +87,19 @@ struct ViscousCurvesResult {
   [[nodiscard]] const ViscousCurve* find(std::optional<hysteresis::Estimator> estimator) const;
 };
 
-struct ViscousCurves {
-  ViscousCurvesResult result;
-  /// For resampling, run by run: T less gravity, averaged over each of the run's blocks [N·m];
-  /// empty if there are none.
-  std::vector<std::vector<double>> block_friction_Nm;
-};
-
 /// @param points of friction, which join the runs. The scatter of repeated points at one speed is
 /// the uncertainty of each.
 /// @param sweep the rough one, and what was found in it; paired at equal angle where no run was
 /// recorded.
 /// @param stated gravity known beforehand: the curve Estimator::stated, at its own angle of the
 /// peak.
-ViscousCurves identify_viscous_curves(const motion::SteadyRuns& runs,
-                                      const std::vector<joint::FrictionPoints>& points,
-                                      const motion::Sweep& sweep,
-                                      const gravity::CogSweepResult& rough,
-                                      const hysteresis::SurrogateMassesResult& masses,
-                                      const std::optional<statistics::Estimate>& q_peak_rad,
-                                      double gear_ratio,
-                                      const std::optional<joint::StatedGravity>& stated = {});
+ViscousCurvesResult identify_viscous_curves(const motion::SteadyRuns& runs,
+                                            const std::vector<joint::FrictionPoints>& points,
+                                            const motion::Sweep& sweep,
+                                            const gravity::CogSweepResult& rough,
+                                            const hysteresis::SurrogateMassesResult& masses,
+                                            const std::optional<statistics::Estimate>& q_peak_rad,
+                                            double gear_ratio,
+                                            const std::optional<joint::StatedGravity>& stated = {});
 
 }  // namespace tribolog::method::viscous

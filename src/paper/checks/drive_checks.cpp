@@ -77,6 +77,10 @@ Checks check_equation_9(const PapersJoint& joint) {
                       1e-5, "N·m", tr("digits of G/n"))};
 }
 
+/// The plateaus' means of the cosine are about the angle that was identified, to 10⁻⁶ rad.
+constexpr double of_angle_Nm = 2e-8;
+constexpr const char* found_angle = wording::to_translate("q_peak is identified to 10⁻⁶ rad");
+
 Checks check_equation_10(const PapersJoint& joint) {
   const simulate::Scenario& s = joint.scenario;
   const std::int64_t plateaus = plateaus_of(joint);
@@ -93,7 +97,7 @@ Checks check_equation_10(const PapersJoint& joint) {
                                         return s.gear_ratio * (run.torque_Nm - friction) -
                                                s.load.amplitude_Nm() * run.mean_cos;
                                       }),
-                    s.gear_ratio * log_rounding_Nm, "N·m", tr(rounding_of_log))};
+                    s.gear_ratio * of_angle_Nm, "N·m", tr(found_angle))};
 }
 
 Checks check_equation_11(const PapersJoint& joint) {
@@ -111,7 +115,7 @@ Checks check_equation_11(const PapersJoint& joint) {
                                         return run.torque_Nm - gravity * run.mean_cos -
                                                s.sliding->torque_Nm(run.speed_rad_s);
                                       }),
-                    log_rounding_Nm, "N·m", tr(rounding_of_log))};
+                    of_angle_Nm, "N·m", tr(found_angle))};
 }
 
 Checks check_equation_13(const PapersJoint& joint) {

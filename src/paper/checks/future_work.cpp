@@ -54,7 +54,6 @@ LuGreFit by_loop_alone(const simulate::Scenario& whole, double amplitude_rad) {
   e.amplitude_rad = amplitude_rad;
   e.record_bristle = false;
   identify::IdentifyOptions options;
-  options.resamples = 0;
   return identify::identify(simulate::simulated_dataset(alone), options).lugre.value_or(LuGreFit{});
 }
 

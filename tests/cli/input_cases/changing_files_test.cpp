@@ -22,7 +22,7 @@ namespace {
 
 ProgramRun identify(const SmallDataset& dataset) {
   return run_shell("cd '" + dataset.scratch().path() + "' && " + program +
-                   "--quiet identify dataset.toml -o c.json --resamples 0 --truth-runs 0");
+                   "--quiet identify dataset.toml -o c.json --truth-runs 0");
 }
 
 /// As long as the log, and some thirty times longer than what is read at a time at first.

@@ -57,8 +57,7 @@ ProgramRun run(const SmallDataset& dataset, const InputCase& one) {
   dataset.scratch().write("c.json", old_numbers);
   if (one.prepare) one.prepare(dataset.scratch());
   return run_shell("cd '" + dataset.scratch().path() + "' && env " + one.environment + " " +
-                   program +
-                   "--quiet identify dataset.toml -o c.json --resamples 0 --truth-runs 0");
+                   program + "--quiet identify dataset.toml -o c.json --truth-runs 0");
 }
 
 /// What is said, as the program prefixes it.

@@ -12,7 +12,7 @@
 namespace tribolog::test::shown_text_test {
 namespace {
 
-const std::string without_runs = " --resamples 0 --truth-runs 0 ";
+const std::string without_runs = " --truth-runs 0 ";
 
 std::string report_of(const std::string& robot, const std::string& log_name) {
   const SmallDataset dataset(replaced(case_manifest("test robot", robot), "log.csv", log_name), "");

@@ -28,7 +28,7 @@ fi
 for log in "${logs[@]}"; do
   "$tribolog" --quiet init "$log" --all-joints --gear-ratio "$(constants gear_ratio)" \
     --torque-constant "$(constants torque_constant_Nm_A)" -o "$log.toml"
-  "$tribolog" --quiet report "$log.toml" -o "$log.report" --no-figures --resamples 0 --truth-runs 0
+  "$tribolog" --quiet report "$log.toml" -o "$log.report" --no-figures --truth-runs 0
 done
 
 python3 - "${logs[@]}" <<'END'

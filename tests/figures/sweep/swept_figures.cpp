@@ -38,14 +38,12 @@ struct Identified {
   calibration::Calibration calibration;
 };
 
-/// With fewer resamples than `tribolog report` makes.
 Identified identified(const std::string& scenario) {
   joint::Dataset dataset = simulate::simulated_dataset(
       ingest::manifest::read_scenario(example_file("paper/" + scenario)));
   dataset.robot = std::make_shared<robot::RobotDescription>(
       ingest::manifest::read_robot(example_file("paper/am100ib.toml")));
   identify::IdentifyOptions options;
-  options.resamples = every_case() ? 200 : 100;
   options.truth_runs = every_case() ? 3 : 2;
   calibration::Calibration calibration = identify::identify(dataset, options);
   return {std::move(dataset), std::move(calibration)};

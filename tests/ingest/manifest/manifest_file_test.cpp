@@ -363,24 +363,12 @@ TEST(Manifest, RefusesADescriptionThatIsNoFile) {
             std::string::npos);
 }
 
-TEST(Manifest, IntervalsAreThoseStated) {
-  const ingest::manifest::ManifestFile none = ingest::manifest::parse_manifest(minimal, "m.toml");
-  EXPECT_FALSE(none.manifest.intervals.resamples);
-  EXPECT_FALSE(none.manifest.intervals.seed);
-  const ingest::manifest::ManifestFile both = ingest::manifest::parse_manifest(
+TEST(Manifest, TheSeedIsTheOneStated) {
+  EXPECT_FALSE(ingest::manifest::parse_manifest(minimal, "m.toml").manifest.seed);
+  const ingest::manifest::ManifestFile stated = ingest::manifest::parse_manifest(
       with("[columns]", "[intervals]\nresamples = 500\nseed = 42\n[columns]"), "m.toml");
-  EXPECT_EQ(both.manifest.intervals.resamples, 500U);
-  EXPECT_EQ(both.manifest.intervals.seed, 42U);
-  const ingest::manifest::ManifestFile off = ingest::manifest::parse_manifest(
-      with("[columns]", "[intervals]\nresamples = 0\n[columns]"), "m.toml");
-  EXPECT_EQ(off.manifest.intervals.resamples, 0U);
-}
-
-TEST(Manifest, ResamplesThatGiveNoIntervalAreRefusedAtTheirPlace) {
-  EXPECT_EQ(refusal(with("[columns]", "[intervals]\nresamples = 20\n[columns]")),
-            "m.toml:11:13: key 'intervals.resamples': not usable, found 20, expected 0 (closed "
-            "forms alone), or 100 to 1000000");
-  EXPECT_NE(refusal(with("[columns]", "[intervals]\nresample = 200\n[columns]")).find("resamples"),
+  EXPECT_EQ(stated.manifest.seed, 42U);
+  EXPECT_NE(refusal(with("[columns]", "[intervals]\nsede = 200\n[columns]")).find("seed"),
             std::string::npos);
 }
 
