@@ -52,7 +52,7 @@ StyleInWords style_in_words(Estimator estimator) {
               {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}};
     case Estimator::model:
       return {wording::to_translate("model of sweeps and runs"),
-              {colour::purple, LineStyle::dash_dot, Marker::circle, usual_px, 15.0}};
+              {colour::black, LineStyle::dash_dot, Marker::circle, usual_px, 15.0}};
     case Estimator::stated:
       return {wording::to_translate("stated gravity"),
               {colour::black, LineStyle::dot, Marker::triangle, usual_px, 12.0}};

@@ -379,6 +379,6 @@ test("without a bristle only what exists is shown", async () => {
     assert.equal((await listOf(page, "review-instant")).z, undefined);
     await focusPlot(page, "T-q");
     await page.keyboard.press("c");  // no such point: nothing happens
-    assert.ok(await page.locator("#review-reading-midline").isChecked());
+    assert.ok(await page.locator("#review-reading-model").isChecked());
   });
 });
