@@ -25,7 +25,6 @@
 #include "method/selection/friction_parameters.h"
 #include "method/selection/quality_errors.h"
 #include "method/selection/selection.h"
-#include "method/viscous/model_choice.h"
 #include "method/viscous/viscous_curves.h"
 
 namespace tribolog::calibration {
@@ -43,7 +42,6 @@ struct Curves {
   method::gravity::SweepCurves rough;
   method::gravity::SweepCurves precise;
   std::vector<method::hysteresis::LoopTrace> loops;  ///< One for each oscillation in the result.
-  method::selection::FrictionCurve friction;         ///< Of the recommended estimator's curve.
   std::vector<LogTrace> log{};                       ///< Of each recording, in the dataset's order.
 };
 
@@ -128,7 +126,6 @@ struct Calibration {
   method::selection::QualityErrorsResult quality;
   method::selection::SelectionResult selection;
   method::selection::FrictionParametersResult friction;
-  method::viscous::CurveModelChoice curve_model;
   std::vector<method::hysteresis::LoopShape>
       loop_shapes;  ///< Of the oscillations, without any model.
   method::hysteresis::BreakAwayResult break_away;

@@ -218,7 +218,6 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["quality"] = quality(c.quality);
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
-  all["curve_model"] = curve_model(c.curve_model);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);
   all["other_joints"] = other_joints(c.manifest.other_joints);

@@ -10,9 +10,8 @@ namespace {
 
 using method::hysteresis::LuGreParameterName;
 
-method::viscous::SlidingQuantity of_loops(const method::hysteresis::LuGreFit& fit,
-                                          LuGreParameterName name) {
-  method::viscous::SlidingQuantity out;
+HeadlineQuantity of_loops(const method::hysteresis::LuGreFit& fit, LuGreParameterName name) {
+  HeadlineQuantity out;
   for (const method::hysteresis::LuGreParameter& parameter : fit.parameters) {
     if (parameter.name != name) continue;
     out.estimate = parameter.estimate;
@@ -23,15 +22,6 @@ method::viscous::SlidingQuantity of_loops(const method::hysteresis::LuGreFit& fi
 
 CurveHeadline headline_without_model(const Calibration& c) {
   CurveHeadline out;
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  if (law.fitted) {
-    out.source = HeadlineSource::sliding_law;
-    out.coulomb_Nm = law.coulomb_Nm;
-    out.stribeck_speed_rad_s = law.stribeck_speed_rad_s;
-    out.viscous_Nms_rad = law.viscous_Nms_rad;
-    out.is_of_waiboer = !law.coulomb_Nm.estimate && c.curve_model.carries_five;
-    return out;
-  }
   if (c.lugre && c.lugre->converged && c.lugre->shown(LuGreParameterName::coulomb_torque)) {
     out.source = HeadlineSource::loops;
     out.coulomb_Nm = of_loops(*c.lugre, LuGreParameterName::coulomb_torque);
@@ -41,11 +31,7 @@ CurveHeadline headline_without_model(const Calibration& c) {
   }
   const Statement& why = c.friction.stage.reason;
   out.stribeck_speed_rad_s.why_not = why.empty() ? Statement{"verdict.no_stribeck_model"} : why;
-  if (const auto& line = c.friction.coulomb_viscous) {
-    out.source = HeadlineSource::line;
-    out.coulomb_Nm.estimate = line->coulomb_Nm;
-    out.viscous_Nms_rad.estimate = line->viscous_Nms_rad;
-  } else if (c.rough.coulomb_Nm || c.rough.viscous_Nms_rad) {
+  if (c.rough.coulomb_Nm || c.rough.viscous_Nms_rad) {
     out.source = HeadlineSource::sweep;
     out.coulomb_Nm.estimate = c.rough.coulomb_Nm;
     out.viscous_Nms_rad.estimate = c.rough.viscous_Nms_rad;
@@ -56,14 +42,18 @@ CurveHeadline headline_without_model(const Calibration& c) {
 }  // namespace
 
 CurveHeadline curve_headline(const Calibration& c) {
-  CurveHeadline out = headline_without_model(c);
-  if (out.is_of_waiboer) return out;
   const auto* coulomb = c.model.find(joint::Quantity::coulomb_torque);
   const auto* viscous = c.model.find(joint::Quantity::viscous_coefficient);
-  if (coulomb == nullptr || viscous == nullptr) return out;
+  if (coulomb == nullptr || viscous == nullptr) return headline_without_model(c);
+  CurveHeadline out;
   out.source = HeadlineSource::model;
   out.coulomb_Nm = {coulomb->as_estimate(), {}};
   out.viscous_Nms_rad = {viscous->as_estimate(), {}};
+  out.stribeck_speed_rad_s.estimate = c.model.law.stribeck_speed_rad_s;
+  if (!c.model.law.has_dip()) {
+    out.stribeck_speed_rad_s.why_not = {"cause.stribeck_not_shown",
+                                        {{"slowest_rad_s", c.model.law.slowest_rad_s}}};
+  }
   return out;
 }
 

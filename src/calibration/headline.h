@@ -2,10 +2,9 @@
 // Coulomb torque, Stribeck velocity, viscous coefficient and inertia as the calibration states
 // them: one value each, wherever they are printed or used.
 //
-// Coulomb torque and viscous coefficient: of the one model of sweeps, runs and points. The rest of
-// the curve, and all of it where there is no such model: from the sliding law of the runs; without
-// runs, from loops that slide far enough to show Coulomb torque; else from the straight line
-// through few runs or the pairs of a sweep; and failing these, from the sweep's own fit.
+// Of the one model of sweeps, runs and points; where there is none, from loops that slide far
+// enough to show Coulomb torque; else from the straight line through few runs or the pairs of a
+// sweep; and failing these, from the sweep's own fit.
 
 #include <optional>
 
@@ -14,16 +13,20 @@
 
 namespace tribolog::calibration {
 
-enum class HeadlineSource { model, sliding_law, loops, line, sweep, none };
+enum class HeadlineSource { model, loops, sweep, none };
+
+/// Motor side. What is not certain states why.
+struct HeadlineQuantity {
+  std::optional<statistics::Estimate> estimate;
+  Statement why_not;  ///< Why there is none; empty: there is one.
+};
 
 /// Motor side.
 struct CurveHeadline {
   HeadlineSource source{HeadlineSource::none};
-  method::viscous::SlidingQuantity coulomb_Nm;
-  method::viscous::SlidingQuantity stribeck_speed_rad_s;
-  method::viscous::SlidingQuantity viscous_Nms_rad;
-  /// The curve follows eq. (6), which has neither Coulomb torque nor one viscous coefficient.
-  bool is_of_waiboer{};
+  HeadlineQuantity coulomb_Nm;
+  HeadlineQuantity stribeck_speed_rad_s;
+  HeadlineQuantity viscous_Nms_rad;
 };
 
 CurveHeadline curve_headline(const Calibration& calibration);

@@ -21,6 +21,34 @@ Json friction_at_speed(const Judgement& judgement) {
   return all;
 }
 
+namespace {
+
+Json law(const method::model::ModelLaw& l) {
+  Json candidates = Json::array();
+  for (const method::model::CandidateLaw& one : l.candidates) {
+    const Statement words = described(one.law);
+    candidates.push_back({{"words", wording::words(words)},
+                          {"words_code", code_of(words)},
+                          {"probability", number(one.probability)}});
+  }
+  return {{"candidates", std::move(candidates)},
+          {"carries_waiboer", l.carries_waiboer()},
+          {"level_Nm", number(l.level_Nm)},
+          {"rise_Nm", number(l.rise_Nm)},
+          {"power", number(l.power)},
+          {"bend_Nm", number(l.bend_Nm)},
+          {"excess_Nm", number(l.excess_Nm)},
+          {"dip_rad_s", number(l.dip_rad_s)},
+          {"dip_power", number(l.dip_power)},
+          {"slowest_rad_s", number(l.slowest_rad_s)},
+          {"fastest_rad_s", number(l.fastest_rad_s)},
+          {"dip_probability", number(l.dip_probability)},
+          {"bend_probability", number(l.bend_probability)},
+          {"stribeck_speed_rad_s", interval(l.stribeck_speed_rad_s)}};
+}
+
+}  // namespace
+
 Json model(const method::model::ModelResult& model) {
   Json quantities = Json::array();
   for (const method::model::ModelQuantity& q : model.quantities) {
@@ -53,6 +81,8 @@ Json model(const method::model::ModelResult& model) {
           {"cells_far_off", number(model.cells_far_off)},
           {"samples_per_independent", number(model.samples_per_independent)},
           {"recordings_left_out", model.left_out.size()},
+          {"law", model.law.empty() ? Json(nullptr) : law(model.law)},
+          {"rest_Nm", interval(model.rest_Nm)},
           {"quantities", std::move(quantities)},
           {"effects", std::move(effects)},
           {"friction_of_loops", interval(model.friction_of_loops)},

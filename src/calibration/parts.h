@@ -33,7 +33,6 @@ Json cross_checks(const method::selection::CrossChecksResult& result);
 Json ripple(const method::gravity::Ripple& ripple);
 Json position_plan(const std::optional<method::hysteresis::PositionPlan>& plan);
 Json friction(const Calibration& c, double gear_ratio);
-Json curve_model(const method::viscous::CurveModelChoice& c);
 Json known_loads(const std::vector<joint::KnownLoad>& loads);
 Json other_joints(const std::vector<joint::OtherJoint>& others);
 Json arm_gravity(const std::optional<joint::ArmGravity>& arm);

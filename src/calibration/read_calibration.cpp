@@ -330,8 +330,12 @@ std::vector<FrictionAtSpeed> friction_at_speed_of(const ReadJson& top) {
 }
 
 RecordedCurves curves_of(const ReadJson& top) {
+  const ReadJson& of_law = member(member(member(top, "model"), "law"), "fastest_rad_s");
+  // Of an older calibration the straight line's.
   const ReadJson& fastest =
-      member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
+      of_law.is_number()
+          ? of_law
+          : member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
   return {friction_of(top),
           fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top),
           torque_unit_of(top), friction_at_speed_of(top)};

@@ -205,6 +205,7 @@ void tell_outcome(const Calibration& calibration, Console& to) {
   const auto say = [&](const char* quantity, const std::string& name) {
     const std::optional<Quantity> found = calibration.quantity(quantity);
     if (!found || !found->at_joint || found->verdict == Verdict::not_identifiable) return;
+    if (found->verdict == Verdict::doubtful && !found->decides) return;
     const Estimate& e = *found->at_joint;
     const bool is_angle = found->unit == "rad";
     const double factor = is_angle ? joint::degrees_per_rad : 1;
@@ -217,12 +218,7 @@ void tell_outcome(const Calibration& calibration, Console& to) {
   say("cog_angle", "gravity peak at joint angle");
   say("surrogate_mass", "surrogate mass, " + calibration.estimator());
   say("gravity_torque", "gravity torque at the joint");
-  for (const Stage& stage : calibration.stages()) {
-    const bool has_line = stage.state == Stage::State::done || stage.state == Stage::State::partial;
-    if (stage.name == "friction_parameters" && has_line) {
-      say("coulomb_torque", "Coulomb torque at the joint");
-    }
-  }
+  say("coulomb_torque", "Coulomb torque at the joint");
   if (const std::string line = friction_line(calibration); !line.empty()) to.say(line);
   for (const std::string& line : row_accounts(calibration.inputs())) to.say(line);
 }

@@ -77,13 +77,16 @@ nlohmann::json misfit_json(const std::vector<study::MisfitCase>& cases) {
                     {"size", c.size},
                     {"runs", c.runs},
                     {"named", c.has_cause ? nlohmann::json(c.named) : nlohmann::json(nullptr)},
+                    {"harmed", c.harmed},
+                    {"harmed_and_named", c.harmed_and_named},
                     {"quantities", quantities}});
   }
   return {{"schema", "tribolog-misfit-1"}, {"cases", list}};
 }
 
 /// What the study is made for, in a few lines: wrong numbers that are called usable, and causes
-/// that are not named. What no log can show, such as a wrong torque constant, is left out.
+/// that are not named where they do harm. What no log can show, such as a wrong torque constant, is
+/// left out.
 void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) {
   std::set<std::string> hidden;
   for (const study::Disturbance& d : study::disturbances()) {
@@ -94,11 +97,11 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
   std::size_t wrong = 0;
   double by_chance = 0;
   std::vector<std::string> where;
-  std::map<std::string, std::pair<std::size_t, std::size_t>> named;  // of all runs
+  std::map<std::string, std::pair<std::size_t, std::size_t>> named;  // of runs harmed
   for (const study::MisfitCase& c : cases) {
-    if (c.has_cause) {
-      named[c.disturbance].first += c.named;
-      named[c.disturbance].second += c.runs;
+    if (c.harmed > 0) {
+      named[c.disturbance].first += c.harmed_and_named;
+      named[c.disturbance].second += c.harmed;
     }
     if (hidden.contains(c.disturbance)) continue;
     for (const study::MisfitQuantity& q : c.quantities) {
@@ -129,7 +132,7 @@ void say_outcome(const std::vector<study::MisfitCase>& cases, Console& console) 
     const double share = static_cast<double>(of.first) / static_cast<double>(of.second);
     if (share < enough) seldom.push_back(fmt::format("{} {:.0f} %", key, 100 * share));
   }
-  console.say(fmt::format("cause named: in {:.1f} % of {} runs; seldom: {}",
+  console.say(fmt::format("cause named: in {:.1f} % of the {} runs that it harms; seldom: {}",
                           100.0 * static_cast<double>(named_runs) / static_cast<double>(runs), runs,
                           seldom.empty() ? "none" : fmt::format("{}", fmt::join(seldom, ", "))));
 }

@@ -14,7 +14,6 @@
 #include "figures/candidate_figures.h"
 #include "figures/cross_check_figures.h"
 #include "figures/hysteresis_loops.h"
-#include "figures/parameter_figures.h"
 #include "figures/selected_curve.h"
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
@@ -40,7 +39,6 @@ std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
   candidates.push_back(lugre_loop_figure(calibration));
-  candidates.push_back(curve_model_figure(calibration));
   candidates.push_back(break_away_figure(dataset, calibration));
   candidates.push_back(mass_comparison_figure(calibration));
   candidates.push_back(truth_check_figure(calibration));
@@ -60,7 +58,6 @@ std::vector<ReportFigure> for_a_report(std::vector<ReportFigure> figures) {
       {"fig-18-friction-curves", "fig-friction-candidates"},
       {"fig-19-friction-against-reference", "fig-friction-candidates"},
       {"fig-20-quality-error", "fig-friction-candidates"},
-      {"fig-21-selected-curve", "fig-curve-models"},
       {"fig-09-robot", "fig-10-phenomenological-model"}};
   std::set<std::string, std::less<>> there;
   for (const ReportFigure& one : figures) there.insert(one.id);

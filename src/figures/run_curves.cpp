@@ -212,33 +212,40 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
 
 void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibration& calibration,
                      const wording::AxisScale& scale) {
-  const method::selection::FrictionParametersResult& friction = calibration.friction;
-  if (friction.waiboer) {
-    const auto& [speeds, torques] = calibration.curves.friction;
-    std::vector<double> x;
-    std::vector<double> y;
-    for (std::size_t i = 0; i < std::min(speeds.size(), torques.size()); ++i) {
-      if (panel.x.logarithmic && !(speeds[i] >= present(panel.x.minimum))) continue;
-      x.push_back(speeds[i]);
-      y.push_back(scale(torques[i]));
-    }
-    add_visible(panel, line(tr("Waiboer's law, fitted"), std::move(x), std::move(y),
+  const method::model::ModelLaw& law = calibration.model.law;
+  if (law.empty()) return;
+  const std::vector<double> speeds = law.speeds_rad_s(line_points);
+  if (const auto waiboer = method::viscous::waiboer_of(calibration.friction.waiboer)) {
+    std::vector<double> torques;
+    for (const double speed : speeds) torques.push_back(waiboer->magnitude_Nm(speed));
+    add_visible(panel, line(tr("Waiboer's law, fitted"), speeds, shown(torques, scale),
                             render::figure::palette::purple, 3.0, render::figure::LineStyle::dash));
   }
-  if (!friction.coulomb_viscous) return;
-  const method::selection::CoulombViscousFit& law = *friction.coulomb_viscous;
-  if (!(law.slowest_rad_s >= 0.0) || !std::isfinite(law.fastest_rad_s)) return;
-  std::vector<double> x;
-  std::vector<double> y;
-  for (int i = 0; i <= line_points; ++i) {
-    const double speed =
-        law.slowest_rad_s + (law.fastest_rad_s - law.slowest_rad_s) * i / line_points;
-    x.push_back(speed);
-    y.push_back(scale(law.coulomb_Nm.value + law.viscous_Nms_rad.value * speed));
+  add_visible(panel, line(tr("model: {law}", {{"law", described(law)}}), speeds,
+                          shown(law.friction_Nm(speeds), scale), render::figure::palette::green,
+                          3.0, render::figure::LineStyle::dash_dot));
+}
+
+void add_residuals(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                   std::optional<method::hysteresis::Estimator> estimator,
+                   const wording::AxisScale& scale) {
+  const method::viscous::ViscousCurve* curve = calibration.viscous.find(estimator);
+  const method::model::ModelLaw& law = calibration.model.law;
+  if (curve == nullptr || law.empty()) return;
+  std::vector<double> residual_Nm = curve->friction_Nm;
+  for (std::size_t i = 0; i < std::min(residual_Nm.size(), calibration.viscous.runs.size()); ++i) {
+    const double speed = calibration.viscous.runs[i].speed_rad_s;
+    residual_Nm[i] -= std::copysign(law.friction_Nm(std::abs(speed)), speed);
   }
-  add_visible(panel,
-              line(tr("Coulomb + viscous, fitted"), std::move(x), std::move(y),
-                   render::figure::palette::green, 3.0, render::figure::LineStyle::dash_dot));
+  for (const bool forward : {true, false}) {
+    render::figure::Series series = folded(calibration.viscous, residual_Nm, forward, scale);
+    series.label = forward ? tr("forward") : tr("backward");
+    series.colour = colour_of(forward, true);
+    series.style = render::figure::LineStyle::none;
+    series.marker = forward ? render::figure::Marker::circle : render::figure::Marker::diamond;
+    series.marker_size_px = forward ? 20.0 : 9.0;
+    add_visible(panel, std::move(series));
+  }
 }
 
 }  // namespace tribolog::figures

@@ -47,8 +47,13 @@ void add_folded_curve(render::figure::Panel& panel, const calibration::Calibrati
 void add_folded_reference(render::figure::Panel& panel, const calibration::Calibration& calibration,
                           const wording::Extent& speeds, const wording::AxisScale& scale);
 
-/// The laws of stage 8, where they were fitted. A logarithmic x axis must have its minimum set.
+/// The likeliest law of the model over the speeds measured, and eq. (6) where it was fitted.
 void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibration& calibration,
                      const wording::AxisScale& scale);
+
+/// What the likeliest law leaves of an estimator's curve, along the motion.
+void add_residuals(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                   std::optional<method::hysteresis::Estimator> estimator,
+                   const wording::AxisScale& scale);
 
 }  // namespace tribolog::figures

@@ -20,19 +20,6 @@ constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis
 std::string fit_words(const calibration::Calibration& calibration) {
   const method::selection::FrictionParametersResult& friction = calibration.friction;
   std::string text;
-  if (friction.coulomb_viscous) {
-    const method::selection::CoulombViscousFit& law = *friction.coulomb_viscous;
-    const std::string coulomb =
-        wording::with_interval(law.coulomb_Nm, wording::prefixed("N·m", law.coulomb_Nm.value));
-    const std::string viscous = wording::with_interval(
-        law.viscous_Nms_rad, wording::prefixed("N·m·s/rad", law.viscous_Nms_rad.value));
-    text += " ";
-    text += wording::has_motor_side(calibration.manifest)
-                ? tr("Coulomb friction {coulomb}, viscous {viscous} at the motor.",
-                     {{"coulomb", coulomb}, {"viscous", viscous}})
-                : tr("Coulomb friction {coulomb}, viscous {viscous} at the joint.",
-                     {{"coulomb", coulomb}, {"viscous", viscous}});
-  }
   if (friction.waiboer && friction.waiboer->converged) {
     text += " " + tr("The scatter about Waiboer's law is {scatter}.",
                      {{"scatter", wording::size_words(friction.waiboer->residual_Nm,
@@ -47,6 +34,26 @@ std::string paper_words(const calibration::Calibration& calibration) {
   if (!estimator) return {};
   return " " + tr("The paper's rule selects {candidate}.",
                   {{"candidate", candidate_words(calibration, *estimator)}});
+}
+
+std::optional<render::figure::Panel> residual_panel(const calibration::Calibration& calibration,
+                                                    const render::figure::Axis& speeds) {
+  const method::viscous::ViscousCurve* curve =
+      calibration.viscous.find(calibration.selection.recommended);
+  const method::model::ModelLaw& law = calibration.model.law;
+  if (curve == nullptr || law.empty()) return std::nullopt;
+  wording::Extent residuals;
+  for (std::size_t i = 0; i < calibration.viscous.runs.size(); ++i) {
+    const double speed = calibration.viscous.runs[i].speed_rad_s;
+    residuals.add(std::abs(curve->friction_Nm[i]) - law.friction_Nm(std::abs(speed)));
+  }
+  const wording::AxisScale scale = wording::prefixed("N·m", residuals.largest());
+  render::figure::Panel panel;
+  panel.x = speeds;
+  panel.y.title = wording::axis_title(tr("left by the law"), scale);
+  add_residuals(panel, calibration, calibration.selection.recommended, scale);
+  if (panel.series.empty()) return std::nullopt;
+  return panel;
 }
 
 }  // namespace
@@ -89,6 +96,11 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
   if (bins) add_folded_reference(panel, calibration, speeds, scale);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
+  if (auto residuals = residual_panel(calibration, out.figure.panels.front().x)) {
+    out.figure.panels.push_back(std::move(*residuals));
+    out.figure.height_px = 1400;
+    out.figure.panels_share_x = true;
+  }
 
   const std::string recommended =
       selection.recommended ? candidate_words(calibration, *selection.recommended) : std::string();
@@ -107,7 +119,8 @@ std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration
           : tr("Forward and backward runs are folded onto each other. With the right mass they "
                "coincide within their bars (drawn where longer than a marker) and lie on the "
                "reference; a constant gap between them is twice the error in gravity torque. The "
-               "fitted laws should pass through the points without a pattern.");
+               "law should pass through the points; what it leaves, below, should have no "
+               "pattern.");
   const std::string slowest = wording::significant(speeds.low, 3);
   const std::string fastest = wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3);
   out.alt = (!selection.recommended

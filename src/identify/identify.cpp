@@ -164,7 +164,7 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
     fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.loop_timing.lag_s);
   }
   fit = method::hysteresis::with_rival_contacts(std::move(fit));
-  const auto& dip = p.c.curve_model.sliding.stribeck_speed_rad_s.estimate;
+  const auto& dip = p.c.model.law.stribeck_speed_rad_s;
   if (dip || (p.c.friction.waiboer && p.c.friction.waiboer->converged)) {
     fit = method::hysteresis::with_experiments(
         std::move(fit), p.n, dip ? dip->value : p.c.friction.waiboer->stribeck_speed_rad_s.value);
@@ -325,11 +325,6 @@ constexpr Step papers_chain[] = {
      [](Progress& p) {
        p.c.friction = method::selection::fit_friction_parameters(p.c.viscous, p.c.selection);
      }},
-    {"",
-     [](Progress& p) {
-       p.c.curve_model =
-           method::viscous::choose_curve_model(p.c.viscous, p.c.selection.recommended);
-     }},
 };
 
 /// Whether the data support the chain, what goes beyond the paper, and how certain all of it is.
@@ -365,8 +360,7 @@ constexpr Step further_steps[] = {
     {"",
      [](Progress& p) {
        p.c.curves = {std::move(p.rough.curves), std::move(p.precise.curves),
-                     std::move(p.loop.traces), method::selection::fitted_curve(p.c.friction),
-                     std::move(p.c.curves.log)};
+                     std::move(p.loop.traces), std::move(p.c.curves.log)};
      }},
 };
 

@@ -19,6 +19,7 @@ const std::vector<Effect>& effects() {
                                        asymmetry,
                                        load,
                                        position,
+                                       motor_turn,
                                        torque_over_turn,
                                        hoses,
                                        angle_scale,

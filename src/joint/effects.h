@@ -80,6 +80,9 @@ inline constexpr Effect load{
 /// Percent of the friction: by how much it changes over the joint's angle.
 inline constexpr Effect position{"position", Effect::Kind::effect, 2, "percent", "record.runs", 2,
                                  15};
+/// Percent of the friction: by how much it changes over the motor's turn.
+inline constexpr Effect motor_turn{
+    "motor_turn", Effect::Kind::effect, 1, "percent", "record.runs", 2, 30};
 inline constexpr Effect torque_over_turn{
     "torque_over_turn", Effect::Kind::effect, 0.5, "percent", "record.whole_turn", 2, 20};
 /// From the middle to the end of the angles.

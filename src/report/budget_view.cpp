@@ -26,10 +26,6 @@ std::string name_of(Influence influence) {
   return wording::words_for("influence", to_string(influence));
 }
 
-std::string share_in_words(double share) {
-  return wording::with_unit(share < 0.01 ? "< 1" : wording::fixed(100 * share, 0), "%");
-}
-
 /// "hoses and cables, typical 0.1 %: 60 %"
 std::string effect_in_words(const calibration::BudgetEffect& one) {
   const std::string name = wording::words_for("effect", one.effect);
@@ -57,6 +53,10 @@ std::string effects_in_words(const UncertaintyBudget& budget) {
 }
 
 }  // namespace
+
+std::string share_in_words(double share) {
+  return wording::with_unit(share < 0.01 ? "< 1" : wording::fixed(100 * share, 0), "%");
+}
 
 std::string largest_part(const calibration::QuantityVerdict& q) {
   if (!q.budget || q.budget->parts.empty() || !(q.budget->parts.front().share > 0)) return "";

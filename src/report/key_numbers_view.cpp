@@ -317,9 +317,7 @@ class KeyNumbers {
     }
     if (headline.source == HeadlineSource::model) return tr("one model of all recordings");
     const int stage = stage_number(StageId::parameters);
-    return headline.source == HeadlineSource::sliding_law
-               ? tr("stage {stage}, sliding law", {{"stage", stage}})
-               : tr("stage {stage}, straight line", {{"stage", stage}});
+    return tr("stage {stage}, straight line", {{"stage", stage}});
   }
 
   void coulomb_and_viscous() {
@@ -328,8 +326,7 @@ class KeyNumbers {
     const auto& viscous_Nms_rad = headline.viscous_Nms_rad.estimate;
     const std::string from = source_of(headline);
     const std::string coulomb = tr("Coulomb torque");
-    const bool has_law = headline.source == calibration::HeadlineSource::sliding_law ||
-                         headline.source == calibration::HeadlineSource::model;
+    const bool has_law = headline.source == calibration::HeadlineSource::model;
     if (refused(Quantity::coulomb_torque) && (coulomb_Nm || has_law)) {
       see_the_verdict(coulomb);
     } else if (coulomb_Nm) {

@@ -278,24 +278,6 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
   return picture;
 }
 
-/// What the line and its band are; terms of load and direction are not drawn.
-std::string law_and_band(const method::viscous::CurveModel& model) {
-  const StatedValue law{"law", described(model.law)};
-  if (model.load) {
-    return tr(
-        "Blue: {law}, at the mean load; the points lie at loads of their own. Band: 95 % of speeds "
-        "that were held out, at equal load.",
-        {law});
-  }
-  if (model.asymmetry != method::viscous::Asymmetry::none) {
-    return tr(
-        "Blue: {law}, mean of the directions, which differ. Band: 95 % of speeds that were held "
-        "out, about each direction's own curve.",
-        {law});
-  }
-  return tr("Blue: {law}; band: 95 % of speeds that were held out.", {law});
-}
-
 /// Friction along the motion, each direction on its own.
 std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   const method::viscous::ViscousCurve* curve = c.viscous.find(c.selection.recommended);
@@ -335,19 +317,20 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   Points law;
   Points low;
   Points high;
-  const method::viscous::CurveModelTrial* chosen =
-      c.curve_model.chosen_any ? c.curve_model.find(c.curve_model.chosen.law) : nullptr;
-  if (chosen != nullptr && chosen->curve_Nm.size() == c.curve_model.curve_speed_rad_s.size()) {
-    constexpr double normal_975 = 1.96;
-    const double scatter = normal_975 * chosen->held_out_rms_Nm;
-    for (std::size_t i = 0; i < chosen->curve_Nm.size(); ++i) {
-      const double at = c.curve_model.curve_speed_rad_s[i];
+  const method::model::ModelLaw& model = c.model.law;
+  if (!model.empty()) {
+    constexpr int points = 100;
+    for (const double at : model.speeds_rad_s(points)) {
       if (!(at >= speed.low && at <= speed.high)) continue;
-      law.add(x(at), y(chosen->curve_Nm[i]));
-      low.add(x(at), y(chosen->curve_Nm[i] - scatter));
-      high.add(x(at), y(chosen->curve_Nm[i] + scatter));
-      torque.add(chosen->curve_Nm[i]);
+      const double friction_Nm = model.friction_Nm(at);
+      law.add(x(at), y(friction_Nm));
+      torque.add(friction_Nm);
     }
+  }
+  for (const calibration::FrictionAtSpeed& f : c.judgement.friction_at_speed) {
+    if (!(f.speed_rad_s >= speed.low && f.speed_rad_s <= speed.high)) continue;
+    low.add(x(f.speed_rad_s), y(f.torque_Nm.low));
+    high.add(x(f.speed_rad_s), y(f.torque_Nm.high));
   }
   Extent shown_x;
   Extent shown_y;
@@ -370,7 +353,7 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
                         ? tr("Parts of the sweep, forward as dots and backward as rings.")
                         : tr("Runs, forward as dots and backward as rings, with 95 % bars.");
   if (!picture.fitted.empty()) {
-    picture.caption += " " + law_and_band(c.curve_model.chosen);
+    picture.caption += " " + tr("Blue: {law}; band: friction, 95 %.", {{"law", described(model)}});
   }
   return picture;
 }

@@ -211,47 +211,44 @@ Json candidates(const calibration::Calibration& c, const wording::AxisScale& tor
 namespace {
 
 /// Apart from the candidates' curves and from each other, by their dashes too.
-Json law_style(method::viscous::CurveLaw law) {
+Json law_style(std::size_t place) {
   namespace colour = render::figure::palette;
-  using method::viscous::CurveLaw;
   using render::figure::LineStyle;
-  switch (law) {
-    case CurveLaw::coulomb:
-      return style(colour::grey, LineStyle::dot);
-    case CurveLaw::coulomb_viscous:
-      return style(colour::green, LineStyle::dash);
-    case CurveLaw::power_viscous:
-      return style(colour::blue, LineStyle::dash_dot);
-    case CurveLaw::stribeck:
-      return style(colour::vermilion, LineStyle::dash_dot_dot);
-    case CurveLaw::waiboer:
-      break;
-  }
-  return style(colour::black, LineStyle::dash);
+  const std::array styles{
+      style(colour::black, LineStyle::dash), style(colour::green, LineStyle::dash_dot),
+      style(colour::vermilion, LineStyle::dash_dot_dot), style(colour::grey, LineStyle::dot)};
+  return styles[std::min(place, styles.size() - 1)];
 }
 
 }  // namespace
 
 Json laws(const calibration::Calibration& c) {
-  const method::viscous::CurveModelChoice& tried = c.curve_model;
+  const method::model::ModelLaw& law = c.model.law;
+  if (law.empty()) return nullptr;
+  constexpr int points = 200;
+  constexpr double worth_a_line = 0.01;
   const AxisScale friction = friction_scale(c);
-  const std::vector<double>& speed = tried.curve_speed_rad_s;
+  const std::vector<double> speed = law.speeds_rad_s(points);
   Json list = Json::array();
-  for (const method::viscous::CurveModelTrial& trial : tried.ladder) {
-    const bool is_drawn =
-        trial.excluded_because.empty() && !speed.empty() && trial.curve_Nm.size() == speed.size();
-    if (!is_drawn) continue;
-    list.push_back(
-        {{"words", shown_text(wording::words(described(trial.model)))},
-         {"f", column(trial.curve_Nm, friction)},
-         {"error", wording::size_words(trial.held_out_rms_Nm, wording::torque_floor_Nm, "N·m")},
-         {"chosen", tried.chosen_any && trial.model.law == tried.chosen.law},
-         {"style", law_style(trial.model.law)}});
+  for (const method::model::CandidateLaw& one : law.candidates) {
+    if (one.probability < worth_a_line) continue;
+    list.push_back({{"words", shown_text(wording::words(described(one.law)))},
+                    {"f", column(one.law.friction_Nm(speed), friction)},
+                    {"note", share_in_words(one.probability)},
+                    {"chosen", list.empty()},
+                    {"style", law_style(list.size())}});
   }
-  if (list.empty() || !tried.curve) return nullptr;
-  return {{"w", column(speed, as_it_is)},
-          {"curve", shown_text(figures::estimator_words(*tried.curve))},
-          {"list", std::move(list)}};
+  if (const auto waiboer = method::viscous::waiboer_of(c.friction.waiboer)) {
+    std::vector<double> torque;
+    for (const double w : speed) torque.push_back(waiboer->magnitude_Nm(w));
+    list.push_back(
+        {{"words", shown_text(tr("Waiboer's law, fitted"))},
+         {"f", column(torque, friction)},
+         {"note", tr("eq. (6)")},
+         {"chosen", false},
+         {"style", style(render::figure::palette::purple, render::figure::LineStyle::dash)}});
+  }
+  return {{"w", column(speed, as_it_is)}, {"list", std::move(list)}};
 }
 
 }  // namespace tribolog::report

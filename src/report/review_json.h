@@ -17,10 +17,9 @@
 //   curves       of compared calibrations alone: label, style and the stretch [from, to) of runs
 //                that is its friction curve, by speed; `value` and `half` of runs are the friction
 //                and its half width, `value_texts` both as text; no candidates then
-//   laws         absent where none was tried: w speeds > 0; list: one per law with its friction f
-//   at
-//                them, mean of the directions, the error at speeds held out as text, and whether it
-//                was chosen; curve: whose they were fitted to
+//   laws         absent where there is none: w speeds > 0; list: one per law with its friction f at
+//                them, mean of the directions, a note as text, and whether it is the likeliest;
+//                curve: whose runs they describe
 // Numbers are in the unit of their quantity, rounded to six significant digits; what is not finite
 // is null.
 

@@ -86,16 +86,12 @@ Points mirrored(Points points) {
   return points;
 }
 
-/// The law that held-out speeds chose; where none was chosen, what stage 8 fitted.
-Points fitted_law(const calibration::Calibration& c) {
-  const method::viscous::CurveModelChoice& model = c.curve_model;
-  if (model.chosen_any) {
-    const method::viscous::CurveModelTrial* chosen = model.find(model.chosen.law);
-    if (chosen != nullptr && chosen->curve_Nm.size() == model.curve_speed_rad_s.size()) {
-      return {model.curve_speed_rad_s, chosen->curve_Nm};
-    }
-  }
-  return {c.curves.friction.speed_rad_s, c.curves.friction.torque_Nm};
+/// The likeliest law; empty where there is none.
+Points likeliest_law(const method::model::ModelLaw& law) {
+  constexpr int points = 100;
+  if (law.empty()) return {};
+  const std::vector<double> speeds = law.speeds_rad_s(points);
+  return {speeds, law.friction_Nm(speeds)};
 }
 
 /// The curve over the speeds that were run; below them it is a guess.
@@ -172,7 +168,7 @@ std::optional<Thumbnail> curve_thumbnail(const calibration::Calibration& c) {
   Thumbnail out;
   out.measured = frame.dots(measured);
   out.is_of_points = true;
-  const Points forwards = from_slowest(fitted_law(c), measured.x);
+  const Points forwards = from_slowest(likeliest_law(c.model.law), measured.x);
   out.fitted =
       (x.high > 0 ? frame.line(forwards) : "") + (x.low < 0 ? frame.line(mirrored(forwards)) : "");
   out.zero = frame.zero();

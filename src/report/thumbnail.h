@@ -24,8 +24,7 @@ struct Thumbnail {
 /// Last cycles of the first oscillation, motor torque over joint angle. Absent: none was recorded.
 std::optional<Thumbnail> loop_thumbnail(const calibration::Calibration& calibration);
 
-/// Friction torque over motor speed: the runs, and the law chosen by held-out speeds. Absent: there
-/// are no runs.
+/// Friction torque over motor speed: the runs, and the likeliest law. Absent: there are no runs.
 std::optional<Thumbnail> curve_thumbnail(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::report

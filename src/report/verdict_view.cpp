@@ -144,8 +144,8 @@ std::vector<QuantityRow> quantity_rows(const calibration::Calibration& c,
     // A number that its verdict refuses is none to file.
     if (q.verdict != calibration::Verdict::not_identifiable) {
       add_estimate(q, c.manifest.drive.gear_ratio(), row);
-      if (q.quantity == joint::Quantity::viscous_curve && c.curve_model.chosen_any) {
-        row.at_motor = wording::capitalised(described(c.curve_model.chosen.law));
+      if (q.quantity == joint::Quantity::viscous_curve && !c.model.law.empty()) {
+        row.at_motor = wording::capitalised(described(c.model.law));
       }
     }
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));

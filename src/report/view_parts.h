@@ -34,6 +34,8 @@ std::string explanation_template(StageId stage);
 std::string helpful_experiment(StageId stage);
 /// "stage 3"
 std::string stage_reference(StageId stage);
+/// "20 %", "< 1 %"
+std::string share_in_words(double share);
 std::string verdict_in_words(calibration::Verdict verdict);
 /// In capitals, as the word of a page's outcome: "DOUBTFUL".
 std::string verdict_heading(calibration::Verdict verdict);
@@ -50,7 +52,6 @@ void describe_viscous_curves(const calibration::Calibration& calibration, Sectio
 void describe_quality_errors(const calibration::Calibration& calibration, Section& section);
 void describe_selection(const calibration::Calibration& calibration, Section& section);
 void describe_parameters(const calibration::Calibration& calibration, Section& section);
-void describe_curve_models(const calibration::Calibration& calibration, Section& section);
 
 /// Points A to F of one turn.
 Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points,

@@ -29,6 +29,7 @@ using simulate::Scenario;
 
 constexpr std::size_t joints_of_the_study = 4;
 
+/// Whether a finding, or a reason against a quantity, names the cause.
 bool names(const calibration::Judgement& judgement, const Disturbance& d) {
   const std::function<bool(const Statement&)> is_named = [&](const Statement& s) {
     for (const std::string& prefix : d.named_by) {
@@ -39,7 +40,12 @@ bool names(const calibration::Judgement& judgement, const Disturbance& d) {
       return inside != nullptr && std::any_of(inside->begin(), inside->end(), is_named);
     });
   };
-  return std::any_of(judgement.findings.begin(), judgement.findings.end(), is_named);
+  const auto has_name = [&](const std::vector<Statement>& all) {
+    return std::any_of(all.begin(), all.end(), is_named);
+  };
+  return has_name(judgement.findings) ||
+         std::any_of(judgement.quantities.begin(), judgement.quantities.end(),
+                     [&](const auto& q) { return has_name(q.reasons); });
 }
 
 /// Of a normal error, to be beyond its 95 % interval and beyond what matters.
@@ -75,6 +81,27 @@ void count(const calibration::QuantityVerdict& run, double truth, MisfitQuantity
   q.by_chance += chance_of_wrong(found.half_width() / matters);
 }
 
+const calibration::QuantityVerdict* find(const MisfitRun& run, Quantity quantity) {
+  const auto it = std::find_if(run.quantities.begin(), run.quantities.end(),
+                               [&](const auto& one) { return one.quantity == quantity; });
+  return it != run.quantities.end() ? &*it : nullptr;
+}
+
+/// Whether a number is wrong, or less usable than on the sound joint with the same noise.
+bool is_harmed(const MisfitRun& run, const MisfitRun& sound) {
+  constexpr auto usable = calibration::Verdict::usable;
+  for (const calibration::QuantityVerdict& one : sound.quantities) {
+    const calibration::QuantityVerdict* now = find(run, one.quantity);
+    if (one.verdict == usable && (now == nullptr || now->verdict != usable)) return true;
+    const auto truth = run.truths.find(one.quantity);
+    if (now == nullptr || truth == run.truths.end()) continue;
+    MisfitQuantity alone{one.quantity};
+    count(*now, truth->second, alone);
+    if (alone.wrong > 0) return true;
+  }
+  return false;
+}
+
 /// Over all runs. @param truths of the quantity in each of them.
 MisfitQuantity counted(Quantity quantity, const std::vector<MisfitRun>& runs,
                        const std::vector<double>& truths) {
@@ -82,10 +109,7 @@ MisfitQuantity counted(Quantity quantity, const std::vector<MisfitRun>& runs,
                                   [&](double truth) { return truth == truths.front(); });
   MisfitQuantity q{quantity, is_one ? truths.front() : std::numeric_limits<double>::quiet_NaN()};
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const auto& found = runs[k].quantities;
-    const auto it = std::find_if(found.begin(), found.end(),
-                                 [&](const auto& one) { return one.quantity == quantity; });
-    if (it != found.end()) count(*it, truths[k], q);
+    if (const auto* found = find(runs[k], quantity)) count(*found, truths[k], q);
   }
   if (q.judged > 0) {
     q.rms_error = std::sqrt(q.rms_error / static_cast<double>(q.judged));
@@ -94,8 +118,9 @@ MisfitQuantity counted(Quantity quantity, const std::vector<MisfitRun>& runs,
   return q;
 }
 
+/// @param sound runs of the joint without disturbance: of a case of such runs, filled with them.
 MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturbance, double size,
-                           const MisfitOptions& options) {
+                           const MisfitOptions& options, std::vector<MisfitRun>& sound) {
   Scenario laid = joint.scenario;
   if (disturbance != nullptr) disturbance->lay(laid, size);
   const std::vector<simulate::IdealRecording> ideal = simulate::simulate_ideal_joint(laid);
@@ -119,7 +144,14 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       },
       options.threads);
   out.quantities = count_runs(runs);
-  out.named = static_cast<std::size_t>(std::count(is_named.begin(), is_named.end(), 1));
+  if (disturbance == nullptr) sound = runs;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const bool named = is_named[k] != 0;
+    const bool harmed = out.has_cause && is_harmed(runs[k], sound.at(k));
+    out.named += named ? 1 : 0;
+    out.harmed += harmed ? 1 : 0;
+    out.harmed_and_named += harmed && named ? 1 : 0;
+  }
   return out;
 }
 
@@ -196,12 +228,13 @@ std::vector<MisfitCase> run_misfit_study(const MisfitOptions& options,
   for (const Disturbance& d : laid) all += d.sizes.size() * joints.size();
   all += joints.size();
   std::vector<MisfitCase> out;
+  std::vector<MisfitRun> sound;
   const auto run = [&](const MisfitJoint& joint, const Disturbance* d, double size) {
     if (progress) {
       progress(fmt::format("{}, {} {:g}", joint.key, d == nullptr ? "sound" : d->key, size),
                out.size(), all);
     }
-    out.push_back(run_misfit_case(joint, d, size, options));
+    out.push_back(run_misfit_case(joint, d, size, options, sound));
   };
   for (const MisfitJoint& joint : joints) {
     run(joint, nullptr, 0);

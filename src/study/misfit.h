@@ -69,7 +69,10 @@ struct MisfitCase {
   double size{};
   std::size_t runs{};
   bool has_cause{};     ///< Something is wrong that the findings should name.
-  std::size_t named{};  ///< Runs whose findings name the cause.
+  std::size_t named{};  ///< Runs whose findings, or reasons against a quantity, name the cause.
+  /// Runs in which a number is wrong, or less usable than on the sound joint; and named in them.
+  std::size_t harmed{};
+  std::size_t harmed_and_named{};
   std::vector<MisfitQuantity> quantities;
 };
 

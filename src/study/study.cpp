@@ -139,6 +139,12 @@ std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario,
                                           const joint::Dataset& ideal) {
   std::vector<truth::Reading> truths =
       truth::readings_of(identify_quietly(ideal, simulate::Noise{}.seed));
+  if (dynamic_cast<const friction::WaiboerFriction*>(scenario.sliding.get()) != nullptr) {
+    std::erase_if(truths, [](const truth::Reading& one) {  // eq. (6) has neither
+      return one.quantity == truth::ReadingKind::coulomb ||
+             one.quantity == truth::ReadingKind::viscous;
+    });
+  }
   for (truth::Reading& truth : truths) {
     const double value = stated_truth(scenario, truth).value_or(truth.estimate.value);
     truth.estimate = {value, value, value, {"interval.known"}};

@@ -38,19 +38,19 @@ class SlidingFriction final : public friction::StaticFriction {
   double rest_;
 };
 
-/// The sliding law of the runs, continuous through zero.
+/// The law of the model, continuous through zero.
 class LawOfRuns final : public friction::StaticFriction {
  public:
-  LawOfRuns(const method::viscous::SlidingLaw& law, double rest_speed_rad_s)
+  LawOfRuns(const method::model::ModelLaw& law, double rest_speed_rad_s)
       : law_(law), rest_(rest_speed_rad_s) {}
-  [[nodiscard]] std::string name() const override { return "sliding_law"; }
+  [[nodiscard]] std::string name() const override { return "model"; }
   [[nodiscard]] friction::NamedParameters named_parameters() const override { return {}; }
   [[nodiscard]] double torque_Nm(double speed) const override {
     return law_.friction_Nm(std::abs(speed)) * std::tanh(speed / rest_);
   }
 
  private:
-  const method::viscous::SlidingLaw& law_;
+  const method::model::ModelLaw& law_;
   double rest_;
 };
 
@@ -76,8 +76,8 @@ class Maker {
       return out;
     };
     constexpr double at_once = 1e-9;
-    if (runs_follow_waiboer(c_)) return torques(method::viscous::waiboer_of(*f.waiboer));
-    if (c_.curve_model.sliding.fitted) return torques(LawOfRuns(c_.curve_model.sliding, at_once));
+    if (runs_follow_waiboer(c_)) return torques(present(method::viscous::waiboer_of(f.waiboer)));
+    if (!c_.model.law.empty()) return torques(LawOfRuns(c_.model.law, at_once));
     return {};
   }
 
@@ -162,18 +162,12 @@ class Maker {
   [[nodiscard]] ModelTorque run_torque(const joint::Recording& r, Statement& why_not) const {
     const method::selection::FrictionParametersResult& f = c_.friction;
     if (runs_follow_waiboer(c_)) {
-      return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
-                     0, 0);
+      return sliding(r, method::motion::find_plateaus(r),
+                     present(method::viscous::waiboer_of(f.waiboer)), 0, 0);
     }
-    if (c_.curve_model.sliding.fitted) {
+    if (!c_.model.law.empty()) {
       const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
-      return sliding(r, motion, LawOfRuns(c_.curve_model.sliding, rest_speed(motion)), 0, 0);
-    }
-    if (f.coulomb_viscous && !c_.viscous.from_sweep) {
-      const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
-      const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
-                                     f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
-      return sliding(r, motion, friction, 0, 0);
+      return sliding(r, motion, LawOfRuns(c_.model.law, rest_speed(motion)), 0, 0);
     }
     why_not = {"truth.no_curve"};
     return {};
@@ -378,10 +372,9 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
   }
   out.ripple = ripple_of(dataset, c.rough, c.curves.rough);
   out.put_in = put_in(c, gravity, out.dataset);
-  const method::selection::FrictionParametersResult& f = c.friction;
-  if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {
-    out.dataset.manifest.reference =
-        std::make_shared<friction::WaiboerFriction>(method::viscous::waiboer_of(*f.waiboer));
+  if (const auto waiboer = method::viscous::waiboer_of(c.friction.waiboer);
+      dataset.manifest.reference && waiboer) {
+    out.dataset.manifest.reference = std::make_shared<friction::WaiboerFriction>(*waiboer);
   }
   return out;
 }

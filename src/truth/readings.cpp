@@ -63,15 +63,14 @@ void read_loop_fit(const method::hysteresis::LuGreFit& fit, Reader& out) {
 
 void read_curve(const calibration::Calibration& c, Reader& out) {
   const calibration::CurveHeadline headline = calibration::curve_headline(c);
-  const bool is_of_curve = headline.source != calibration::HeadlineSource::sweep &&
-                           headline.source != calibration::HeadlineSource::loops;
-  if (is_of_curve) {
-    out.add(ReadingName::coulomb, ReadingKind::coulomb, headline.coulomb_Nm.estimate);
-    out.add(ReadingName::viscous, ReadingKind::viscous, headline.viscous_Nms_rad.estimate);
-  }
   const auto& w = c.friction.waiboer;
   const bool has_waiboer = w && w->converged;
   const bool is_of_waiboer = has_waiboer && runs_follow_waiboer(c);
+  if (headline.source != calibration::HeadlineSource::sweep &&
+      headline.source != calibration::HeadlineSource::loops) {
+    out.add(ReadingName::coulomb, ReadingKind::coulomb, headline.coulomb_Nm.estimate);
+    out.add(ReadingName::viscous, ReadingKind::viscous, headline.viscous_Nms_rad.estimate);
+  }
   if (has_waiboer) {
     out.add(ReadingName::asperity_torque, ReadingKind::asperity_torque, w->asperity_torque_Nm);
   }
@@ -132,8 +131,8 @@ const Reading* find_reading(const std::vector<Reading>& readings, ReadingName na
 }
 
 bool runs_follow_waiboer(const calibration::Calibration& c) {
-  const auto& w = c.friction.waiboer;
-  return w && w->converged && (c.curve_model.carries_five || !c.curve_model.sliding.fitted);
+  return method::viscous::waiboer_of(c.friction.waiboer) &&
+         (c.model.law.carries_waiboer() || c.model.law.empty());
 }
 
 bool is_single_point(ReadingName name) { return name <= ReadingName::B_steady; }

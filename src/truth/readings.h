@@ -18,10 +18,10 @@ enum class ReadingKind {
   stiffness,        ///< Bristle stiffness s0 [N·m/rad]
   static_torque,    ///< Ts [N·m]
   sweep_friction,   ///< Half the distance of the sweep's directions [N·m].
-  coulomb,          ///< Of the sliding law, or of the straight line [N·m].
+  coulomb,          ///< Of the model, or of the straight line [N·m].
   viscous,          ///< Its slope at high speed [N·m·s/rad].
   asperity_torque,  ///< Ta of eq. (6) [N·m]
-  stribeck_speed,   ///< ws of the sliding law, or of eq. (6) [rad/s]
+  stribeck_speed,   ///< ws of the model, or of eq. (6) [rad/s]
   stribeck_power,   ///< da of eq. (6)
   viscous_factor,   ///< cv of eq. (6)
   viscous_power,    ///< dv of eq. (6)
@@ -42,7 +42,7 @@ std::vector<Reading> readings_of(const calibration::Calibration& calibration);
 const Reading* find_reading(const std::vector<Reading>& readings, ReadingName name);
 
 /// Whether the runs follow eq. (6) in a joint made of what was identified; else they follow the
-/// sliding law, or the straight line.
+/// law of the model.
 bool runs_follow_waiboer(const calibration::Calibration& calibration);
 
 /// The reading is one of the paper's single points or the same point of the steady loop: it keeps

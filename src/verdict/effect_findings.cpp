@@ -17,6 +17,17 @@ Statement statement_of(const ModelEffect& effect, const ModelResult& model) {
            {"percent", 100 * effect.largest_Nm.value / model.friction_Nm}}};
 }
 
+/// Recordings unlike the others that the model did without. Points stand behind the recordings.
+Statement recordings_left_out(const calibration::Calibration& c) {
+  std::vector<Statement> names;
+  for (const int at : c.model.left_out) {
+    const auto k = static_cast<std::size_t>(at);
+    if (k < c.curves.log.size()) names.push_back(Statement::verbatim(c.curves.log[k].recording));
+  }
+  return {"model.recordings_left_out",
+          {{"recordings", c.model.left_out.size()}, {"names", std::move(names)}}};
+}
+
 }  // namespace
 
 const joint::Effect* row_of_effect(std::string_view key) {
@@ -41,6 +52,7 @@ std::vector<Statement> effect_findings(const calibration::Calibration& c) {
   std::vector<Statement> all;
   all.reserve(found.size());
   for (const ModelEffect* effect : found) all.push_back(statement_of(*effect, c.model));
+  if (!c.model.left_out.empty()) all.push_back(recordings_left_out(c));
   return all;
 }
 

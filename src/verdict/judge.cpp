@@ -305,7 +305,6 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
        c.data_checks.in_state(method::checks::CheckState::warns)) {
     add(finding_of(*check));
   }
-  add(which_model(c));
   for (const calibration::RuleOutcome& rule : judgement.rules) {
     if (rule.is_note) add(rule.finding);
   }

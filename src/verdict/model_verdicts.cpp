@@ -97,7 +97,7 @@ bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity
   }
   constexpr std::array all{"others_inertia",          "description_differs",
                            "runs_against_ramps",      "runs_against_loops",
-                           "break_away_over_coulomb", "friction_over_gravity",
+                           "break_away_over_sliding", "friction_over_gravity",
                            "many_torque_outliers"};
   return std::find(all.begin(), all.end(), rule.rule) != all.end();
 }
@@ -124,6 +124,24 @@ bool is_of_angle(std::string_view effect) {
                            joint::effect::homing.key,
                            joint::effect::torque_over_turn.key};
   return std::find(all.begin(), all.end(), effect) != all.end();
+}
+
+/// Whether a variance is of not knowing the law of friction over the speed.
+bool is_of_law(std::string_view effect) {
+  constexpr std::array all{std::string_view("choice_of_law"), joint::effect::law_misfit.key,
+                           joint::effect::law_at_its_ends.key};
+  return std::find(all.begin(), all.end(), effect) != all.end();
+}
+
+/// Who has recorded as many runs as are asked for is told at which speeds to record more.
+/// @param otherwise What to record where runs are missing, or the quantity is none of a law's ends.
+Statement experiment_about_law(const Calibration& c, Quantity quantity,
+                               const Statement& otherwise) {
+  constexpr std::size_t both_directions_of_ten = 20;
+  if (c.viscous.from_sweep || c.viscous.runs.size() < both_directions_of_ten) return otherwise;
+  if (quantity == Quantity::coulomb_torque) return {"record.slower_speeds"};
+  if (quantity == Quantity::viscous_coefficient) return {"record.faster_speeds"};
+  return otherwise;
 }
 
 bool is_of_friction(Quantity quantity) {
@@ -268,16 +286,19 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
     const ModelQuantity* by_model = c.model.find(quantity);
     if (by_model == nullptr) continue;
     QuantityVerdict& q = verdict_on(quantity, quantities);
-    // A joint of Waiboer's law has neither a Coulomb torque nor one viscous coefficient.
-    const bool is_of_curve =
-        quantity == Quantity::coulomb_torque || quantity == Quantity::viscous_coefficient;
-    if (is_of_curve && !q.decides) continue;
     const Doubt doubt = doubt_of(c, quantity, *by_model, contradiction(c, rules, quantity));
     const bool is_of_loops =
         quantity == Quantity::inertia &&
         calibration::inertia_headline(c).source == calibration::InertiaSource::loops;
     if (is_of_loops) continue;
     take(*by_model, doubt, q);
+    // Where the laws of friction disagree, friction at the speeds is what there is to know.
+    const bool hangs_on_law =
+        !by_model->shares.empty() && is_of_law(by_model->shares.front().effect);
+    if (hangs_on_law && q.verdict != Verdict::usable) {
+      q.decides = false;
+      q.experiment = experiment_about_law(c, quantity, q.experiment);
+    }
     if (quantity == Quantity::gravity_torque && !c.manifest.torque_is_in_amperes) {
       const joint::Manifest& manifest = c.manifest;
       const double kg_per_Nm = joint::surrogate_mass_kg(

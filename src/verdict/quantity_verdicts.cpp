@@ -252,8 +252,8 @@ bool is_beyond_runs(const calibration::Calibration& c, double torque_Nm) {
 
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
   const calibration::CurveHeadline headline = calibration::curve_headline(c);
-  // A number is there, or why there is none; a number of which something is not sure is doubtful.
-  const auto judged = [&](Quantity quantity, const method::viscous::SlidingQuantity& found,
+  // A number is there, or why there is none.
+  const auto judged = [&](Quantity quantity, const calibration::HeadlineQuantity& found,
                           const Statement& experiment) {
     const Statement& none = found.why_not.empty() ? c.friction.stage.reason : found.why_not;
     const bool is_beyond = quantity == Quantity::coulomb_torque && found.estimate &&
@@ -261,34 +261,23 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
     if (is_beyond) {
       return by_estimate(quantity, std::nullopt, {"verdict.beyond_the_runs"}, experiment);
     }
-    calibration::QuantityVerdict q = by_estimate(quantity, found.estimate, none, experiment);
-    if (found.estimate && !found.why_not.empty()) {
-      calibration::lower(q, calibration::Verdict::doubtful, found.why_not, experiment);
-    }
-    return q;
+    return by_estimate(quantity, found.estimate, none, experiment);
   };
-  // Who has recorded as many runs as are asked for is not told to record them.
-  constexpr std::size_t both_directions_of_ten = 20;
-  const bool has_runs = !c.viscous.from_sweep && c.viscous.runs.size() >= both_directions_of_ten;
   std::vector<calibration::QuantityVerdict> all{
-      judged(Quantity::coulomb_torque, headline.coulomb_Nm,
-             has_runs ? Code{"record.slower_speeds"} : record_runs),
+      judged(Quantity::coulomb_torque, headline.coulomb_Nm, record_runs),
       judged(Quantity::stribeck_speed, headline.stribeck_speed_rad_s,
              {"record.speeds_about_the_dip"}),
-      judged(Quantity::viscous_coefficient, headline.viscous_Nms_rad,
-             has_runs ? Code{"record.faster_speeds"} : record_runs),
+      judged(Quantity::viscous_coefficient, headline.viscous_Nms_rad, record_runs),
       viscous_curve(c)};
   // Above the dip, says the definition; a sweep's speeds may lie within it.
   const bool is_of_sweep =
       headline.source == calibration::HeadlineSource::sweep || c.viscous.from_sweep;
-  if (is_of_sweep || headline.source == calibration::HeadlineSource::line) {
+  if (is_of_sweep) {
     for (const Quantity quantity : {Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
       calibration::QuantityVerdict& q = verdict_on(quantity, all);
       if (!q.estimate) continue;
-      calibration::lower(
-          q, calibration::Verdict::doubtful,
-          is_of_sweep ? Code{"verdict.friction_of_sweep"} : Code{"verdict.friction_of_few_speeds"},
-          {"record.runs"});
+      calibration::lower(q, calibration::Verdict::doubtful, {"verdict.friction_of_sweep"},
+                         {"record.runs"});
     }
   }
   // All three are of one law: where its Coulomb torque cannot be, nor is the rest right.
@@ -300,13 +289,8 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
           record_runs);
     }
   }
-  // A curve without a dip has no Stribeck velocity, and one that follows eq. (6) neither of the
-  // other two.
+  // A curve without a dip has no Stribeck velocity.
   verdict_on(Quantity::stribeck_speed, all).decides = false;
-  if (headline.is_of_waiboer) {
-    verdict_on(Quantity::coulomb_torque, all).decides = false;
-    verdict_on(Quantity::viscous_coefficient, all).decides = false;
-  }
   return all;
 }
 

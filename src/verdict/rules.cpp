@@ -80,20 +80,6 @@ bool has_inertia_of(calibration::InertiaSource source, const Calibration& c) {
   return calibration::inertia_headline(c).source == source;
 }
 
-/// Friction at rest by the law of the runs; present only where they see the dip.
-std::optional<statistics::Estimate> rest_friction_of_runs(const Calibration& c) {
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  if (!law.fitted || !law.has_dip || !law.coulomb_Nm.estimate || c.viscous.runs.empty()) {
-    return std::nullopt;
-  }
-  double slowest = std::numeric_limits<double>::infinity();
-  for (const auto& run : c.viscous.runs) slowest = std::min(slowest, std::abs(run.speed_rad_s));
-  constexpr double seen_of_dip = 0.5;
-  if (slowest > seen_of_dip * law.dip_rad_s) return std::nullopt;
-  return statistics::symmetric_estimate(law.level_Nm + law.excess_Nm,
-                                        law.coulomb_Nm.estimate->half_width(), {});
-}
-
 /// By how much a difference is larger than both half widths; 0 where it is not.
 double certainly_apart(double difference, const statistics::Estimate& a,
                        const statistics::Estimate& b) {
@@ -106,14 +92,16 @@ std::optional<statistics::Estimate> rest_friction_of_loops(const Calibration& c)
   return c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
 }
 
-/// Break-away torque over Coulomb torque.
-std::optional<Measured> break_away_over_coulomb(const Calibration& c) {
-  const std::optional<statistics::Estimate>& coulomb =
-      calibration::curve_headline(c).coulomb_Nm.estimate;
+/// Break-away torque over the least friction of the law, at speeds that were measured.
+std::optional<Measured> break_away_over_sliding(const Calibration& c) {
   std::optional<statistics::Estimate> rest = c.break_away.mean_Nm;
   if (!rest) rest = rest_friction_of_loops(c);
-  if (!coulomb || !rest || !(coulomb->value > 0)) return std::nullopt;
-  const double ratio = rest->low / coulomb->value;
+  if (c.model.law.empty() || !rest) return std::nullopt;
+  constexpr int speeds = 50;
+  const std::vector<double> sliding_Nm = c.model.law.friction_Nm(c.model.law.speeds_rad_s(speeds));
+  const double least_Nm = *std::min_element(sliding_Nm.begin(), sliding_Nm.end());
+  if (!(least_Nm > 0)) return std::nullopt;
+  const double ratio = rest->low / least_Nm;
   return Measured{ratio, {"cause.friction_taken_off", {{"ratio", ratio}}}};
 }
 
@@ -139,7 +127,7 @@ std::optional<Measured> ramps_that_slide(const Calibration& c) {
 }
 
 std::optional<Measured> runs_against_ramps(const Calibration& c) {
-  const std::optional<statistics::Estimate> runs = rest_friction_of_runs(c);
+  const std::optional<statistics::Estimate>& runs = c.model.rest_Nm;
   const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
   if (!runs || !ramps) return std::nullopt;
   const double apart = certainly_apart(std::abs(runs->value - ramps->value), *runs, *ramps);
@@ -151,7 +139,7 @@ std::optional<Measured> runs_against_ramps(const Calibration& c) {
 /// More friction at rest in the loops than the runs tell of, where ramps do not decide: a
 /// controller that adds torque against friction adds less in them.
 std::optional<Measured> runs_against_loops(const Calibration& c) {
-  const std::optional<statistics::Estimate> runs = rest_friction_of_runs(c);
+  const std::optional<statistics::Estimate>& runs = c.model.rest_Nm;
   const std::optional<statistics::Estimate> loops = rest_friction_of_loops(c);
   const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
   constexpr double decides = 0.1;  // half width, of the value
@@ -191,19 +179,19 @@ std::optional<Measured> ramps_without_inertia(const Calibration& c) {
 }
 
 /// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
-bool has_another_exponent(const method::viscous::SlidingLaw& law) {
-  return law.fitted && law.has_dip && (law.lowest_exponent > 2 || 2 > law.highest_exponent);
+bool has_another_exponent(const method::model::ModelLaw& law) {
+  return law.has_dip() && law.highest_power < 2;
 }
 
 /// Largest difference of the dip from one of exponent 2, in percent of friction at rest, up to a
 /// speed at which both have fallen by the same.
 /// @param fall (w/ws)^exponent at that speed.
-double dips_apart_percent(const method::viscous::SlidingLaw& law, double fall) {
+double dips_apart_percent(const method::model::ModelLaw& law, double fall) {
   constexpr int parts = 50;
   double apart = 0;
   for (int k = 1; k < parts; ++k) {
     const double share = static_cast<double>(k) / parts;  // of that speed
-    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, law.stribeck_exponent)) -
+    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, law.dip_power)) -
                                      std::exp(-fall * share * share)));
   }
   return 100 * apart * law.excess_Nm / (law.level_Nm + law.excess_Nm);
@@ -211,23 +199,23 @@ double dips_apart_percent(const method::viscous::SlidingLaw& law, double fall) {
 
 /// Of the curve: down to a third of the dip, at the Stribeck velocity of both.
 std::optional<Measured> stribeck_exponent(const Calibration& c) {
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  if (!law.fitted || !law.has_dip) return std::nullopt;
+  const method::model::ModelLaw& law = c.model.law;
+  if (!law.has_dip()) return std::nullopt;
   if (!has_another_exponent(law)) return Measured{0, {}};
   return Measured{dips_apart_percent(law, 1),
-                  {"cause.stribeck_exponent", {{"exponent", law.stribeck_exponent}}}};
+                  {"cause.stribeck_exponent", {{"exponent", law.dip_power}}}};
 }
 
 /// Up to the loops' fastest speed, whose model has the exponent 2.
 std::optional<Measured> stribeck_exponent_in_loops(const Calibration& c) {
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  if (!law.fitted || !law.has_dip || !c.lugre || !c.lugre->converged) return std::nullopt;
+  const method::model::ModelLaw& law = c.model.law;
+  if (!law.has_dip() || !c.lugre || !c.lugre->converged) return std::nullopt;
   if (!has_another_exponent(law)) return Measured{0, {}};
-  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, law.stribeck_exponent);
+  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, law.dip_power);
   const double percent = dips_apart_percent(law, fall);
-  return Measured{percent,
-                  {"cause.stribeck_exponent_in_loops",
-                   {{"exponent", law.stribeck_exponent}, {"percent", percent}}}};
+  return Measured{
+      percent,
+      {"cause.stribeck_exponent_in_loops", {{"exponent", law.dip_power}, {"percent", percent}}}};
 }
 
 std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
@@ -322,18 +310,18 @@ std::vector<Rule> with_those_of_gravity(const std::vector<Rule>& of_friction) {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = with_those_of_gravity({
-      {"runs_against_ramps", "%", 5, Verdict::doubtful, of_curve, "record.torque_measured",
+      {"runs_against_ramps", "%", 2, Verdict::doubtful, of_curve, "record.torque_measured",
        runs_against_ramps},
       {"runs_against_ramps_at_rest",
        "%",
-       5,
+       2,
        Verdict::doubtful,
        {Quantity::break_away_torque},
        "record.torque_measured",
        runs_against_ramps},
       // No dry or greased contact of a joint sticks so much more than it slides.
-      {"break_away_over_coulomb", "", 3, Verdict::doubtful, of_curve, "record.torque_measured",
-       break_away_over_coulomb},
+      {"break_away_over_sliding", "", 3, Verdict::doubtful, of_curve, "record.torque_measured",
+       break_away_over_sliding},
       // Of loops alone it is no better known than to some percent, where their contact is not
       // LuGre's.
       {"runs_against_loops", "%", 10, Verdict::doubtful, of_curve, "record.ramps",
@@ -373,7 +361,7 @@ const std::vector<Rule>& rules() {
        stribeck_exponent_in_loops},
       {"stribeck_exponent_at_break_away",
        "%",
-       1.5,
+       2.5,
        Verdict::doubtful,
        {Quantity::break_away_torque},
        "record.ramps",

@@ -73,16 +73,6 @@ Exponents exponents_of(Quantity quantity, const LoggedSides& sides) {
   return {};
 }
 
-/// Degrees of freedom of the interval as the recordings gave it; infinite where the stage that made
-/// it does not state them: the standard uncertainty is then, if anything, too large.
-double freedom_of(Quantity quantity, const calibration::Calibration& c) {
-  const bool is_of_law = quantity == Quantity::coulomb_torque ||
-                         quantity == Quantity::stribeck_speed ||
-                         quantity == Quantity::viscous_coefficient;
-  const method::viscous::SlidingLaw& law = c.curve_model.sliding;
-  return is_of_law && law.fitted && law.freedom > 0 ? law.freedom : well_known;
-}
-
 class BudgetMaker {
  public:
   BudgetMaker(const calibration::Calibration& c, const LoggedSides& sides,
@@ -134,9 +124,8 @@ class BudgetMaker {
   }
 
   void add_recordings() {
-    const double freedom = freedom_of(quantity_, c_);
-    const double whole = estimate_.half_width() / calibration::coverage_factor(freedom);
-    parts_.push_back({Influence::recordings, false, std::nullopt, 1, whole, freedom, 0});
+    const double whole = estimate_.half_width() / calibration::coverage_factor(well_known);
+    parts_.push_back({Influence::recordings, false, std::nullopt, 1, whole, well_known, 0});
   }
 
   void add(Influence influence, double exponent, const std::optional<double>& percent) {

@@ -18,6 +18,15 @@ const Messages& model_messages() {
        text("{percent:.0f} % of the torque's means lie far off any model of the joint")},
       {"model.recordings_unlike",
        text("recordings whose torque is unlike that of all others: {recordings}")},
+      {"model.recordings_left_out",
+       by_count("recordings",
+                "{recordings} recording does not belong with the others and is not in the model of "
+                "sweeps and runs: {names:, }",
+                "{recordings} recordings do not belong with the others and are not in the model of "
+                "sweeps and runs: {names:, }")},
+      {"model.law_bends",
+       text("friction does not grow in proportion to speed: Coulomb torque and viscous coefficient "
+            "depend on the law that is assumed, friction at the speeds does not")},
       {"model.negative_friction",
        text("friction falls with the speed as a whole, or drives the joint: no joint's does")},
       {"model.effect_too_large",
@@ -57,6 +66,7 @@ const Messages& model_messages() {
       {"effect.torque_over_turn", text("a torque that repeats with each turn")},
       {"effect.hoses", text("hoses and cables")},
       {"effect.angle_scale", text("a scale of the angle that is off")},
+      {"effect.motor_turn", text("friction that changes over the motor's turn")},
       {"effect.homing", text("an angle whose zero differs between recordings")},
       {"effect.peak_drift", text("a gravity peak that moves")},
       {"effect.harmonics",

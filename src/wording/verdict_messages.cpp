@@ -33,7 +33,7 @@ const Messages& verdict_messages() {
       {"rule.runs_against_ramps", text("Friction at rest by the runs' law, against the ramps")},
       {"rule.runs_against_loops",
        text("Friction at rest by the runs' law, less than that of the loops")},
-      {"rule.break_away_over_coulomb", text("Break-away torque over Coulomb torque")},
+      {"rule.break_away_over_sliding", text("Break-away torque over least sliding friction")},
       {"rule.ramps_that_slide", text("Friction at the speed of sliding ramps, below that at rest")},
       {"rule.inertia_at_break_away", text("Ramps read without the torque of inertia")},
       {"rule.false_stamps", text("Scatter of the time stamps, relative to the sampling interval")},
@@ -101,21 +101,6 @@ const Messages& verdict_messages() {
        text(
            "friction falls with the speed as exp(−(ω/ωs)^{exponent:.2g}), and the loops' model has "
            "the exponent 2: over the loops' speeds the two differ by {percent:.2g} % of friction")},
-      {"cause.viscous_bend_or_dip",
-       text("a viscous friction that grows with the power {exponent:.2g} of the speed describes "
-            "the speeds about as well as a Stribeck dip: whether there is one is not known")},
-      {"cause.dip_without_end",
-       text("friction falls with the speed as slowly as any law that was tried, as "
-            "exp(−(ω/ωs)^{exponent:.2g}): how much of it is Coulomb friction and how much is "
-            "viscous depends on the assumed law, not on the data")},
-      {"cause.five_describe_better",
-       text("Waiboer's law describes held-out speeds better, to {five_Nm:.3g} N·m against "
-            "{rival_Nm:.3g} N·m: its viscous friction is no straight line, and it has no Coulomb "
-            "torque")},
-      {"cause.too_few_speeds_for_a_dip",
-       text(
-           "friction at {speeds} speeds cannot tell a straight line from a stretch of the Stribeck "
-           "dip: {needed} would")},
       {"rule.scale_of_loops",
        text("Gravity of the loops against the sweep's, the part that is certain")},
       {"rule.course_of_angle",
@@ -198,7 +183,8 @@ const Messages& verdict_messages() {
            "the logged torque may lack what the controller adds against friction, or friction "
            "changed between them")},
       {"cause.friction_taken_off",
-       text("the break-away torque is {ratio:.2g} times the Coulomb torque, more than a contact "
+       text("the break-away torque is {ratio:.2g} times the least friction of the runs, more than "
+            "a contact "
             "sticks: the logged torque may lack what the controller adds against friction")},
       {"cause.loops_too_wide",
        text("the smallest loop is {times:.0f} times as wide as the bristle bends: the motion "
@@ -308,8 +294,6 @@ const Messages& verdict_messages() {
       {"verdict.ramps_bend_otherwise",
        text("the torque at which the ramps are seen to slide is {percent:.0f} % away from what "
             "their resting part tends to: the contact is another than the one assumed")},
-      {"verdict.friction_of_few_speeds",
-       text("so few speeds do not show whether they lie within the Stribeck dip")},
       {"verdict.friction_of_sweep",
        text(
            "it is the friction at the sweep's speeds, and no run shows whether they lie within the "
@@ -343,7 +327,6 @@ const Messages& verdict_messages() {
       {"verdict.runs_share_no_angle",
        text("{angles}, so that gravity and friction cannot be told apart by comparing them; record "
             "every speed in both directions over the same angles")},
-      {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
 
       // The uncertainty budget.
       {"influence.recordings", text("the recordings")},

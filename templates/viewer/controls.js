@@ -117,9 +117,9 @@ const candidateControls = () => {
   }));
   box.append(line);
   if (!laws) return box;
-  const set = make("fieldset", { class: "readings" }, make("legend", {}, lawsTitle()));
+  const set = make("fieldset", { class: "readings" }, make("legend", {}, t("Laws of friction, with their probability")));
   laws.list.forEach((law, k) => {
-    set.append(check(law.words + (law.error ? ` (${law.error})` : ""), state.laws[k], (isOn) => {
+    set.append(check(`${law.words} (${law.note})`, state.laws[k], (isOn) => {
       state.laws[k] = isOn;
       redraw((plot) => !plot.isLoop);
     }, swatch(law.style)));
@@ -127,9 +127,6 @@ const candidateControls = () => {
   box.append(set);
   return box;
 };
-const lawsTitle = () =>
-  t("Laws fitted to the recommended curve ({0}), with their errors at speeds held out; chosen: {1}",
-    laws.curve, laws.list.filter((law) => law.chosen).map((law) => law.words).join(", ") || "–");
 
 const playControl = () => {
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");

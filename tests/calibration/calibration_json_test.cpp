@@ -132,8 +132,7 @@ TEST(CalibrationJson, JointSideIsTheMotorSideTimesTheGear) {
   const auto ratio = [](const json& sides) {
     return sides["joint"]["estimate"].get<double>() / sides["motor"]["estimate"].get<double>();
   };
-  EXPECT_NEAR(ratio(j["coulomb_viscous"]["coulomb_Nm"]), 100.0, 1e-9);
-  EXPECT_NEAR(ratio(j["coulomb_viscous"]["viscous_Nms_rad"]), 1e4, 1e-7);
+  EXPECT_NEAR(ratio(j["waiboer"]["asperity_torque_Nm"]), 100.0, 1e-9);
   EXPECT_NEAR(ratio(j["lugre"]["bristle_stiffness_Nm_rad"]), 1e4, 1e-7);
   EXPECT_NEAR(ratio(j["waiboer"]["stribeck_speed_rad_s"]), 0.01, 1e-12);
   // Both sides dissipate the same power: T_joint w_joint = T_motor w_motor at every speed.

@@ -57,7 +57,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 18U) << "all but the known-truth check's, which is made for --truth-runs alone";
+  EXPECT_EQ(files, 17U) << "all but the known-truth check's, which is made for --truth-runs alone";
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {

@@ -30,7 +30,7 @@ inline exports::results::ArchivedJoint export_sample() {
   add("viscous_coefficient", "Viscous coefficient", "N·m·s/rad", 0.002, 0.0001);
   joint.quantities.push_back(
       {"viscous_curve", "Viscous curve", "", calibration::Verdict::usable, {}});
-  joint.calibration = R"({"friction": {"coulomb_viscous": {"fastest_rad_s": 200}},
+  joint.calibration = R"({"model": {"law": {"fastest_rad_s": 200}},
       "selection": {"recommended": "midline"}, "viscous": {"from_sweep": false,
       "runs": [{"speed_rad_s": -100.01}, {"speed_rad_s": -10}, {"speed_rad_s": 10},
                {"speed_rad_s": 99.99}, {"speed_rad_s": 200}],

@@ -187,18 +187,20 @@ void add_laws(calibration::Calibration& calibration) {
   method::selection::FrictionParametersResult& friction = calibration.friction;
   friction.stage = {"friction_parameters", statistics::StageState::done, {}};
   friction.curve = calibration.selection.recommended;
-  method::selection::CoulombViscousFit law;
-  law.coulomb_Nm =
-      statistics::symmetric_estimate(known::friction_Nm, 0.004, Statement::verbatim("by hand"));
-  law.viscous_Nms_rad =
-      statistics::symmetric_estimate(0.002, 0.0001, Statement::verbatim("by hand"));
+  method::model::ModelLaw& law = calibration.model.law;
+  law.family = "line";
+  law.level_Nm = known::friction_Nm;
+  law.rise_Nm = 0.6;
   law.slowest_rad_s = 10.0;
   law.fastest_rad_s = 300.0;
-  friction.coulomb_viscous = law;
   friction.waiboer = method::viscous::WaiboerFit{};
   friction.waiboer->converged = true;
   friction.waiboer->residual_Nm = 0.0031;
-  calibration.curves.friction = {{0.0, 10.0, 100.0, 300.0}, {0.5, 0.52, 0.7, 1.1}};
+  friction.waiboer->asperity_torque_Nm.value = 0.88;
+  friction.waiboer->stribeck_speed_rad_s.value = 5;
+  friction.waiboer->stribeck_power.value = 0.7;
+  friction.waiboer->viscous_coefficient.value = 0.12;
+  friction.waiboer->viscous_power.value = 0.6;
 }
 
 }  // namespace

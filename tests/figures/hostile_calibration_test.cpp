@@ -107,8 +107,9 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
     calibration_.viscous.curves.front().friction_Nm.front() = poison;
     calibration_.quality.reference_Nm.front() = poison;
     calibration_.quality.errors.front().percent.front() = poison;
-    calibration_.friction.coulomb_viscous->fastest_rad_s = poison;
-    calibration_.curves.friction.torque_Nm.front() = poison;
+    calibration_.model.law.level_Nm = poison;
+    calibration_.model.law.slowest_rad_s = poison;
+    calibration_.friction.waiboer->asperity_torque_Nm.value = poison;
     for (method::hysteresis::SurrogateMass& mass : calibration_.masses.masses) mass.mass_kg = bad;
     expect_figures_survive();
   }
@@ -134,7 +135,6 @@ TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
   calibration_.viscous.curves.back().friction_Nm.resize(50, 1.0);
   calibration_.quality.reference_Nm.resize(2);
   calibration_.quality.errors.front().percent.clear();
-  calibration_.curves.friction.torque_Nm.resize(1);
   expect_figures_survive();
 }
 

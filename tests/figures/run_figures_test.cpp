@@ -203,13 +203,26 @@ TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
   EXPECT_TRUE(panel.x.logarithmic);
   EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), forward"));
   EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), backward"));
-  EXPECT_TRUE(has_label(panel, "Coulomb + viscous"));
-  EXPECT_TRUE(has_label(panel, "Waiboer"));
+  EXPECT_TRUE(has_label(panel, "model: Coulomb and viscous"));
+  EXPECT_TRUE(has_label(panel, "Waiboer's law, fitted"));
   for (const render::figure::Series& series : panel.series) {
     for (const double speed : series.x) EXPECT_GT(speed, 0.0) << series.label;
   }
   EXPECT_EQ(panel.error_bars.size(), calibration_.viscous.runs.size());
-  EXPECT_NE(figure->caption.find("0.5000 ± 0.0040 N·m"), std::string::npos) << figure->caption;
+  EXPECT_NE(figure->caption.find("3.1 mN·m"), std::string::npos) << figure->caption;
+  ASSERT_EQ(figure->figure.panels.size(), 2U);
+  const render::figure::Panel& left = figure->figure.panels.back();
+  EXPECT_EQ(left.series.size(), 2U);
+  const method::model::ModelLaw& law = calibration_.model.law;
+  const auto& forward = left.series.front();
+  const auto& points = panel.series;
+  const auto above = std::find_if(points.begin(), points.end(), [](const auto& one) {
+    return one.label == "mid-line (81.7 kg), forward";
+  });
+  ASSERT_NE(above, points.end());
+  const double in_Nm = left.y.title.find("mN") != std::string::npos ? 1e-3 : 1;
+  EXPECT_NEAR(in_Nm * forward.y.front(), above->y.front() - law.friction_Nm(above->x.front()),
+              1e-9);
 }
 
 TEST_F(RunFigures, AngleBinsOfASweepStayMarkers) {

@@ -38,9 +38,6 @@ TEST(RealLog, Ur10eJoint2) {
   ASSERT_TRUE(c.rough.found);
   // 10.2 A at 10.696 N·m/A.
   EXPECT_NEAR(c.rough.gravity_Nm.value / (10.2 * 10.696), 1, 0.04);
-  ASSERT_TRUE(c.friction.coulomb_viscous);
-  EXPECT_GT(c.friction.coulomb_viscous->coulomb_Nm.value, 12);
-  EXPECT_LT(c.friction.coulomb_viscous->coulomb_Nm.value, 16);
   EXPECT_EQ(c.quality.reference, CurveReference::direction_difference);
   EXPECT_EQ(c.hysteresis.stage.state, statistics::StageState::not_identifiable);
   ASSERT_TRUE(c.hysteresis.encoder_step_rad && c.hysteresis.presliding_travel_rad);
@@ -199,7 +196,7 @@ TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
   ASSERT_NE(offset, nullptr);
   EXPECT_LT(offset->largest_Nm.low, (coulomb_Nm[0] - coulomb_Nm[1]) / 2);
   EXPECT_GT(offset->largest_Nm.high, (coulomb_Nm[0] - coulomb_Nm[1]) / 2);
-  EXPECT_FALSE(c.curve_model.carries_five);
+  EXPECT_FALSE(c.model.law.carries_waiboer());
 }
 
 TEST(RealLog, CiceseGravityComesFromTheRuns) {

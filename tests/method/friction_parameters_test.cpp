@@ -46,7 +46,7 @@ TEST(WaiboerFit, FollowsANoisyCurve) {
   const auto fit = method::viscous::fit_waiboer(curve(truth, 0.002), why);
   ASSERT_TRUE(fit) << wording::words(why);
   for (double w = 1; w <= 300; w += 3) {
-    EXPECT_NEAR(method::viscous::waiboer_of(*fit).magnitude_Nm(w), truth.magnitude_Nm(w), 0.01)
+    EXPECT_NEAR(method::viscous::waiboer_of(fit)->magnitude_Nm(w), truth.magnitude_Nm(w), 0.01)
         << w;
   }
 }
@@ -55,27 +55,6 @@ TEST(WaiboerFit, TooFewSpeedsAreRefusedInWords) {
   Statement why;
   EXPECT_FALSE(method::viscous::fit_waiboer({{1, 1}, {2, 1}, {3, 1}}, why));
   EXPECT_NE(wording::words(why).find("3 runs for five parameters"), std::string::npos);
-}
-
-TEST(FrictionParameters, AStraightLineIsFoundExactly) {
-  method::viscous::ViscousCurvesResult v;
-  method::viscous::ViscousCurve c{method::hysteresis::Estimator::midline, {}};
-  for (int i = 1; i <= 6; ++i) {
-    for (const int sign : {-1, 1}) {
-      method::viscous::ConstantSpeedRun run;
-      run.speed_rad_s = sign * 10.0 * i;
-      v.runs.push_back(run);
-      c.friction_Nm.push_back(sign * (0.4 + 0.002 * 10.0 * i));
-    }
-  }
-  v.curves = {c};
-  method::selection::SelectionResult s;
-  s.recommended = method::hysteresis::Estimator::midline;
-  const method::selection::FrictionParametersResult f =
-      method::selection::fit_friction_parameters(v, s);
-  ASSERT_TRUE(f.coulomb_viscous);
-  EXPECT_NEAR(f.coulomb_viscous->coulomb_Nm.value, 0.4, 1e-12);
-  EXPECT_NEAR(f.coulomb_viscous->viscous_Nms_rad.value, 0.002, 1e-14);
 }
 
 }  // namespace

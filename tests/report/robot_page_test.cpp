@@ -60,23 +60,18 @@ TEST(RobotPage, TheWorstJointDecides) {
   EXPECT_NE(robot.page().find("1 of 1 joints is usable."), std::string::npos);
 }
 
-TEST(RobotPage, TheSmallCurveIsThatOfTheChosenLaw) {
+TEST(RobotPage, TheSmallCurveIsThatOfTheLikeliestLaw) {
   calibration::Calibration c = complete_calibration();
-  method::viscous::CurveModelChoice& model = c.curve_model;
   ASSERT_FALSE(c.viscous.runs.empty());
   const auto before = report::curve_thumbnail(c);
   ASSERT_TRUE(before);
   double fastest = 0;
   for (const auto& run : c.viscous.runs) fastest = std::max(fastest, run.speed_rad_s);
   // A law that is level is drawn level: all its points have one height.
-  model.chosen_any = true;
-  model.chosen.law = method::viscous::CurveLaw::coulomb;
-  model.curve_speed_rad_s = {0.5 * fastest, 0.75 * fastest, fastest};
-  const double level = c.viscous.find(c.selection.recommended)->friction_Nm.back();
-  method::viscous::CurveModelTrial trial;
-  trial.model.law = method::viscous::CurveLaw::coulomb;
-  trial.curve_Nm = {level, level, level};
-  model.ladder = {trial};
+  c.model.law.level_Nm = c.viscous.find(c.selection.recommended)->friction_Nm.back();
+  c.model.law.rise_Nm = 0;
+  c.model.law.slowest_rad_s = 0.5 * fastest;
+  c.model.law.fastest_rad_s = fastest;
   const auto after = report::curve_thumbnail(c);
   ASSERT_TRUE(after);
   EXPECT_EQ(after->measured, before->measured);

@@ -310,10 +310,15 @@ calibration::Calibration complete_calibration() {
                  statistics::scaled(*c.q_peak_rad, -1.0)};
   c.friction.stage = {"friction_parameters", statistics::StageState::done, {}};
   c.friction.curve = Estimator::midline;
-  c.friction.coulomb_viscous = method::selection::CoulombViscousFit{
-      statistics::symmetric_estimate(0.445, 0.023, Statement::verbatim("line")),
-      statistics::symmetric_estimate(0.00264, 0.00017, Statement::verbatim("line")), 0.011, 10.0,
-      300.0};
+  method::model::ModelLaw& law = c.model.law;
+  law.family = "line";
+  law.level_Nm = 0.445;
+  law.rise_Nm = 0.792;
+  law.slowest_rad_s = 10.0;
+  law.fastest_rad_s = 300.0;
+  law.candidates = {{law, 0.9}};
+  c.model.quantities = {{joint::Quantity::coulomb_torque, 0, 0.445, 0.435, 0.455, {}},
+                        {joint::Quantity::viscous_coefficient, 0, 0.00264, 0.00247, 0.00281, {}}};
   c.friction.waiboer = method::viscous::WaiboerFit{
       true,
       statistics::symmetric_estimate(0.8844, 0.01, Statement::verbatim("fit")),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -198,14 +199,17 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
   EXPECT_TRUE(
       by_model.find(joint::Quantity::surrogate_mass)->estimate->method.is("interval.of_model"));
   EXPECT_EQ(verdict_on(joint::Quantity::cog_angle), calibration::Verdict::usable);
-  c.model = {};
-  c.selection.recommended = method::hysteresis::Estimator::midline;
+  const auto model = std::exchange(c.model, {});
+  const auto recommended =
+      std::exchange(c.selection.recommended, method::hysteresis::Estimator::midline);
   EXPECT_EQ(verdict_on(joint::Quantity::surrogate_mass), calibration::Verdict::doubtful);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
   EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
                       Statement::verbatim("the mid-line does not come back")),
             verdict::judge(c).findings.end());
   // An estimator that nothing rests on is told of and lowers nothing.
+  c.model = model;
+  c.selection.recommended = recommended;
   c.truth_check.findings = {{ReadingName::B, Statement::verbatim("point B does not come back")}};
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
 }

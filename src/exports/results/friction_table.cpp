@@ -92,7 +92,10 @@ FrictionTable straight_line(const ArchivedJoint& joint,
                             const std::optional<double>& fastest_rad_s) {
   const calibration::Quantity* const coulomb = joint.found(joint::Quantity::coulomb_torque);
   const calibration::Quantity* const viscous = joint.found(joint::Quantity::viscous_coefficient);
-  if (coulomb == nullptr || viscous == nullptr || !fastest_rad_s) {
+  const auto is_known = [](const calibration::Quantity* q) {
+    return q != nullptr && q->verdict != calibration::Verdict::not_identifiable;
+  };
+  if (!is_known(coulomb) || !is_known(viscous) || !fastest_rad_s) {
     return {{}, "the calibration holds no friction curve"};
   }
   const double c_Nm = present(coulomb->estimate).value;

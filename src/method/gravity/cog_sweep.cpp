@@ -55,7 +55,8 @@ SweepGravityFit fit_without_lines(const motion::Sweep& sweep, double gear_ratio,
                                   CogSweepResult& out) {
   const double white = white_torque_variance(sweep);
   out.white_Nm = std::sqrt(white);
-  const Eigen::VectorXd left = rough_residuals(sweep, first.regression.residuals, out);
+  const Eigen::VectorXd left =
+      rough_residuals(sweep, first.regression.residuals, out, first.q_peak_rad.value);
   const double sd = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
   const double beyond_white = torque_ripple_Nm(sd, white);
   if (!(beyond_white > 0)) return first;

@@ -136,7 +136,7 @@ SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& d, double sta
 }
 
 Eigen::VectorXd rough_residuals(const motion::Sweep& sweep, const Eigen::VectorXd& residuals,
-                                const CogSweepResult& result) {
+                                const CogSweepResult& result, double q_peak_rad) {
   constexpr Eigen::Index modes = 5;                // of half a period each
   constexpr std::array knots{0.2, 0.4, 0.6, 0.8};  // quantiles of the speed
   const motion::SweepSamples& samples = sweep.samples;
@@ -147,18 +147,17 @@ Eigen::VectorXd rough_residuals(const motion::Sweep& sweep, const Eigen::VectorX
     if (!samples.constant_speed) bends.push_back(statistics::value_at_share(speeds, knot));
   }
   const auto bend_count = static_cast<Eigen::Index>(bends.size());
-  Eigen::MatrixXd x(residuals.size(), 2 * modes + bend_count);
+  Eigen::MatrixXd x(residuals.size(), modes + 1 + bend_count);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double place =
         (sweep.q_rad(i) - result.lowest_rad) / (result.highest_rad - result.lowest_rad);
     const auto row = static_cast<Eigen::Index>(i);
     for (Eigen::Index k = 0; k < modes; ++k) {
-      const double mode = std::cos(std::numbers::pi * static_cast<double>(k + 1) * place);
-      x(row, k) = mode;
-      x(row, modes + k) = samples.direction[i] * mode;
+      x(row, k) = std::cos(std::numbers::pi * static_cast<double>(k + 1) * place);
     }
+    x(row, modes) = samples.direction[i] * std::abs(std::cos(sweep.q_rad(i) - q_peak_rad));
     for (Eigen::Index k = 0; k < bend_count; ++k) {
-      x(row, 2 * modes + k) =
+      x(row, modes + 1 + k) =
           samples.direction[i] * std::max(0.0, speeds[i] - bends[static_cast<std::size_t>(k)]);
     }
   }

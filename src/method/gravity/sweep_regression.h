@@ -64,11 +64,11 @@ SweepGravityFit fit_amplitude_and_angle(const motion::Sweep& sweep, SweepDesign&
 SweepGravityFit fit_angle(const motion::Sweep& sweep, SweepDesign& design, double start_rad,
                           double gravity_Nm, const std::vector<std::size_t>& blocks);
 
-/// The residuals of a fit less what joints have beside gravity and a line of friction: torque and
-/// friction that change smoothly over the range of angles, by fewer than three periods, and
-/// friction that bends over the speed. Ripple and vibration are sought in what is left.
-/// @param result whose range is known.
+/// The residuals of a fit less what joints have beside gravity and a line of friction: torque that
+/// changes smoothly over the range of angles, by fewer than three periods, and friction that grows
+/// with the load and bends over the speed. Ripple and vibration are sought in what is left.
+/// @param result whose range is known. @param q_peak_rad of the fit.
 Eigen::VectorXd rough_residuals(const motion::Sweep& sweep, const Eigen::VectorXd& residuals,
-                                const CogSweepResult& result);
+                                const CogSweepResult& result, double q_peak_rad);
 
 }  // namespace tribolog::method::gravity

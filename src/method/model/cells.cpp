@@ -36,6 +36,7 @@ struct Motion {
   struct Other {
     ArrayXd q, acceleration;  // empty: not logged
   };
+  std::array<ArrayXd, 4> motor;  // as Cell::motor
   std::vector<Other> others;
 };
 
@@ -149,6 +150,8 @@ void add_motions(const joint::Recording& r, int index, double n, double lag_s,
       m.smooth_torque = smooth(m.torque);
       m.cos = smooth(m.q.cos());
       m.sin = smooth(m.q.sin());
+      m.motor = {smooth((n * m.q).cos()), smooth((n * m.q).sin()), smooth((2 * n * m.q).cos()),
+                 smooth((2 * n * m.q).sin())};
       motions.push_back(std::move(m));
     }
     first = next;
@@ -284,6 +287,7 @@ class CellMaker {
       c.torque_Nm += m.smooth_torque[i] / count;
       c.cos_q += m.cos[i] / count;
       c.sin_q += m.sin[i] / count;
+      for (std::size_t k = 0; k < c.motor.size(); ++k) c.motor[k] += m.motor[k][i] / count;
       c.q_rad += m.q[i] / count;
       c.speed_rad_s += std::abs(m.speed[i]) / count;
       c.acceleration_rad_s2 += m.acceleration[i] / count;
@@ -369,12 +373,16 @@ std::vector<double> session_shifts(const std::vector<const joint::Recording*>& r
 }
 
 /// The middle of a recording as a row.
-Cell middle_of(const joint::Recording& r, double session_s) {
+Cell middle_of(const joint::Recording& r, double gear_ratio, double session_s) {
   Cell c;
   const auto count = static_cast<double>(r.size());
   for (const double q : r.q_rad) {
     c.cos_q += std::cos(q) / count;
     c.sin_q += std::sin(q) / count;
+    const double motor = gear_ratio * q;
+    const std::array turned{std::cos(motor), std::sin(motor), std::cos(2 * motor),
+                            std::sin(2 * motor)};
+    for (std::size_t k = 0; k < turned.size(); ++k) c.motor[k] += turned[k] / count;
     c.q_rad += q / count;
   }
   c.time_s = session_s + (r.t_s.front() + r.t_s.back()) / 2;
@@ -470,14 +478,15 @@ Cells make_cells(const std::vector<const joint::Recording*>& recordings,
     }
   }
   Cells made;
+  made.gear_ratio = gear_ratio;
   const std::vector<double> shifts = session_shifts(recordings);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     const joint::Recording& r = *recordings[i];
     if (r.t_s.empty()) continue;
     if (r.role == joint::Role::oscillation) {
-      made.contacts.loops.push_back(middle_of(r, shifts[i]));
+      made.contacts.loops.push_back(middle_of(r, gear_ratio, shifts[i]));
     } else if (r.role == joint::Role::break_away) {
-      made.contacts.ramps.push_back(middle_of(r, shifts[i]));
+      made.contacts.ramps.push_back(middle_of(r, gear_ratio, shifts[i]));
     }
   }
   if (!motions.empty()) {

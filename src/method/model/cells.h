@@ -7,6 +7,7 @@
 // samples in succession), so that T = J q'' + g(q) + ... holds between the smoothed signals as
 // between the signals, at corners of the speed too.
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -26,11 +27,13 @@ struct Cell {
   double speed_rad_s{};  ///< > 0; see direction.
   double acceleration_rad_s2{};
   double jerk_rad_s3{};
-  double cos_rate{};    ///< d cos(q)/dt [1/s]
-  double sin_rate{};    ///< d sin(q)/dt [1/s]
-  double time_s{};      ///< Since the session began: recordings follow one another.
-  double count{};       ///< Samples; 0: the row is no part of a fit.
-  double direction{};   ///< +1: the angle rises; -1: it falls.
+  double cos_rate{};   ///< d cos(q)/dt [1/s]
+  double sin_rate{};   ///< d sin(q)/dt [1/s]
+  double time_s{};     ///< Since the session began: recordings follow one another.
+  double count{};      ///< Samples; 0: the row is no part of a fit.
+  double direction{};  ///< +1: the angle rises; -1: it falls.
+  /// Cosine and sine of the motor's angle, and of twice it: once and twice a turn.
+  std::array<double, 4> motor{};
   double is_run{};      ///< 1: of a run at constant speed, or a point; 0: of a sweep.
   double has_place{1};  ///< 0: a point of the friction curve, which has no angle and no gravity.
   double scatter_Nm{};  ///< Of the samples about a line over time; NaN: too few of them.
@@ -53,6 +56,7 @@ struct Contacts {
 struct Cells {
   std::vector<Cell> rows;
   Contacts contacts;
+  double gear_ratio{1};
   bool is_turning{};  ///< No gravity, and more than a turn: the angle counts modulo a turn.
 
   [[nodiscard]] bool empty() const { return rows.empty(); }
@@ -70,6 +74,7 @@ struct Cells {
   [[nodiscard]] Cells select(Keep keep) const {
     Cells chosen;
     chosen.contacts = contacts;
+    chosen.gear_ratio = gear_ratio;
     chosen.is_turning = is_turning;
     for (const Cell& row : rows) {
       if (keep(row)) chosen.rows.push_back(row);

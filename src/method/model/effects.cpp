@@ -74,6 +74,13 @@ MatrixXd others_of(const Cells& cells) {
 
 }  // namespace
 
+double Point::friction_at(double speed_rad_s) const {
+  const double dip = dip_speed_rad_s > 0
+                         ? dip_Nm * std::exp(-std::pow(speed_rad_s / dip_speed_rad_s, dip_power))
+                         : 0;
+  return coulomb_Nm + viscous_Nms_rad * speed_rad_s + dip;
+}
+
 Point first_point(const Cells& cells, bool has_gravity) {
   const ArrayXd torque = cells.of(&Cell::torque_Nm);
   const ArrayXd v = cells.of(&Cell::speed_rad_s);
@@ -212,10 +219,10 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   if (has_gravity && has_place) {
     add_one(effect::gain_drift, g * about_runs(2 * age - 1), size_of(effect::gain_drift));
   }
+  const ArrayXd own_friction =
+      s * v.unaryExpr([&](double speed) { return point.friction_at(speed); });
   const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
   const ArrayXd dip = (-(v / dip_speed).pow(point.dip_power)).exp();
-  const ArrayXd own_friction =
-      s * (point.coulomb_Nm + point.viscous_Nms_rad * v + point.dip_Nm * dip);
   const ArrayXd model = g + point.inertia_kgm2 * a + own_friction;
   add(effect::torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
       ArrayXd::Constant(2, size_of(effect::torque_nonlinear)));
@@ -284,6 +291,17 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
     for (Index k = 0; k < 6; ++k) modes.col(k) = mode(static_cast<double>(k + 3));
     add(effect::smooth_over_angle, modes,
         size_of(effect::smooth_over_angle) * top / ArrayXd::LinSpaced(6, 1, 6));
+  }
+  // Of a motor that hardly turns it is friction over the joint's angle.
+  constexpr double fewest_turns = 3;
+  if (has_place && cells.gear_ratio * (high - low) > fewest_turns * 2 * pi) {
+    MatrixXd turns(n, 4);
+    for (Index i = 0; i < n; ++i) {
+      turns.row(i) =
+          Eigen::Map<const RowVectorXd>(cells.rows[static_cast<std::size_t>(i)].motor.data(), 4);
+    }
+    add(effect::motor_turn, (place * s).matrix().asDiagonal() * turns,
+        ArrayXd::Constant(4, size_of(effect::motor_turn) * friction));
   }
   std::set<int> strokes;
   std::map<int, Index> recordings;

@@ -31,6 +31,9 @@ struct Point {
   double dip_Nm{};           ///< Of the law's Stribeck term at rest.
   double dip_speed_rad_s{};  ///< 0: it has none.
   double dip_power{1};
+
+  /// Size of the friction at a speed > 0, or at rest.
+  [[nodiscard]] double friction_at(double speed_rad_s) const;
 };
 
 /// Least squares of gravity, offset, inertia, Coulomb and viscous torque.

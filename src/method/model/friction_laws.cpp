@@ -13,17 +13,26 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+/// Viscous torque in one power of the speed, or two.
 struct Family {
   std::string_view key;
   std::array<double, 2> powers;  // 0: none
-  double log_prior;
+
+  /// Of each law, less the line's: the less typical the farther from the line.
+  [[nodiscard]] double log_prior() const {
+    if (powers[1] > 0) return -1;
+    return powers[0] == 1 ? 0 : -2.5 - 3 * std::abs(std::log(powers[0]));
+  }
 };
 
-constexpr std::array families{Family{"line", {1, 0}, 0}, Family{"parabola", {1, 2}, -1},
-                              Family{"power_0.7", {0.7, 0}, -2}, Family{"power_1.5", {1.5, 0}, -2}};
+constexpr std::array families{Family{"line", {1, 0}},           Family{"parabola", {1, 2}},
+                              Family{"sublinear", {0.4, 0}},    Family{"sublinear", {0.55, 0}},
+                              Family{"sublinear", {0.7, 0}},    Family{"sublinear", {0.85, 0}},
+                              Family{"superlinear", {1.25, 0}}, Family{"superlinear", {1.5, 0}},
+                              Family{"superlinear", {1.75, 0}}};
+
 /// Of the fastest speed: a dip beyond it is no dip but the law.
 constexpr double widest_dip = 0.4;
-constexpr std::array dip_powers{0.7, 1.0, 1.4, 2.0};
 
 /// Level at zero speed and slope of the straight line nearest to a column; of one speed alone, the
 /// line from zero.
@@ -61,7 +70,7 @@ Eigen::MatrixXd FrictionLaws::torque(const Cells& cells) const {
 }
 
 FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s,
-                            double half_span) {
+                            double half_span, const std::vector<double>& dip_powers) {
   const double top = point.fastest_rad_s;
   const double low = std::max(cells.of(&Cell::speed_rad_s).minCoeff(), top * 1e-4);
   FrictionLaws all;
@@ -106,7 +115,7 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
   for (const Family& family : families) {
     FrictionLaw law;
     law.family = family.key;
-    law.log_prior = family.log_prior;
+    law.log_prior = family.log_prior();
     std::vector<double> scale{2 * point.friction_Nm};
     const Eigen::Vector2d coulomb(1, 0);
     std::vector<Meanings> meanings{{coulomb, coulomb, coulomb}};

@@ -24,7 +24,7 @@ struct LawColumn {
 };
 
 struct FrictionLaw {
-  std::string_view family;          ///< "line", "parabola", "power_0.7", "power_1.5"
+  std::string_view family;          ///< "line", "parabola", "sublinear", "superlinear"
   std::vector<Eigen::Index> index;  ///< Of its columns among all, the Coulomb torque's first.
   Eigen::VectorXd scale;            ///< Prior of each coefficient [N·m].
   double log_prior{};
@@ -51,9 +51,14 @@ struct FrictionLaws {
 inline constexpr double coarse_dip_step = 0.35;
 inline constexpr int dips_each_side = 4;
 
+/// Powers of a dip, before one is known: from that of a contact that ages to that of one that does
+/// not, a factor apart.
+inline const std::vector<double> coarse_dip_powers{0.7, 1.0, 1.4, 2.0, 2.8};
+
 /// @param near_speed_rad_s 0: dips from the slowest speed to a quarter of the fastest; else dips
-/// about it, within `half_span` of log speed.
+/// about it, within `half_span` of log speed. @param dip_powers of each.
 FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s = 0,
-                            double half_span = 0);
+                            double half_span = 0,
+                            const std::vector<double>& dip_powers = coarse_dip_powers);
 
 }  // namespace tribolog::method::model

@@ -264,7 +264,7 @@ class Fit {
   void put_up() {
     m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, m_.sizes);
     m_.hats = law_hats(m_.cells, m_.point);
-    m_.laws = candidate_laws(m_.cells, m_.point, dip_speed_, dip_span_);
+    m_.laws = candidate_laws(m_.cells, m_.point, dip_speed_, dip_span_, dip_powers_);
     law_columns_ = m_.laws.torque(m_.cells);
     m_.first = {0};
     for (const EffectColumns& e : m_.effects) {
@@ -284,30 +284,48 @@ class Fit {
     }
   }
 
+  /// Of the laws with a dip: mean of the logarithm of a parameter of it, and standard deviation.
+  [[nodiscard]] std::pair<double, double> log_mean_of_dips(const Solve& solve,
+                                                           double LawColumn::* parameter) const {
+    const double most = solve.evidence()[solve.likeliest()];
+    double total = 0;
+    double sum = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
+      if (!m_.laws.laws[k].has_dip) continue;
+      const double share = std::exp(solve.evidence()[k] - most);
+      const double value = std::log(m_.laws.laws[k].dip.*parameter);
+      total += share;
+      sum += share * value;
+      square += share * value * value;
+    }
+    const double mean = sum / total;
+    return {mean, std::sqrt(std::max(0.0, square / total - mean * mean))};
+  }
+
   /// Dips about the likeliest one, as far as their evidence reaches.
   void look_nearer(const Solve& solve) {
     const FrictionLaw& best = m_.laws.laws[solve.likeliest()];
     if (!best.has_dip) {
       dip_speed_ = 0;
+      dip_powers_ = coarse_dip_powers;
       return;
     }
-    const double most = solve.evidence()[solve.likeliest()];
-    double total = 0;
-    double mean = 0;
-    double square = 0;
-    for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
-      if (!m_.laws.laws[k].has_dip) continue;
-      const double share = std::exp(solve.evidence()[k] - most);
-      const double away = std::log(m_.laws.laws[k].dip.dip_speed / best.dip.dip_speed);
-      total += share;
-      mean += share * away;
-      square += share * away * away;
-    }
-    mean /= total;
-    const double sd = std::sqrt(std::max(0.0, square / total - mean * mean));
+    const auto [speed, of_speed] = log_mean_of_dips(solve, &LawColumn::dip_speed);
     const double step = dip_speed_ > 0 ? dip_span_ / dips_each_side : coarse_dip_step;
-    dip_speed_ = best.dip.dip_speed * std::exp(mean);
-    dip_span_ = std::clamp(dips_each_side * sd, step, coarse_dip_step);
+    dip_speed_ = std::exp(speed);
+    dip_span_ = std::clamp(dips_each_side * of_speed, step, coarse_dip_step);
+    // And their powers, about the likeliest.
+    constexpr double coarse_step = 0.35;
+    constexpr double finest_step = 0.06;
+    constexpr int each_side = 2;
+    const double of_power = log_mean_of_dips(solve, &LawColumn::dip_power).second;
+    if (of_power > coarse_step) return;
+    power_step_ = std::clamp(of_power, std::max(finest_step, power_step_ / 3), coarse_step);
+    dip_powers_.clear();
+    for (int k = -each_side; k <= each_side; ++k) {
+      dip_powers_.push_back(best.dip.dip_power * std::exp(k * power_step_));
+    }
   }
 
   /// And the cells' weights and correlation. @param square mean squares of the residuals.
@@ -376,6 +394,8 @@ class Fit {
   std::map<std::string_view, double> known_precision_;
   double dip_speed_{};  // 0: none is known
   double dip_span_{};   // of log speed, on either side
+  std::vector<double> dip_powers_{coarse_dip_powers};
+  double power_step_{0.35};  // of their logarithm
   MatrixXd x_;
   MatrixXd law_columns_;
 };

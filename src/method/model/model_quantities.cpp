@@ -257,7 +257,7 @@ ModelQuantity Describer::describe(const Wanted& wanted) const {
 std::optional<statistics::Estimate> Describer::friction_of(
     const std::vector<Cell>& contacts) const {
   constexpr std::array of_friction{&joint::effect::load, &joint::effect::position,
-                                   &joint::effect::drift};
+                                   &joint::effect::motor_turn, &joint::effect::drift};
   if (contacts.empty() || !(m_.point.friction_Nm > 0)) return std::nullopt;
   Cells there = m_.cells;
   there.rows.insert(there.rows.end(), contacts.begin(), contacts.end());
@@ -367,6 +367,11 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
       for (double* value : {&found.estimate, &found.low, &found.high}) *value += turns;
     }
     result.quantities.push_back(std::move(found));
+  }
+  result.law = law_of(model);
+  constexpr double seen_of_dip = 0.5;
+  if (result.law.has_dip() && slowest <= seen_of_dip * result.law.dip_rad_s) {
+    result.rest_Nm = describer.describe({{}, 0, {}, true}).as_estimate();
   }
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     result.effects.push_back(describer.describe_effect(e));

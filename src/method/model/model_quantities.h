@@ -8,6 +8,7 @@
 
 #include "joint/quantity.h"
 #include "method/model/joint_model.h"
+#include "method/model/model_law.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::method::model {
@@ -58,6 +59,10 @@ struct ModelEffect {
 struct ModelResult {
   std::vector<ModelQuantity> quantities;
   std::vector<ModelEffect> effects;
+  ModelLaw law;
+  /// Friction at rest by the laws, Coulomb torque with the Stribeck excess, in this session; absent
+  /// where the runs do not reach into the dip.
+  std::optional<statistics::Estimate> rest_Nm;
   double friction_Nm{};  ///< Median size over the cells.
   double top_Nm{};       ///< 98th percentile of the torque's size.
   std::size_t cells{};

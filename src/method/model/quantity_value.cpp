@@ -48,6 +48,11 @@ Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta
       v.gradient.segment(m.first[e], hats.size()) = hats.transpose();
       v.value += hats * theta.segment(m.first[e], hats.size());
     }
+    const std::size_t session = m.find(joint::effect::friction_of_session.key);
+    if (wanted.of_this_session && session < m.effects.size()) {
+      v.gradient[m.first[session]] = m.point.friction_at(wanted.speed_rad_s);
+      v.value += v.gradient[m.first[session]] * theta[m.first[session]];
+    }
   } else if (*wanted.quantity == Quantity::gravity_torque ||
              *wanted.quantity == Quantity::cog_angle) {
     const Index i = m.first[m.find("gravity")];

@@ -31,6 +31,8 @@ struct Wanted {
   std::optional<joint::Quantity> quantity;
   double speed_rad_s{};
   Eigen::VectorXd row{};  ///< Of the effects' coefficients; empty: it is not that.
+  /// Friction at the speed as it was in this session, which other recordings of it share.
+  bool of_this_session{false};
 };
 
 bool is_of_friction(const Wanted& wanted);

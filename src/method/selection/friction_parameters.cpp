@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "method/viscous/waiboer_fit.h"
-#include "statistics/block_regression.h"
 
 namespace tribolog::method::selection {
 namespace {
 
-constexpr std::size_t fewest_speeds_for_a_line = 4;
+constexpr std::size_t fewest_runs = 4;
 
 /// |Tf| against |w|, both directions together, sorted by speed.
 std::vector<viscous::CurvePoint> magnitudes(const viscous::ViscousCurvesResult& curves,
@@ -24,26 +23,6 @@ std::vector<viscous::CurvePoint> magnitudes(const viscous::ViscousCurvesResult& 
               return a.speed_rad_s < b.speed_rad_s;
             });
   return points;
-}
-
-/// A straight line over the points from `first` on.
-CoulombViscousFit fit_line(const std::vector<viscous::CurvePoint>& points, std::size_t first) {
-  const auto n = static_cast<Eigen::Index>(points.size() - first);
-  Eigen::MatrixXd x(n, 2);
-  Eigen::VectorXd y(n);
-  std::vector<std::size_t> blocks(static_cast<std::size_t>(n));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const viscous::CurvePoint& p = points[first + static_cast<std::size_t>(i)];
-    x.row(i) << 1, p.speed_rad_s;
-    y(i) = p.friction_Nm;
-    blocks[static_cast<std::size_t>(i)] = static_cast<std::size_t>(i);
-  }
-  const statistics::BlockRegression fit = statistics::block_regression(x, y, blocks);
-  const auto half_width = [&](int k) { return fit.half_width(k); };
-  return {
-      statistics::symmetric_estimate(fit.coefficients(0), half_width(0), {"interval.line_runs"}),
-      statistics::symmetric_estimate(fit.coefficients(1), half_width(1), {"interval.line_runs"}),
-      fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
 }
 
 }  // namespace
@@ -61,20 +40,12 @@ FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesRes
   }
   out.curve = curve->estimator;
   const std::vector<viscous::CurvePoint> points = magnitudes(curves, *curve);
-  // The line leaves out the Stribeck dip: it starts at the speed of least friction.
-  const auto dip = std::min_element(points.begin(), points.end(),
-                                    [](const viscous::CurvePoint& a, const viscous::CurvePoint& b) {
-                                      return a.friction_Nm < b.friction_Nm;
-                                    });
-  auto first = static_cast<std::size_t>(dip - points.begin());
-  if (first > points.size() / 2) first = 0;  // friction that falls all along has no dip
-  if (points.size() - first < fewest_speeds_for_a_line) {
+  if (points.size() < fewest_runs) {
     out.stage.state = statistics::StageState::not_identifiable;
     out.stage.reason = {"friction_parameters.too_few_runs",
-                        {{"runs", points.size() - first}, {"needed", fewest_speeds_for_a_line}}};
+                        {{"runs", points.size()}, {"needed", fewest_runs}}};
     return out;
   }
-  out.coulomb_viscous = fit_line(points, curves.from_sweep ? 0 : first);
   Statement why_not;
   // In a paired sweep angle and speed change together: five parameters would fit the angle.
   if (curves.from_sweep) {
@@ -87,23 +58,6 @@ FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesRes
     out.stage.reason = {"friction_parameters.waiboer_not_fitted", {{"why", why_not}}};
   }
   return out;
-}
-
-FrictionCurve fitted_curve(const FrictionParametersResult& fitted) {
-  if (!fitted.coulomb_viscous) return {};
-  const CoulombViscousFit& line = *fitted.coulomb_viscous;
-  FrictionCurve curve;
-  constexpr int points = 200;
-  for (int i = 0; i <= points; ++i) {
-    // Denser at low speed, where the Stribeck effect bends the curve.
-    const double share = static_cast<double>(i) / points;
-    const double w = line.fastest_rad_s * share * share;
-    curve.speed_rad_s.push_back(w);
-    curve.torque_Nm.push_back(fitted.waiboer
-                                  ? viscous::waiboer_of(*fitted.waiboer).magnitude_Nm(w)
-                                  : line.coulomb_Nm.value + line.viscous_Nms_rad.value * w);
-  }
-  return curve;
 }
 
 }  // namespace tribolog::method::selection

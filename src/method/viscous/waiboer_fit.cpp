@@ -122,10 +122,19 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, Sta
   return fit;
 }
 
-friction::WaiboerFriction waiboer_of(const WaiboerFit& fit) {
-  return friction::WaiboerFriction({fit.asperity_torque_Nm.value, fit.stribeck_speed_rad_s.value,
-                                    fit.stribeck_power.value, fit.viscous_coefficient.value,
-                                    fit.viscous_power.value, 1e6});
+std::optional<friction::WaiboerFriction> waiboer_of(const std::optional<WaiboerFit>& fit) {
+  if (!fit || !fit->converged) return std::nullopt;
+  constexpr double step_at_rest_s_rad = 1e6;
+  const std::array parameters{&fit->asperity_torque_Nm, &fit->stribeck_speed_rad_s,
+                              &fit->stribeck_power, &fit->viscous_coefficient, &fit->viscous_power};
+  if (std::any_of(parameters.begin(), parameters.end(), [](const statistics::Estimate* p) {
+        return !std::isfinite(p->value) || !(p->value > 0);
+      })) {
+    return std::nullopt;  // a calibration file may hold anything
+  }
+  return friction::WaiboerFriction({fit->asperity_torque_Nm.value, fit->stribeck_speed_rad_s.value,
+                                    fit->stribeck_power.value, fit->viscous_coefficient.value,
+                                    fit->viscous_power.value, step_at_rest_s_rad});
 }
 
 }  // namespace tribolog::method::viscous

@@ -37,7 +37,7 @@ void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::Vecto
 /// @param why_not receives the reason where there is no fit.
 std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, Statement& why_not);
 
-/// The curve that a fit describes.
-friction::WaiboerFriction waiboer_of(const WaiboerFit& fit);
+/// The curve that a fit describes; absent where it has not converged.
+std::optional<friction::WaiboerFriction> waiboer_of(const std::optional<WaiboerFit>& fit);
 
 }  // namespace tribolog::method::viscous
