@@ -86,7 +86,8 @@ Json model(const method::model::ModelResult& model) {
           {"quantities", std::move(quantities)},
           {"effects", std::move(effects)},
           {"friction_of_loops", interval(model.friction_of_loops)},
-          {"friction_of_ramps", interval(model.friction_of_ramps)}};
+          {"friction_of_ramps", interval(model.friction_of_ramps)},
+          {"gain_of_loops", interval(model.gain_of_loops)}};
 }
 
 }  // namespace tribolog::calibration

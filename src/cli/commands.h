@@ -102,9 +102,10 @@ struct StudyCommandOptions {
   unsigned long long seed{1};
   std::size_t threads{0};            ///< 0: all cores.
   std::vector<std::string> factors;  ///< Keys; none: all.
-  bool misfit{false};  ///< On joints and logs that the method's model does not describe.
-  bool sound{false};   ///< The same on joints that it does describe.
-  bool mixed{false};   ///< On joints drawn at random, with many small effects at once.
+  bool misfit{false};     ///< On joints and logs that the method's model does not describe.
+  bool sound{false};      ///< The same on joints that it does describe.
+  bool mixed{false};      ///< On joints drawn at random, with many small effects at once.
+  bool less_data{false};  ///< On sound joints of which less was recorded than one would wish.
   std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
   std::vector<std::string> joints;        ///< With `misfit`: keys; none: all.
   std::string logs;  ///< With these three: directory for the first run of each case or joint.

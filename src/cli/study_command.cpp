@@ -150,6 +150,35 @@ void say_quantities(const study::MisfitCase& c, Console& console) {
   }
 }
 
+/// How each quantity fared with each lack of data, over all joints, a line each.
+void say_lacks(const std::vector<study::MisfitCase>& cases, Console& console) {
+  std::vector<std::string> order;
+  std::map<std::string, std::map<joint::Quantity, study::MisfitQuantity>> sums;
+  std::map<std::string, std::size_t> runs;
+  for (const study::MisfitCase& c : cases) {
+    if (!sums.contains(c.disturbance)) order.push_back(c.disturbance);
+    runs[c.disturbance] += c.runs;
+    for (const study::MisfitQuantity& q : c.quantities) {
+      study::MisfitQuantity& sum = sums[c.disturbance][q.quantity];
+      sum.found += q.found;
+      sum.judged += q.judged;
+      sum.inside += q.inside;
+      sum.usable += q.usable;
+      sum.wrong_usable += q.wrong_usable;
+    }
+  }
+  for (const std::string& key : order) {
+    console.say(fmt::format("{}, {} runs:", key.empty() ? "all data" : key, runs[key]));
+    for (const auto& [quantity, q] : sums[key]) {
+      console.say(fmt::format(
+          "  {}: found {}, inside {:.0f} %, usable {}, wrong and usable {}", to_string(quantity),
+          q.found,
+          100 * static_cast<double>(q.inside) / std::max(1.0, static_cast<double>(q.judged)),
+          q.usable, q.wrong_usable));
+    }
+  }
+}
+
 study::KeepLogs keep_in(const std::string& directory) {
   if (directory.empty()) return {};
   return [directory](const study::MisfitCase& of, const simulate::Scenario& laid,
@@ -181,22 +210,24 @@ std::vector<study::MisfitCase> run_misfit_cases(const StudyCommandOptions& optio
   study.disturbances = options.disturbances;
   study.joints = options.joints;
   study.only_sound = options.sound;
+  study.lacks = options.less_data;
   study.keep_logs = keep_in(options.logs);
   return study::run_misfit_study(study, progress);
 }
 
 bool has_joints_of_its_own(const StudyCommandOptions& options) {
-  return options.misfit || options.sound || options.mixed;
+  return options.misfit || options.sound || options.mixed || options.less_data;
 }
 
 ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& console) {
   if (options.json.empty()) {
-    throw UsageError("study --misfit, --sound and --mixed need --json FILE");
+    throw UsageError("study --misfit, --sound, --mixed and --less-data need --json FILE");
   }
   if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
     throw UsageError(
-        "--misfit, --sound and --mixed have joints of their own: SCENARIO, --factor and -o do not "
-        "apply");
+        "--misfit, --sound, --mixed and --less-data have joints of their own: SCENARIO, --factor "
+        "and "
+        "-o do not apply");
   }
   check_output_can_be_written(options.json, {});
   console.make_way_for(options.json);
@@ -216,6 +247,7 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   if (options.mixed) {
     for (const study::MisfitCase& c : cases) say_quantities(c, console);
   }
+  if (options.less_data) say_lacks(cases, console);
   say_outcome(cases, console);
   console.say("numbers: " + options.json);
   return ExitStatus::done;
@@ -228,18 +260,20 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   if (options.sound && !options.disturbances.empty()) {
     throw UsageError("--sound lays no --disturbance: choose one of them");
   }
-  if (options.mixed && (options.misfit || options.sound)) {
-    throw UsageError("--mixed is a study of its own, beside --misfit and --sound: choose one");
+  if (int{options.misfit} + int{options.sound} + int{options.mixed} + int{options.less_data} > 1) {
+    throw UsageError(
+        "--misfit, --sound, --mixed and --less-data are studies of their own: choose one");
   }
   if (options.mixed && !(options.disturbances.empty() && options.joints.empty())) {
     throw UsageError("--mixed draws joints and effects: --joint and --disturbance do not apply");
   }
   if (!options.logs.empty() && !has_joints_of_its_own(options)) {
-    throw UsageError("--logs keeps what --misfit, --sound or --mixed simulates: none is given");
+    throw UsageError(
+        "--logs keeps what --misfit, --sound, --mixed or --less-data simulates: none is given");
   }
   if (has_joints_of_its_own(options)) return run_misfit_command(options, console);
   if (options.output.empty() && options.json.empty()) {
-    throw UsageError("study needs -o FILE, --json FILE, --misfit, --sound or --mixed");
+    throw UsageError("study needs -o FILE, --json FILE, --misfit, --sound, --mixed or --less-data");
   }
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
@@ -311,13 +345,17 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
                    "twelve joints that the model describes: coverage, and share called usable");
   command.add_flag("--mixed", study.mixed,
                    "joints drawn at random, with many small effects at once");
+  command.add_flag("--less-data", study.less_data,
+                   "sound joints of which less was recorded than one would wish");
   command.add_option("--disturbance", study.disturbances,
-                     "with --misfit: lay this one alone (may be given again); default: all");
+                     "with --misfit or --less-data: lay this one alone (may be given again); "
+                     "default: all");
   command.add_option("--joint", study.joints,
-                     "with --misfit or --sound: on this joint alone (may be given again)");
+                     "with --misfit, --sound or --less-data: on this joint alone (may be given "
+                     "again)");
   command.add_option("--logs", study.logs,
-                     "with --misfit or --sound: directory for the logs of each case's first run; "
-                     "with --mixed: of each joint");
+                     "with --misfit, --sound or --less-data: directory for the logs of each case's "
+                     "first run; with --mixed: of each joint");
   command.add_option("--runs", study.runs, "runs per case; with --mixed joints, else 100")
       ->check(CLI::Range(std::size_t{2}, most))
       ->default_str(std::to_string(usual_runs));

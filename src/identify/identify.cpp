@@ -170,7 +170,8 @@ std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
         std::move(fit), p.n, dip ? dip->value : p.c.friction.waiboer->stribeck_speed_rad_s.value);
   }
   fit = method::hysteresis::against_ramps(std::move(fit), p.c.break_away);
-  return method::hysteresis::with_friction_of_runs(std::move(fit), p.c.model.friction_of_loops);
+  return method::hysteresis::with_friction_of_runs(std::move(fit), p.c.model.friction_of_loops,
+                                                   p.c.model.gain_of_loops);
 }
 
 std::optional<method::hysteresis::KnownGravity> known_gravity(const Progress& p) {

@@ -13,6 +13,7 @@ const std::vector<Effect>& effects() {
                                        torque_nonlinear,
                                        gain_of_speed,
                                        gain_of_runs,
+                                       tool,
                                        lag,
                                        others_gravity,
                                        others_inertia,
@@ -31,6 +32,7 @@ const std::vector<Effect>& effects() {
                                        law_misfit,
                                        law_at_its_ends,
                                        friction_of_session,
+                                       tare,
                                        friction_of_recording};
   return all;
 }

@@ -59,6 +59,9 @@ inline constexpr Effect gain_of_speed{
     "gain_of_speed", Effect::Kind::effect, 0.1, "percent", "record.torque_measured", 4, 30};
 inline constexpr Effect gain_of_runs{
     "gain_of_runs", Effect::Kind::effect, 0.2, "percent", "record.one_session", 4, 25};
+/// Percent of gravity: by how much it is another in the runs, as with another tool.
+inline constexpr Effect tool{"tool", Effect::Kind::effect, 0.05, "percent", "record.one_tool", 2,
+                             300};
 inline constexpr Effect lag{"lag", Effect::Kind::effect, 1, "ms", "record.no_lag", 2, 20};
 /// Gravity that other joints change, of which nothing but their angles is known.
 inline constexpr Effect others_gravity{"others_gravity",
@@ -112,6 +115,9 @@ inline constexpr Effect law_at_its_ends{
 /// Percent of the friction: on another day it is another by temperature, lubricant, wear.
 inline constexpr Effect friction_of_session{"friction_of_session", Effect::Kind::fixed, 2,
                                             "percent", "record.other_days"};
+/// Of its own in each recording: a sensor tared between them.
+inline constexpr Effect tare{"tare", Effect::Kind::effect, 0.03, "percent", "record.one_tare", 2,
+                             300};
 /// Percent of the friction: of its own in each recording.
 inline constexpr Effect friction_of_recording{
     "friction_of_recording", Effect::Kind::random, 0.1, "percent", "record.repeated_runs", 2, 300};

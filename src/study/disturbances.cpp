@@ -342,11 +342,10 @@ std::vector<Disturbance> all_disturbances() {
        {0.01, 0.05, 0.2},
        [](Scenario& s, double x) { s.noise.effects.touch_Nm = x * motor_gravity(s); },
        {"model.recordings_unlike", "model.recordings_left_out", "model.cells_far_off"}},
-      // No finding says so yet: methods that disagree about the mass do not tell why.
       {"tool_changed",
        {0.01, 0.03, 0.1},
        [](Scenario& s, double x) { s.effects.tool_gravity = x; },
-       {"cause.tool_changed"}},
+       {"effect.tool", "effect.gain_of_runs"}},
       {"held_messages",
        {1, 5, 20},
        [](Scenario& s, double x) { s.noise.effects.repeated_percent = x; },
@@ -361,11 +360,11 @@ std::vector<Disturbance> all_disturbances() {
       {"gravity_left_out",
        {0.3, 0.9, 1},
        [](Scenario& s, double x) { s.effects.gravity_left_out = x; },
-       {"cause.no_gravity_or_removed"}},
+       {"cause.no_gravity"}},
       {"tare_between",
        {0.002, 0.01, 0.05},
        [](Scenario& s, double x) { s.noise.effects.tare_Nm = x * motor_gravity(s); },
-       {"effect.offset_drift"}},
+       {"effect.tare", "effect.offset_drift"}},
       {"mirrored",
        {1, 2, 3},
        [](Scenario& s, double x) {
@@ -377,7 +376,66 @@ std::vector<Disturbance> all_disturbances() {
   };
 }
 
+/// All of a sampling rate.
+void sample_at(Scenario& s, double rate_Hz) {
+  for (auto* sweep : {&s.rough_sweep, &s.precise_sweep}) {
+    if (*sweep) (*sweep)->sample_rate_Hz = rate_Hz;
+  }
+  if (s.oscillation) s.oscillation->sample_rate_Hz = rate_Hz;
+  for (auto& oscillation : s.further_oscillations) oscillation.sample_rate_Hz = rate_Hz;
+  if (s.constant_speed) s.constant_speed->sample_rate_Hz = rate_Hz;
+  if (s.break_away) s.break_away->sample_rate_Hz = rate_Hz;
+}
+
+void leave_a_sweep_alone(Scenario& s) {
+  s.precise_sweep.reset();
+  s.oscillation.reset();
+  s.further_oscillations.clear();
+  s.constant_speed.reset();
+  s.break_away.reset();
+}
+
+/// Nothing is wrong with such logs: there is nothing to name.
+Disturbance lack(const std::string& key, const std::function<void(Scenario&)>& lay) {
+  return {key, {1}, [lay](Scenario& s, double) { lay(s); }, {}, 1};
+}
+
+std::vector<Disturbance> all_lacks() {
+  return {
+      lack("one_sweep", leave_a_sweep_alone),
+      lack("sweep_and_three_runs",
+           [](Scenario& s) {
+             const auto runs = s.constant_speed;
+             leave_a_sweep_alone(s);
+             s.constant_speed = runs;
+             auto& speeds = s.constant_speed->motor_speeds_rad_s;
+             speeds = {speeds.front(), speeds[speeds.size() / 2], speeds.back()};
+           }),
+      lack("three_cycles",
+           [](Scenario& s) {
+             s.oscillation->cycles = 3;
+             for (auto& oscillation : s.further_oscillations) oscillation.cycles = 3;
+           }),
+      lack("rate_100_Hz", [](Scenario& s) { sample_at(s, 100); }),
+      lack("encoder_12_bits", [](Scenario& s) { s.noise.encoder_counts_per_turn = 4096; }),
+      lack("torque_12_bits",
+           [](Scenario& s) {
+             s.noise.torque_step_Nm = 2 * (motor_gravity(s) + 2 * friction_of(s)) / 4096;
+           }),
+      lack("one_direction",
+           [](Scenario& s) {
+             s.constant_speed->both_directions = false;
+             s.rough_sweep->both_directions = false;
+           }),
+  };
+}
+
 }  // namespace
+
+const std::vector<Disturbance>& lacks() {
+  static const std::vector<Disturbance> all = all_lacks();
+  return all;
+}
 
 const std::vector<Disturbance>& disturbances() {
   static const std::vector<Disturbance> all = all_disturbances();

@@ -221,8 +221,8 @@ std::vector<MisfitCase> run_misfit_study(const MisfitOptions& options,
   std::vector<MisfitJoint> joints = picked(misfit_joints(), options.joints, "joint");
   std::vector<Disturbance> laid;
   if (!options.only_sound) {
-    laid = picked(disturbances(), options.disturbances, "disturbance");
-    if (options.joints.empty()) joints.resize(joints_of_the_study);
+    laid = picked(options.lacks ? lacks() : disturbances(), options.disturbances, "disturbance");
+    if (options.joints.empty() && !options.lacks) joints.resize(joints_of_the_study);
   }
   std::size_t all = 0;
   for (const Disturbance& d : laid) all += d.sizes.size() * joints.size();

@@ -35,6 +35,9 @@ struct Disturbance {
 
 const std::vector<Disturbance>& disturbances();
 
+/// Less data than one would wish, of sound joints: one size each.
+const std::vector<Disturbance>& lacks();
+
 struct MisfitJoint {
   std::string key;  ///< Stable: "geared_arm".
   simulate::Scenario scenario;
@@ -87,6 +90,7 @@ struct MisfitOptions {
   std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
   std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
   bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
+  bool lacks{};                           ///< lacks() are laid, on all joints where none is chosen.
   KeepLogs keep_logs;                     ///< Of each case's first run; may be empty.
 };
 

@@ -45,6 +45,8 @@ const Messages& model_messages() {
       {"record.whole_turn", text("a sweep over a whole turn of the joint, or as much of it as it "
                                  "can, in both directions")},
       {"record.one_session", text("sweeps and runs one after the other, at the same temperature")},
+      {"record.one_tool", text("sweeps and runs with the same tool")},
+      {"record.one_tare", text("all recordings after one tare of the torque sensor")},
       {"record.both_directions", text("the same motions in both directions")},
       {"record.other_days", text("the same again on other days")},
       {"record.repeated_runs", text("the same runs once more, in random order")},
@@ -59,6 +61,7 @@ const Messages& model_messages() {
       {"effect.torque_nonlinear", text("a torque out of proportion")},
       {"effect.gain_of_speed", text("a torque's scale that changes with the speed")},
       {"effect.gain_of_runs", text("another torque scale in the runs")},
+      {"effect.tool", text("another load in the runs than in the sweeps")},
       {"effect.lag", text("a lag between torque and angle")},
       {"effect.asymmetry", text("friction that differs with the direction and the speed")},
       {"effect.load", text("friction that grows with the load")},
@@ -77,6 +80,7 @@ const Messages& model_messages() {
       {"effect.law_at_its_ends", text("the law of friction at the ends of the speeds")},
       {"effect.choice_of_law", text("the choice among laws of friction over the speed")},
       {"effect.friction_of_session", text("how friction changes from day to day")},
+      {"effect.tare", text("an offset of its own in each recording")},
       {"effect.friction_of_recording", text("how friction changes between recordings")},
 
       {"interval.widened_by_lag",
@@ -84,6 +88,9 @@ const Messages& model_messages() {
       {"interval.at_the_runs",
        text("{interval}; at the mean load, place and time of the runs, widened by what of their "
             "effect on friction is not known")},
+      {"interval.at_the_gain",
+       text("{interval}; less what a change of the torque is logged too large under the loops' "
+            "load, widened by what is not known of it")},
       {"rule.friction_by_motor_angle", text("Change of friction along the sweep, as of a sine")},
       {"rule.break_away_by_motor_angle",
        text("What ramps at several motor angles differ by beyond the scatter at one")},

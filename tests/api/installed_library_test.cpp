@@ -32,7 +32,7 @@ class TheInstalledLibrary : public testing::Test {
     const std::string out = scratch_.file("out");
     const ProgramRun run = run_shell(fmt::format("'{}' '{}' '{}'", program, dataset, out));
     ASSERT_EQ(run.status, 1) << run.out << run.err;
-    EXPECT_NE(run.out.find("Coulomb torque at the joint: 13."), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Coulomb torque at the joint: 12."), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("doubtful: "), std::string::npos) << run.out;
     EXPECT_NE(run.out.find(" N·m (95 %: "), std::string::npos) << run.out;
     for (const char* file :

@@ -17,7 +17,7 @@ const std::vector<Call>& calls() {
       {"study --factor cycles scenario.toml --runs 2 --json s.json", 0, "numbers: s.json"},
       {"study --json m.json --runs 2 --mixed", 0, "numbers: m.json"},
       {"study --sound --json m.json --mixed", 2,
-       "--mixed is a study of its own, beside --misfit and --sound: choose one"},
+       "--misfit, --sound, --mixed and --less-data are studies of their own: choose one"},
       {"study --mixed --joint geared_arm --json m.json", 2,
        "--mixed draws joints and effects: --joint and --disturbance do not apply"},
       {"report --archive dataset.toml -o r1.html --no-figures --truth-runs 0", 0,

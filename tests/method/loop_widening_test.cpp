@@ -99,15 +99,18 @@ method::hysteresis::LuGreFit fit_of(method::hysteresis::LuGreParameterName name,
   return fit;
 }
 
-TEST(LoopWidening, StaticTorqueIsReferredToTheRunsAndTheBristleStaysThatOfTheLoops) {
+TEST(LoopWidening, StaticTorqueIsReferredToTheRunsAndTheBristleToTheTorquesGain) {
   using method::hysteresis::LuGreParameterName;
   const auto fit = method::hysteresis::with_friction_of_runs(
       fit_of(LuGreParameterName::static_torque, 0.9, 0.009),
-      statistics::symmetric_estimate(0.2, 0.012));
+      statistics::symmetric_estimate(0.2, 0.012), statistics::symmetric_estimate(0.04, 0.005));
   const statistics::Estimate level = *fit.shown(LuGreParameterName::static_torque);
   EXPECT_NEAR(level.value, 0.75, 1e-12);
   EXPECT_NEAR(level.half_width() / level.value, std::hypot(0.01, 0.01), 1e-12);
-  EXPECT_EQ(fit.shown(LuGreParameterName::bristle_stiffness)->value, 200);
+  const statistics::Estimate stiffness = *fit.shown(LuGreParameterName::bristle_stiffness);
+  EXPECT_NEAR(stiffness.value, 200 / 1.04, 1e-9);
+  EXPECT_NEAR(stiffness.half_width() / stiffness.value, std::hypot(0.005, 0.005 / 1.04), 1e-9);
+  EXPECT_EQ(stiffness.method.code().text(), "interval.at_the_gain");
 }
 
 TEST(LoopWidening, DampingIsKnownNoBetterThanTheLag) {

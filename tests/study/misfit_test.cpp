@@ -251,6 +251,32 @@ TEST(MisfitStudy, OfSoundJointsLaysNothingOnAnyOfThem) {
   }
 }
 
+TEST(MisfitStudy, LessDataLeavesWhatIsAnsweredRight) {
+  study::MisfitOptions options;
+  options.runs = test::seeds_of(2, 10);
+  options.lacks = true;
+  options.joints = {"geared_arm", "cobot_joint"};
+  const auto cases = study::run_misfit_study(options);
+  ASSERT_EQ(cases.size(), options.joints.size() * (1 + study::lacks().size()));
+  for (const study::MisfitCase& c : cases) {
+    SCOPED_TRACE(c.joint + " " + c.disturbance);
+    EXPECT_FALSE(c.has_cause);
+    for (const study::MisfitQuantity& q : c.quantities) {
+      // The Stribeck velocity of few speeds rests on the shape of the dip.
+      if (q.quantity == joint::Quantity::stribeck_speed) continue;
+      EXPECT_EQ(q.wrong_usable, 0U) << to_string(q.quantity);
+    }
+    const bool has_no_loops =
+        c.disturbance == "one_sweep" || c.disturbance == "sweep_and_three_runs";
+    EXPECT_EQ(quantity(c, joint::Quantity::gravity_torque).usable, c.runs);
+    EXPECT_EQ(quantity(c, joint::Quantity::bristle_stiffness).found == 0,
+              has_no_loops || c.disturbance == "encoder_12_bits");
+    if (c.disturbance == "sweep_and_three_runs") {
+      EXPECT_EQ(quantity(c, joint::Quantity::coulomb_torque).usable, c.runs);
+    }
+  }
+}
+
 TEST(MisfitStudy, OutliersOfTheTorqueDoNotHideAWarmUp) {
   simulate::Scenario s = study::misfit_joints().at(1).scenario;
   s.effects.warm_up = 0.2;

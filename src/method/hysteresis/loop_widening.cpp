@@ -81,23 +81,28 @@ LuGreFit with_lag_as_filter(LuGreFit fit, double lag_s) {
 }
 
 statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
-                                 const statistics::Estimate& difference) {
+                                 const statistics::Estimate& difference, Code method) {
   const double factor = 1 + difference.value;
   const double value = recorded.value / factor;
   return statistics::symmetric_estimate(
       value, std::hypot(recorded.half_width() / factor, value * difference.half_width() / factor),
-      {"interval.at_the_runs", {{"interval", recorded.method}}});
+      {method, {{"interval", recorded.method}}});
 }
 
-LuGreFit with_friction_of_runs(LuGreFit fit,
-                               const std::optional<statistics::Estimate>& difference) {
-  if (!difference) return fit;
+LuGreFit with_friction_of_runs(LuGreFit fit, const std::optional<statistics::Estimate>& friction,
+                               const std::optional<statistics::Estimate>& gain) {
   for (LuGreParameter& parameter : fit.parameters) {
+    if (!parameter.estimate) continue;
     switch (parameter.name) {
       case LuGreParameterName::static_torque:
       case LuGreParameterName::coulomb_torque:
-        if (parameter.estimate) {
-          parameter.estimate = at_the_runs(*parameter.estimate, *difference);
+        if (friction) parameter.estimate = at_the_runs(*parameter.estimate, *friction);
+        break;
+      case LuGreParameterName::bristle_stiffness:
+      case LuGreParameterName::bristle_damping:
+      case LuGreParameterName::inertia:
+        if (gain) {
+          parameter.estimate = at_the_runs(*parameter.estimate, *gain, "interval.at_the_gain");
         }
         break;
       default:

@@ -32,14 +32,19 @@ LuGreFit with_friction_of_angle(LuGreFit fit, const gravity::CogSweepResult& swe
                                 const std::vector<double>& motor_angle_rad);
 
 /// A friction torque less the share of itself by which it was another where it was recorded.
+/// @param method of the new interval, with the recorded one's as its value "interval".
 statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
-                                 const statistics::Estimate& difference);
+                                 const statistics::Estimate& difference,
+                                 Code method = "interval.at_the_runs");
 
 /// Static and Coulomb torque as they are at the mean load, place and time of the runs; the bristle
-/// stays that of the loops: whether the load stiffens it, or acts beside it, no recording tells.
-/// @param difference by which share of itself friction was another where the loops were recorded;
+/// stays that of the loops but for the torque's gain there: whether the load stiffens it, or acts
+/// beside it, no recording tells.
+/// @param friction by which share of itself it is logged as another where the loops were recorded;
 /// absent: not known, and nothing is changed.
-LuGreFit with_friction_of_runs(LuGreFit fit, const std::optional<statistics::Estimate>& difference);
+/// @param gain by which share of itself a change of the torque is logged too large there.
+LuGreFit with_friction_of_runs(LuGreFit fit, const std::optional<statistics::Estimate>& friction,
+                               const std::optional<statistics::Estimate>& gain);
 
 /// Widens stiffness and static torque by what an elasto-plastic contact would have, where the loops
 /// do not tell it from LuGre's.

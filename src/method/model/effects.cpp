@@ -229,6 +229,7 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   add_one(effect::gain_of_speed, model * v / point.fastest_rad_s, size_of(effect::gain_of_speed));
   if (has_runs && has_sweeps) {
     add_one(effect::gain_of_runs, model * run, size_of(effect::gain_of_runs));
+    if (has_gravity && has_place) add_one(effect::tool, place * g * run, size_of(effect::tool));
   }
   const ArrayXd rate = point.gravity_cos_Nm * cells.of(&Cell::cos_rate) +
                        point.gravity_sin_Nm * cells.of(&Cell::sin_rate) +
@@ -346,9 +347,12 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
     MatrixXd own = MatrixXd::Zero(n, next);
     for (Index i = 0; i < n; ++i) {
       const Cell& row = cells.rows[static_cast<std::size_t>(i)];
-      if (row.count > 0) own(i, groups.at(by_recording ? row.recording : row.stroke)) = s[i];
+      if (row.count > 0) own(i, groups.at(by_recording ? row.recording : row.stroke)) = 1;
     }
-    add(effect::friction_of_recording, own,
+    if (by_recording) {
+      add(effect::tare, own, ArrayXd::Constant(next, size_of(effect::tare) * top));
+    }
+    add(effect::friction_of_recording, s.matrix().asDiagonal() * own,
         ArrayXd::Constant(next, size_of(effect::friction_of_recording) * friction));
   }
   return all;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -59,61 +60,87 @@ double LawColumn::at(double speed_rad_s, double fastest_rad_s) const {
 
 Eigen::MatrixXd FrictionLaws::torque(const Cells& cells) const {
   Eigen::MatrixXd all(cells.size(), static_cast<Index>(columns.size()));
-  for (Index i = 0; i < cells.size(); ++i) {
-    const Cell& row = cells.rows[static_cast<std::size_t>(i)];
-    for (Index k = 0; k < all.cols(); ++k) {
-      all(i, k) =
-          row.direction * columns[static_cast<std::size_t>(k)].at(row.speed_rad_s, fastest_rad_s);
-    }
+  const ArrayXd direction = cells.of(&Cell::direction);
+  const ArrayXd v = cells.of(&Cell::speed_rad_s);
+  const ArrayXd u = v.log();
+  for (Index k = 0; k < all.cols(); ++k) {
+    const LawColumn& column = columns[static_cast<std::size_t>(k)];
+    all.col(k) =
+        direction *
+        (column.dip_speed > 0
+             ? ArrayXd((-(column.dip_power * (u - std::log(column.dip_speed))).exp()).exp())
+             : ArrayXd((v / fastest_rad_s).pow(column.power)));
   }
   return all;
 }
 
-FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s,
-                            double half_span, const std::vector<double>& dip_powers) {
+std::vector<std::vector<DipGrid>> coarse_dips() {
+  std::vector<DipGrid> grids;
+  for (const double power : {0.7, 1.0, 1.4, 2.0, 2.8}) grids.push_back({power});
+  return std::vector<std::vector<DipGrid>>(families.size(), grids);
+}
+
+namespace {
+
+struct Dip {
+  LawColumn column;
+  double log_prior{};
+};
+
+/// @param low slowest speed. @param top fastest.
+std::vector<Dip> dips_of(const std::vector<DipGrid>& grids, double low, double top) {
+  constexpr double of_dips = -1;  // of all of them, less that of no dip
+  std::vector<Dip> dips;
+  const double range = std::max(std::log(widest_dip * top / low), coarse_dip_step);
+  for (const DipGrid& grid : grids) {
+    const double step = grid.step();
+    const double prior = of_dips + std::log(step / range / static_cast<double>(grids.size()));
+    const bool is_near = grid.near_rad_s > 0;
+    const double from = is_near ? std::log(grid.near_rad_s) - grid.half_span : std::log(low);
+    const int count = is_near
+                          ? 2 * dips_each_side + 1
+                          : static_cast<int>(std::ceil((std::log(widest_dip * top) - from) / step));
+    for (int k = 0; k < count; ++k) {
+      const double speed = std::min(std::exp(from + k * step), widest_dip * top);
+      dips.push_back({{0, speed, grid.power}, prior});
+    }
+  }
+  return dips;
+}
+
+}  // namespace
+
+FrictionLaws candidate_laws(const Cells& cells, const Point& point,
+                            const std::vector<std::vector<DipGrid>>& grids) {
   const double top = point.fastest_rad_s;
   const double low = std::max(cells.of(&Cell::speed_rad_s).minCoeff(), top * 1e-4);
+  const bool can_dip = top / low > 3;
   FrictionLaws all;
   all.fastest_rad_s = top;
   all.columns.push_back({});  // Coulomb torque
-
-  std::vector<LawColumn> dips;
-  double step = coarse_dip_step;
-  if (top / low > 3) {
-    std::vector<double> speeds;
-    if (near_speed_rad_s > 0) {
-      step = half_span / dips_each_side;
-      for (int k = -dips_each_side; k <= dips_each_side; ++k) {
-        speeds.push_back(std::min(near_speed_rad_s * std::exp(k * step), widest_dip * top));
-      }
-    } else {
-      for (double u = std::log(low); u < std::log(widest_dip * top); u += step) {
-        speeds.push_back(std::exp(u));
-      }
-    }
-    for (double speed : speeds) {
-      for (double power : dip_powers) dips.push_back({0, speed, power});
+  std::map<std::pair<double, double>, Index> known_dips;
+  const auto column_of_dip = [&](const LawColumn& dip) {
+    const auto [at, is_new] = known_dips.try_emplace({dip.dip_speed, dip.dip_power},
+                                                     static_cast<Index>(all.columns.size()));
+    if (is_new) all.columns.push_back(dip);
+    return at->second;
+  };
+  std::map<double, Index> column_of_power;
+  for (const Family& family : families) {
+    for (const double power : family.powers) {
+      if (power == 0 || column_of_power.contains(power)) continue;
+      column_of_power[power] = static_cast<Index>(all.columns.size());
+      all.columns.push_back({power, 0, 0});
     }
   }
-  const double each_dip =
-      std::log(step / std::max(std::log(widest_dip * top / low), coarse_dip_step) /
-               static_cast<double>(dip_powers.size()));
-  const auto first_dip = static_cast<Index>(all.columns.size());
-  all.columns.insert(all.columns.end(), dips.begin(), dips.end());
-  std::vector<std::pair<double, Index>> powers;
-  const auto column_of = [&](double power) {
-    for (const auto& [known, index] : powers) {
-      if (known == power) return index;
-    }
-    powers.emplace_back(power, static_cast<Index>(all.columns.size()));
-    all.columns.push_back({power, 0, 0});
-    return powers.back().second;
-  };
+  all.dips_from = static_cast<Index>(all.columns.size());
   const ArrayXd even = ArrayXd::LinSpaced(50, low, top);
   const ArrayXd measured = cells.of(&Cell::speed_rad_s);
   const ArrayXd count = cells.of(&Cell::count);
-  for (const Family& family : families) {
+  for (std::size_t form = 0; form < families.size(); ++form) {
+    const Family& family = families[form];
     FrictionLaw law;
+    law.form = form;
     law.family = family.key;
     law.log_prior = family.log_prior();
     std::vector<double> scale{2 * point.friction_Nm};
@@ -125,23 +152,23 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
       if (power == 0) continue;
       const bool bends = power == 2;
       const LawColumn column{power, 0, 0};
-      law.index.push_back(column_of(power));
+      law.index.push_back(column_of_power.at(power));
       scale.push_back((bends ? 0.25 : 1.5) * point.friction_Nm);
       meanings.push_back({Eigen::Vector2d(0, 1 / top),
                           line_through(column, even, ArrayXd::Ones(even.size()), top),
                           line_through(column, measured, count, top)});
       law.is_positive.push_back(!bends);
     }
-    const auto put = [&](bool has_dip, std::size_t dip) {
+    const auto put = [&](const Dip* dip) {
       FrictionLaw one = law;
       std::vector<double> scales = scale;
       std::vector<Meanings> all_meanings = meanings;
-      if (has_dip) {
+      if (dip != nullptr) {
         one.has_dip = true;
-        one.dip = dips[dip];
-        one.index.push_back(first_dip + static_cast<Index>(dip));
+        one.dip = dip->column;
+        one.index.push_back(column_of_dip(dip->column));
         one.is_positive.push_back(true);
-        one.log_prior += each_dip;
+        one.log_prior += dip->log_prior;
         scales.push_back(0.5 * point.friction_Nm);
         const Eigen::Vector2d none(0, 0);
         all_meanings.push_back({none, none, none});
@@ -156,8 +183,9 @@ FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_
       }
       all.laws.push_back(std::move(one));
     };
-    put(false, 0);
-    for (std::size_t dip = 0; dip < dips.size(); ++dip) put(true, dip);
+    put(nullptr);
+    if (!can_dip) continue;
+    for (const Dip& dip : dips_of(grids[form], low, top)) put(&dip);
   }
   return all;
 }

@@ -25,6 +25,7 @@ struct LawColumn {
 
 struct FrictionLaw {
   std::string_view family;          ///< "line", "parabola", "sublinear", "superlinear"
+  std::size_t form{};               ///< Of the viscous torque: place of its family and power.
   std::vector<Eigen::Index> index;  ///< Of its columns among all, the Coulomb torque's first.
   Eigen::VectorXd scale;            ///< Prior of each coefficient [N·m].
   double log_prior{};
@@ -39,7 +40,8 @@ struct FrictionLaw {
 };
 
 struct FrictionLaws {
-  std::vector<LawColumn> columns;  ///< Distinct.
+  std::vector<LawColumn> columns;  ///< Distinct; those of dips last.
+  Eigen::Index dips_from{};        ///< Place of the first.
   std::vector<FrictionLaw> laws;
   double fastest_rad_s{};
 
@@ -51,14 +53,27 @@ struct FrictionLaws {
 inline constexpr double coarse_dip_step = 0.35;
 inline constexpr int dips_each_side = 4;
 
-/// Powers of a dip, before one is known: from that of a contact that ages to that of one that does
-/// not, a factor apart.
-inline const std::vector<double> coarse_dip_powers{0.7, 1.0, 1.4, 2.0, 2.8};
+/// Dips of one power.
+struct DipGrid {
+  double power{};
+  double near_rad_s{};  ///< 0: from the slowest speed to widest_dip of the fastest; else about this
+  double half_span{};   ///< of log speed, on either side.
 
-/// @param near_speed_rad_s 0: dips from the slowest speed to a quarter of the fastest; else dips
-/// about it, within `half_span` of log speed. @param dip_powers of each.
-FrictionLaws candidate_laws(const Cells& cells, const Point& point, double near_speed_rad_s = 0,
-                            double half_span = 0,
-                            const std::vector<double>& dip_powers = coarse_dip_powers);
+  [[nodiscard]] double step() const {
+    return near_rad_s > 0 ? half_span / dips_each_side : coarse_dip_step;
+  }
+};
+
+/// No contact's dip is known to be blunter or sharper.
+inline constexpr double least_dip_power = 0.6;
+inline constexpr double most_dip_power = 3.4;
+
+/// For each form of the viscous torque: of powers from that of a contact that ages to that of one
+/// that does not, a factor apart.
+std::vector<std::vector<DipGrid>> coarse_dips();
+
+/// @param grids for each form, as of coarse_dips().
+FrictionLaws candidate_laws(const Cells& cells, const Point& point,
+                            const std::vector<std::vector<DipGrid>>& grids);
 
 }  // namespace tribolog::method::model

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -29,9 +32,9 @@ constexpr double cell_freedom = 6;  // of Student's t of a cell's noise
 /// By which a Student's location is less certain than its weights, taken as known, say.
 constexpr double beyond_weights = (cell_freedom + 3) / (cell_freedom + 1);
 constexpr int rounds = 14;
-// Sizes start ten times their typical one: from small ones a large effect stays hidden behind
-// others. What the laws miss starts at its typical one: a large one is rather another law.
-constexpr double open = 0.01;
+// Sizes start at eighteen times their typical one: from small ones a large effect stays hidden
+// behind others. What the laws miss starts at its typical one: a large one is rather another law.
+constexpr double open = 0.003;
 /// Rounds before which effects and laws are put up about what was found.
 constexpr std::array put_up_at{0, 3, 6, 9, 11};
 
@@ -112,7 +115,9 @@ class Solve {
     cross_ = xw.transpose() * lw;
     const MatrixXd half = factor.matrixL().solve(cross_);
     const VectorXd half_b = factor.matrixL().solve(b_);
-    schur_ = lw.transpose() * lw - half.transpose() * half;
+    const Index plain = model.laws.dips_from;
+    plain_ = lw.leftCols(plain).transpose() * lw - half.leftCols(plain).transpose() * half;
+    own_ = (lw.colwise().squaredNorm() - half.colwise().squaredNorm()).transpose();
     right_ = lw.transpose() * yw - half.transpose() * half_b;
     inverse_ = factor.solve(MatrixXd::Identity(p, p));
     evidence_.reserve(model.laws.laws.size());
@@ -149,7 +154,15 @@ class Solve {
 
  private:
   [[nodiscard]] MatrixXd block_of(const FrictionLaw& law) const {
-    MatrixXd block = schur_(law.index, law.index);
+    const auto count = static_cast<Index>(law.index.size());
+    MatrixXd block(count, count);
+    for (Index i = 0; i < count; ++i) {
+      for (Index j = 0; j < count; ++j) {
+        const auto [from, to] = std::minmax(law.index[static_cast<std::size_t>(i)],
+                                            law.index[static_cast<std::size_t>(j)]);
+        block(i, j) = from < plain_.rows() ? plain_(from, to) : own_[from];
+      }
+    }
     block.diagonal().array() += law.scale.array().square().inverse();
     return block;
   }
@@ -173,7 +186,10 @@ class Solve {
   const JointModel& model_;
   VectorXd b_;
   MatrixXd cross_;
-  MatrixXd schur_;
+  // Of the laws' columns, what effects do not explain: products of plain ones with all, and of each
+  // with itself; no law has two dips.
+  MatrixXd plain_;
+  VectorXd own_;
   VectorXd right_;
   MatrixXd inverse_;
   std::vector<double> evidence_;
@@ -193,7 +209,7 @@ Noise first_noise(const Cells& cells, double top_Nm) {
 
 /// The likeliest laws' posteriors.
 std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
-  constexpr std::size_t most_laws = 24;
+  constexpr std::size_t most_laws = 48;
   constexpr double least_share = 0.003;
   const double most = solve.evidence()[solve.likeliest()];
   std::vector<std::pair<double, std::size_t>> likely;
@@ -264,7 +280,7 @@ class Fit {
   void put_up() {
     m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, m_.sizes);
     m_.hats = law_hats(m_.cells, m_.point);
-    m_.laws = candidate_laws(m_.cells, m_.point, dip_speed_, dip_span_, dip_powers_);
+    m_.laws = candidate_laws(m_.cells, m_.point, dips_);
     law_columns_ = m_.laws.torque(m_.cells);
     m_.first = {0};
     for (const EffectColumns& e : m_.effects) {
@@ -284,15 +300,22 @@ class Fit {
     }
   }
 
-  /// Of the laws with a dip: mean of the logarithm of a parameter of it, and standard deviation.
-  [[nodiscard]] std::pair<double, double> log_mean_of_dips(const Solve& solve,
-                                                           double LawColumn::* parameter) const {
-    const double most = solve.evidence()[solve.likeliest()];
+  /// Mean and standard deviation of the logarithm of a dip's parameter, by the evidence.
+  struct LogMean {
+    double mean{};
+    double sd{};
+  };
+  /// Absent: of none. @param laws a place each.
+  [[nodiscard]] std::optional<LogMean> log_mean_of_dips(const Solve& solve,
+                                                        const std::vector<std::size_t>& laws,
+                                                        double LawColumn::* parameter) const {
+    if (laws.empty()) return std::nullopt;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const std::size_t k : laws) most = std::max(most, solve.evidence()[k]);
     double total = 0;
     double sum = 0;
     double square = 0;
-    for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
-      if (!m_.laws.laws[k].has_dip) continue;
+    for (const std::size_t k : laws) {
       const double share = std::exp(solve.evidence()[k] - most);
       const double value = std::log(m_.laws.laws[k].dip.*parameter);
       total += share;
@@ -300,32 +323,99 @@ class Fit {
       square += share * value * value;
     }
     const double mean = sum / total;
-    return {mean, std::sqrt(std::max(0.0, square / total - mean * mean))};
+    return LogMean{mean, std::sqrt(std::max(0.0, square / total - mean * mean))};
   }
 
-  /// Dips about the likeliest one, as far as their evidence reaches.
+  /// Of the speeds of one grid, where the evidence is narrower than the grid: by the parabola
+  /// through the likeliest and its neighbours. Absent: it lies at an end.
+  [[nodiscard]] std::optional<LogMean> between_dips(const Solve& solve,
+                                                    const std::vector<std::size_t>& laws) const {
+    std::map<double, double> evidence;  // over the logarithm of the speed
+    for (const std::size_t k : laws) {
+      evidence[std::log(m_.laws.laws[k].dip.dip_speed)] = solve.evidence()[k];
+    }
+    const auto at =
+        std::max_element(evidence.begin(), evidence.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (at == evidence.end() || at == evidence.begin() || std::next(at) == evidence.end()) {
+      return std::nullopt;
+    }
+    const double step = std::next(at)->first - at->first;
+    const double before = std::prev(at)->second - at->second;
+    const double after = std::next(at)->second - at->second;
+    const double bend = before + after;
+    if (!(bend < 0)) return std::nullopt;
+    return LogMean{at->first + step * (before - after) / (2 * bend), step / std::sqrt(-bend)};
+  }
+
+  /// Dips of a grid about the likeliest, as far as their evidence reaches.
+  /// @param laws those of the grid. @param is_resolved false where the grid is coarser than that.
+  [[nodiscard]] DipGrid nearer(const Solve& solve, const DipGrid& grid,
+                               const std::vector<std::size_t>& laws, bool& is_resolved) const {
+    auto found = log_mean_of_dips(solve, laws, &LawColumn::dip_speed);
+    if (!found) return grid;
+    if (found->sd > coarse_dip_step) return {grid.power};
+    const double step = grid.step();
+    double half_span = std::max(dips_each_side * found->sd, step);
+    if (found->sd < step / 3) {
+      is_resolved = false;
+      if (const auto between = between_dips(solve, laws)) {
+        found = between;
+        constexpr double most = 16;  // a parabola no further
+        half_span = dips_each_side * std::max(between->sd, step / most);
+      }
+    }
+    return {grid.power, std::exp(found->mean), half_span};
+  }
+
+  /// Speeds of dips, and their powers once the speeds are found.
   void look_nearer(const Solve& solve) {
     const FrictionLaw& best = m_.laws.laws[solve.likeliest()];
     if (!best.has_dip) {
-      dip_speed_ = 0;
-      dip_powers_ = coarse_dip_powers;
+      dips_ = coarse_dips();
       return;
     }
-    const auto [speed, of_speed] = log_mean_of_dips(solve, &LawColumn::dip_speed);
-    const double step = dip_speed_ > 0 ? dip_span_ / dips_each_side : coarse_dip_step;
-    dip_speed_ = std::exp(speed);
-    dip_span_ = std::clamp(dips_each_side * of_speed, step, coarse_dip_step);
-    // And their powers, about the likeliest.
+    bool is_resolved = true;
+    std::vector<std::size_t> all;
+    for (std::size_t form = 0; form < dips_.size(); ++form) {
+      for (DipGrid& grid : dips_[form]) {
+        std::vector<std::size_t> laws;
+        for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
+          const FrictionLaw& law = m_.laws.laws[k];
+          if (law.has_dip && law.form == form && law.dip.dip_power == grid.power) laws.push_back(k);
+        }
+        all.insert(all.end(), laws.begin(), laws.end());
+        bool is_near = true;
+        grid = nearer(solve, grid, laws, is_near);
+        if (form == best.form && !is_near) is_resolved = false;
+      }
+    }
     constexpr double coarse_step = 0.35;
     constexpr double finest_step = 0.06;
     constexpr int each_side = 2;
-    const double of_power = log_mean_of_dips(solve, &LawColumn::dip_power).second;
-    if (of_power > coarse_step) return;
-    power_step_ = std::clamp(of_power, std::max(finest_step, power_step_ / 3), coarse_step);
-    dip_powers_.clear();
-    for (int k = -each_side; k <= each_side; ++k) {
-      dip_powers_.push_back(best.dip.dip_power * std::exp(k * power_step_));
+    const auto of_power = log_mean_of_dips(solve, all, &LawColumn::dip_power);
+    if (!is_resolved || !of_power || of_power->sd > coarse_step) return;
+    power_step_ = std::clamp(of_power->sd, std::max(finest_step, power_step_ / 3), coarse_step);
+    for (std::vector<DipGrid>& grids : dips_) {
+      std::vector<DipGrid> finer;
+      for (int k = -each_side; k <= each_side; ++k) {
+        const double power = best.dip.dip_power * std::exp(k * power_step_);
+        if (least_dip_power < power && power < most_dip_power) {
+          finer.push_back(as_nearest(grids, power));
+        }
+      }
+      grids = std::move(finer);
     }
+  }
+
+  /// The grid of the nearest power, for this one.
+  [[nodiscard]] static DipGrid as_nearest(const std::vector<DipGrid>& grids, double power) {
+    const auto distance = [&](const DipGrid& one) { return std::abs(std::log(one.power / power)); };
+    DipGrid grid = *std::min_element(
+        grids.begin(), grids.end(),
+        [&](const DipGrid& a, const DipGrid& b) { return distance(a) < distance(b); });
+    grid.power = power;
+    return grid;
   }
 
   /// And the cells' weights and correlation. @param square mean squares of the residuals.
@@ -392,9 +482,7 @@ class Fit {
   std::vector<int> stroke_;
   Noise noise_;
   std::map<std::string_view, double> known_precision_;
-  double dip_speed_{};  // 0: none is known
-  double dip_span_{};   // of log speed, on either side
-  std::vector<double> dip_powers_{coarse_dip_powers};
+  std::vector<std::vector<DipGrid>> dips_{coarse_dips()};
   double power_step_{0.35};  // of their logarithm
   MatrixXd x_;
   MatrixXd law_columns_;

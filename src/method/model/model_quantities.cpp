@@ -148,8 +148,19 @@ class Describer {
   /// ModelResult::friction_of_loops
   [[nodiscard]] std::optional<statistics::Estimate> friction_of(
       const std::vector<Cell>& contacts) const;
+  /// ModelResult::gain_of_loops
+  [[nodiscard]] std::optional<statistics::Estimate> gain_of(
+      const std::vector<Cell>& contacts) const;
 
  private:
+  /// Torques out of proportion: derivative of the logged torque, less one, per coefficient, mean
+  /// over contacts.
+  void put_gain(const std::vector<Cell>& contacts, VectorXd& row) const;
+  /// Absent: nothing is there that could differ. @param by a standard deviation beside.
+  [[nodiscard]] std::optional<statistics::Estimate> wider(const Wanted& share, double by) const;
+  /// One standard deviation of the scale of recordings beside sweeps and runs.
+  [[nodiscard]] double own_gain() const;
+
   /// What effects add to a quantity.
   struct OfEffects {
     double shift{};
@@ -278,18 +289,49 @@ std::optional<statistics::Estimate> Describer::friction_of(
     share.row.segment(m_.first[at], m_.width(at)) =
         e.columns.bottomRows(count).colwise().mean().transpose() / m_.point.friction_Nm;
   }
-  const std::size_t own = m_.find(joint::effect::friction_of_recording.key);
-  const bool has_own = own < m_.effects.size();
-  if (!has_own && share.row.isZero()) return std::nullopt;
+  put_gain(contacts, share.row);
+  double of_one = 0;
+  if (const std::size_t own = m_.find(joint::effect::friction_of_recording.key);
+      own < m_.effects.size()) {
+    of_one = m_.effects[own].scale[0] / std::sqrt(m_.precision[static_cast<Index>(own)]) /
+             m_.point.friction_Nm / std::sqrt(static_cast<double>(count));
+  }
+  return wider(share, std::hypot(of_one, own_gain()));
+}
+
+std::optional<statistics::Estimate> Describer::gain_of(const std::vector<Cell>& contacts) const {
+  if (contacts.empty()) return std::nullopt;
+  Wanted share{{}, 0, VectorXd::Zero(m_.first.back())};
+  put_gain(contacts, share.row);
+  return wider(share, own_gain());
+}
+
+void Describer::put_gain(const std::vector<Cell>& contacts, VectorXd& row) const {
+  const std::size_t at = m_.find(joint::effect::torque_nonlinear.key);
+  if (at == m_.effects.size()) return;
+  const double count = static_cast<double>(contacts.size());
+  for (const Cell& one : contacts) {
+    const double load =
+        std::abs(m_.point.gravity_cos_Nm * one.cos_q + m_.point.gravity_sin_Nm * one.sin_q) /
+        m_.point.top_Nm;
+    row.segment(m_.first[at], 2) += Eigen::Vector2d(2 * load, 3 * load * load) / count;
+  }
+}
+
+double Describer::own_gain() const {
+  const Effect& gain = joint::effect::gain_of_runs;
+  const std::size_t at = m_.find(gain.key);
+  constexpr double of_percent = 0.01;
+  return at < m_.effects.size()
+             ? m_.effects[at].scale[0] / std::sqrt(m_.precision[static_cast<Index>(at)])
+             : of_percent * m_.sizes.of(gain);
+}
+
+std::optional<statistics::Estimate> Describer::wider(const Wanted& share, double by) const {
+  if (share.row.isZero() && by == 0) return std::nullopt;
   const statistics::Estimate found = describe(share).as_estimate();
-  if (!has_own) return found;
-  const double of_one = m_.effects[own].scale[0] /
-                        std::sqrt(m_.precision[static_cast<Index>(own)]) / m_.point.friction_Nm;
   return statistics::symmetric_estimate(
-      found.value,
-      std::hypot(found.half_width(),
-                 statistics::normal_975 * of_one / std::sqrt(static_cast<double>(count))),
-      found.method);
+      found.value, std::hypot(found.half_width(), statistics::normal_975 * by), found.method);
 }
 
 ModelEffect Describer::describe_effect(std::size_t e) const {
@@ -378,6 +420,7 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
   }
   result.friction_of_loops = describer.friction_of(model.cells.contacts.loops);
   result.friction_of_ramps = describer.friction_of(model.cells.contacts.ramps);
+  result.gain_of_loops = describer.gain_of(model.cells.contacts.loops);
   return result;
 }
 

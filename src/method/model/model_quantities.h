@@ -70,10 +70,14 @@ struct ModelResult {
   double cells_far_off{};     ///< Share of cells whose weight fell below 0.3, and that matter.
   std::size_t unlike_left{};  ///< Recordings unlike the others that are still in it.
   std::vector<int> left_out;  ///< Recordings, by their index.
-  /// By which share of itself the friction where loops and ramps were recorded differs from that at
-  /// the runs' mean load, place and time. Absent: there are none, or no friction to compare.
+  /// By which share of itself the friction where loops and ramps were recorded, as it is logged
+  /// there, differs from that at the runs' mean load, place and time. Absent: there are none, or no
+  /// friction to compare.
   std::optional<statistics::Estimate> friction_of_loops;
   std::optional<statistics::Estimate> friction_of_ramps;
+  /// By which share of itself a small change of the torque is logged too large under the load of
+  /// the loops: torque out of proportion, another scale.
+  std::optional<statistics::Estimate> gain_of_loops;
 
   [[nodiscard]] bool empty() const { return quantities.empty(); }
   [[nodiscard]] const ModelQuantity* find(joint::Quantity quantity) const;

@@ -106,6 +106,20 @@ INSTANTIATE_TEST_SUITE_P(
         Injected{"gain_of_runs",
                  {"gain_of_runs", "gain_drift", "gain_of_speed"},
                  [](SmallEffects& e) { e.gain_of_runs = 0.006; }},
+        Injected{"gain_of_speed",
+                 {"gain_of_speed", "load", "torque_nonlinear"},
+                 [](SmallEffects& e) { e.gain_of_speed = 0.01; }},
+        Injected{"tool", {"tool"}, [](SmallEffects& e) { e.tool = 0.02; }},
+        Injected{"tare", {"tare"}, [](SmallEffects& e) { e.tare = 0.005; }},
+        Injected{"motor_turn", {"motor_turn"}, [](SmallEffects& e) { e.motor_turn = 0.1; }},
+        Injected{"angle_scale",
+                 {"angle_scale", "harmonics"},
+                 [](SmallEffects& e) { e.angle_scale = 0.01; },
+                 wide()},
+        Injected{"peak_drift", {"peak_drift"}, [](SmallEffects& e) { e.peak_drift_rad = 0.01; }},
+        Injected{"smooth_over_angle",
+                 {"smooth_over_angle", "harmonics"},
+                 [](SmallEffects& e) { e.waves = {0.003, 0.002, 0, 0.002, 0, 0.001}; }},
         Injected{"gain_drift",
                  {"gain_drift", "gain_of_runs"},
                  [](SmallEffects& e) { e.gain_drift = 0.006; }},
@@ -222,6 +236,25 @@ TEST(FrictionOfLoopsAndRamps, IsThatOfTheRunsWhereNothingChangesIt) {
   EXPECT_LT(result.friction_of_loops->low, 0);
   EXPECT_GT(result.friction_of_loops->high, 0);
   EXPECT_LT(result.friction_of_loops->half_width(), 0.05);
+}
+
+TEST(GainOfLoops, IsThatOfATorqueOutOfProportionUnderTheirLoad) {
+  KnownJoint joint;
+  joint.noise_Nm = 0.003;
+  for (const double square : {0.0, 0.02}) {
+    joint.effects.square = square;
+    test::JointLog log = record(joint, {}, 1);
+    EXPECT_FALSE(log.identified(joint.gear_ratio).gain_of_loops) << "there are none";
+    log.recordings.push_back(stay(joint::Role::oscillation, joint.q_peak_rad));
+    const ModelResult result = log.identified(joint.gear_ratio);
+    ASSERT_TRUE(result.gain_of_loops);
+    // The slope of M + square M |M| / top, M the gravity torque.
+    const double truth = 2 * square * joint.gravity_Nm / result.top_Nm;
+    EXPECT_LT(result.gain_of_loops->low, truth);
+    EXPECT_GT(result.gain_of_loops->high, truth);
+    EXPECT_LT(result.gain_of_loops->half_width(), 0.03);
+    EXPECT_EQ(result.gain_of_loops->low > 0, square > 0);
+  }
 }
 
 /// Another joint swings beside the tested one, and the log has its angle.

@@ -112,6 +112,7 @@ SmallEffects SmallEffects::draw(std::uint64_t seed, double friction_of_top) {
   e.cube = drawn(0.001);
   e.gain_of_speed = drawn(0.001);
   e.gain_of_runs = drawn(0.002);
+  e.tool = drawn(0.0005);
   e.lag_s = drawn(0.001);
   e.asymmetry_of_speed = drawn(0.02);
   e.asymmetry_of_dip = drawn(0.02);
@@ -129,6 +130,8 @@ SmallEffects SmallEffects::draw(std::uint64_t seed, double friction_of_top) {
   for (double& one : e.warm_up) one = drawn(0.01);
   e.session = drawn(0.02);
   e.recording = 0.001;
+  e.tare = 0.0003;
+  e.motor_turn = drawn(0.01);
   return e;
 }
 
@@ -198,6 +201,7 @@ JointLog record(const KnownJoint& joint, const Session& session, std::uint64_t s
     statistics::RandomStream random(seed, stream++);
     const bool is_run = p.role == joint::Role::constant_speed;
     const double of_recording = e.recording * random.normal();
+    const double tare = e.tare != 0 ? e.tare * random.normal() : 0;
     const auto torque = [&](double t) {
       const Moment m = p.motion.at(t);
       const double v = n * std::abs(m.dq);
@@ -208,7 +212,7 @@ JointLog record(const KnownJoint& joint, const Session& session, std::uint64_t s
       for (std::size_t k = 0; k < e.place.size(); ++k) {
         of_place += e.place[k] * (wave(m.q, static_cast<double>(k + 1)) - usual_wave[k]);
       }
-      friction += usual_friction * (of_place + of_recording);
+      friction += usual_friction * (of_place + of_recording + e.motor_turn * std::cos(n * m.q));
       friction += e.load * (std::abs(gravity(m.q)) - usual_load);
       friction += usual_friction * (e.warm_up[0] * (std::exp(-age / decays[0]) - usual_decay[0]) +
                                     e.warm_up[1] * (std::exp(-age / decays[1]) - usual_decay[1]) +
@@ -223,7 +227,7 @@ JointLog record(const KnownJoint& joint, const Session& session, std::uint64_t s
                      n * joint.inertia_kgm2 * m.ddq + s * friction + asymmetry;
       whole += e.square * whole * std::abs(whole) / top +
                e.cube * std::pow(whole, 3) / (top * top) + e.gain_of_speed * whole * v / fastest +
-               (is_run ? e.gain_of_runs * whole : 0);
+               (is_run ? e.gain_of_runs * whole + e.tool * gravity(m.q) : 0);
       double of_angle = e.spring * (m.q - middle) / reach;
       for (std::size_t k = 0; k < 2; ++k) {
         const auto order = static_cast<double>(k + 2);
@@ -233,7 +237,7 @@ JointLog record(const KnownJoint& joint, const Session& session, std::uint64_t s
       for (std::size_t k = 0; k < e.waves.size(); ++k) {
         of_angle += e.waves[k] * wave(m.q, static_cast<double>(k + 3));
       }
-      return whole + top * (of_angle + e.offset + e.offset_drift * (2 * age - 1));
+      return whole + top * (of_angle + e.offset + e.offset_drift * (2 * age - 1) + tare);
     };
     Recording r;
     r.name = p.name;

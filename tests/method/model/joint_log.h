@@ -22,6 +22,7 @@ struct SmallEffects {
   double cube{};          ///< Of M^3 / top^2.
   double gain_of_speed{};
   double gain_of_runs{};
+  double tool{};  ///< Of gravity, in the runs.
   double lag_s{};
   double asymmetry_of_speed{};    ///< Of the friction, times v / fastest in both directions.
   double asymmetry_of_dip{};      ///< Times exp(-v / dip speed).
@@ -35,6 +36,8 @@ struct SmallEffects {
   std::array<double, 3> warm_up{};    ///< Of friction: exp(-age/0.12), exp(-age/0.4), age.
   double session{};                   ///< Friction of this session over that of all.
   double recording{};                 ///< Of friction: standard deviation between recordings.
+  double tare{};                      ///< Of the largest torque, likewise.
+  double motor_turn{};                ///< Of friction, once a turn of the motor.
 
   /// Each drawn at one standard deviation of its prior.
   static SmallEffects draw(std::uint64_t seed, double friction_of_top);
