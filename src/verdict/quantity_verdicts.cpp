@@ -220,7 +220,10 @@ calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
     calibration::lower(q, calibration::Verdict::not_identifiable, stage.reason, record_runs);
     return q;
   }
-  if (stage.state != statistics::StageState::done)
+  // Runs without a plateau are left out and told; the others' points are as good as ever.
+  const bool lacks_a_few = !c.viscous.from_sweep && c.viscous.recordings_without_plateau > 0 &&
+                           2 * c.viscous.recordings_without_plateau <= c.viscous.runs.size();
+  if (stage.state != statistics::StageState::done && !lacks_a_few)
     calibration::lower(q, calibration::Verdict::doubtful, stage.reason, record_runs);
   if (c.quality.errors.empty()) {
     calibration::lower(q, calibration::Verdict::doubtful,

@@ -346,6 +346,34 @@ TEST(Findings, ALagThatTheRecordingsShowIsToldAndTakenOffTheLoops) {
   }
 }
 
+TEST(Verdicts, ARunWithoutAPlateauIsToldAndLeavesTheCurveOfTheOthers) {
+  joint::Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  std::size_t cut = 0;
+  for (auto one = d.recordings.rbegin(); one != d.recordings.rend(); ++one) {  // the fastest last
+    joint::Recording& r = *one;
+    if (r.role != joint::Role::constant_speed || r.dq_rad_s.empty() || cut == 2) continue;
+    ++cut;
+    // Stopped while it still accelerates.
+    const auto faster = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const double fastest =
+        std::abs(*std::max_element(r.dq_rad_s.begin(), r.dq_rad_s.end(), faster));
+    const auto stop = std::find_if(r.dq_rad_s.begin(), r.dq_rad_s.end(),
+                                   [&](double speed) { return std::abs(speed) > 0.7 * fastest; });
+    const auto kept = static_cast<std::size_t>(stop - r.dq_rad_s.begin());
+    for (std::vector<double>* channel : {&r.t_s, &r.q_rad, &r.dq_rad_s, &r.torque_Nm}) {
+      channel->resize(kept);
+    }
+  }
+  const calibration::Calibration c = identify::identify(d, {.truth_runs = 0});
+  EXPECT_EQ(c.viscous.recordings_without_plateau, cut);
+  const calibration::QuantityVerdict& curve = quantity(c, joint::Quantity::viscous_curve);
+  EXPECT_EQ(curve.verdict, calibration::Verdict::usable)
+      << (curve.reasons.empty() ? "" : wording::words(curve.reasons.front()));
+  EXPECT_TRUE(
+      std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),
+                  [](const Statement& one) { return one.is("viscous.runs_without_plateau"); }));
+}
+
 TEST(Verdicts, OneDirectionLeavesCoulombAndOffsetInseparable) {
   simulate::Scenario s = test::paper_joint();
   s.rough_sweep->both_directions = false;
