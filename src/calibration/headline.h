@@ -3,8 +3,7 @@
 // them: one value each, wherever they are printed or used.
 //
 // Of the one model of sweeps, runs and points; where there is none, from loops that slide far
-// enough to show Coulomb torque; else from the straight line through few runs or the pairs of a
-// sweep; and failing these, from the sweep's own fit.
+// enough to show Coulomb torque; and failing these, from the sweep's own fit.
 
 #include <optional>
 

@@ -226,8 +226,7 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   if (!options.output.empty() || !options.scenario.empty() || !options.factors.empty()) {
     throw UsageError(
         "--misfit, --sound, --mixed and --less-data have joints of their own: SCENARIO, --factor "
-        "and "
-        "-o do not apply");
+        "and -o do not apply");
   }
   check_output_can_be_written(options.json, {});
   console.make_way_for(options.json);

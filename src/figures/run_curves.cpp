@@ -226,19 +226,21 @@ void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibratio
                           3.0, render::figure::LineStyle::dash_dot));
 }
 
-void add_residuals(render::figure::Panel& panel, const calibration::Calibration& calibration,
-                   std::optional<method::hysteresis::Estimator> estimator,
-                   const wording::AxisScale& scale) {
-  const method::viscous::ViscousCurve* curve = calibration.viscous.find(estimator);
-  const method::model::ModelLaw& law = calibration.model.law;
-  if (curve == nullptr || law.empty()) return;
-  std::vector<double> residual_Nm = curve->friction_Nm;
-  for (std::size_t i = 0; i < std::min(residual_Nm.size(), calibration.viscous.runs.size()); ++i) {
-    const double speed = calibration.viscous.runs[i].speed_rad_s;
-    residual_Nm[i] -= std::copysign(law.friction_Nm(std::abs(speed)), speed);
+std::vector<double> left_by_law(const calibration::Calibration& calibration,
+                                const method::viscous::ViscousCurve& curve) {
+  const std::vector<method::viscous::ConstantSpeedRun>& runs = calibration.viscous.runs;
+  std::vector<double> left_Nm = curve.friction_Nm;
+  for (std::size_t i = 0; i < std::min(left_Nm.size(), runs.size()); ++i) {
+    const double speed = runs[i].speed_rad_s;
+    left_Nm[i] -= std::copysign(calibration.model.law.friction_Nm(std::abs(speed)), speed);
   }
+  return left_Nm;
+}
+
+void add_residuals(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                   const std::vector<double>& left_Nm, const wording::AxisScale& scale) {
   for (const bool forward : {true, false}) {
-    render::figure::Series series = folded(calibration.viscous, residual_Nm, forward, scale);
+    render::figure::Series series = folded(calibration.viscous, left_Nm, forward, scale);
     series.label = forward ? tr("forward") : tr("backward");
     series.colour = colour_of(forward, true);
     series.style = render::figure::LineStyle::none;

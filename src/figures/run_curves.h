@@ -51,9 +51,11 @@ void add_folded_reference(render::figure::Panel& panel, const calibration::Calib
 void add_fitted_laws(render::figure::Panel& panel, const calibration::Calibration& calibration,
                      const wording::AxisScale& scale);
 
-/// What the likeliest law leaves of an estimator's curve, along the motion.
+/// What the likeliest law leaves of a curve, run by run. @param calibration with a law.
+std::vector<double> left_by_law(const calibration::Calibration& calibration,
+                                const method::viscous::ViscousCurve& curve);
+/// The same drawn along the motion. @param left_Nm of left_by_law().
 void add_residuals(render::figure::Panel& panel, const calibration::Calibration& calibration,
-                   std::optional<method::hysteresis::Estimator> estimator,
-                   const wording::AxisScale& scale);
+                   const std::vector<double>& left_Nm, const wording::AxisScale& scale);
 
 }  // namespace tribolog::figures

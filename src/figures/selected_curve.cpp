@@ -40,18 +40,13 @@ std::optional<render::figure::Panel> residual_panel(const calibration::Calibrati
                                                     const render::figure::Axis& speeds) {
   const method::viscous::ViscousCurve* curve =
       calibration.viscous.find(calibration.selection.recommended);
-  const method::model::ModelLaw& law = calibration.model.law;
-  if (curve == nullptr || law.empty()) return std::nullopt;
-  wording::Extent residuals;
-  for (std::size_t i = 0; i < calibration.viscous.runs.size(); ++i) {
-    const double speed = calibration.viscous.runs[i].speed_rad_s;
-    residuals.add(std::abs(curve->friction_Nm[i]) - law.friction_Nm(std::abs(speed)));
-  }
-  const wording::AxisScale scale = wording::prefixed("N·m", residuals.largest());
+  if (curve == nullptr || calibration.model.law.empty()) return std::nullopt;
+  const std::vector<double> left_Nm = left_by_law(calibration, *curve);
+  const wording::AxisScale scale = wording::prefixed("N·m", wording::extent_of(left_Nm).largest());
   render::figure::Panel panel;
   panel.x = speeds;
   panel.y.title = wording::axis_title(tr("left by the law"), scale);
-  add_residuals(panel, calibration, calibration.selection.recommended, scale);
+  add_residuals(panel, calibration, left_Nm, scale);
   if (panel.series.empty()) return std::nullopt;
   return panel;
 }

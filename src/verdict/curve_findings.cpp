@@ -10,8 +10,7 @@ std::vector<Statement> curve_findings(const calibration::Calibration& c) {
   if (!law.empty() && !law.has_dip()) {
     findings.push_back(calibration::curve_headline(c).stribeck_speed_rad_s.why_not);
   }
-  constexpr double beyond_doubt = 0.95;
-  if (law.bend_probability > beyond_doubt) findings.push_back({"model.law_bends"});
+  if (law.bends()) findings.push_back({"model.law_bends"});
   const method::viscous::DirectionAngles& angles = c.viscous.angles;
   const bool from_runs = !c.viscous.runs.empty() && !c.viscous.from_sweep;
   if (from_runs && angles.has_rising && angles.has_falling && !angles.share_angles()) {

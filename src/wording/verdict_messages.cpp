@@ -184,8 +184,8 @@ const Messages& verdict_messages() {
            "changed between them")},
       {"cause.friction_taken_off",
        text("the break-away torque is {ratio:.2g} times the least friction of the runs, more than "
-            "a contact "
-            "sticks: the logged torque may lack what the controller adds against friction")},
+            "a contact sticks: the logged torque may lack what the controller adds against "
+            "friction")},
       {"cause.loops_too_wide",
        text("the smallest loop is {times:.0f} times as wide as the bristle bends: the motion "
             "during pre-sliding is inferred from the rest of the loop")},

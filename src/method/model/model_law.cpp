@@ -47,9 +47,9 @@ std::vector<double> SpeedLaw::friction_Nm(const std::vector<double>& speed_rad_s
   return all;
 }
 
-bool ModelLaw::carries_waiboer() const {
-  return dip_probability > beyond_doubt && bend_probability > beyond_doubt;
-}
+bool ModelLaw::bends() const { return bend_probability > beyond_doubt; }
+
+bool ModelLaw::carries_waiboer() const { return dip_probability > beyond_doubt && bends(); }
 
 std::vector<double> ModelLaw::speeds_rad_s(int count) const {
   std::vector<double> all;

@@ -53,6 +53,8 @@ struct ModelLaw : SpeedLaw {
   std::optional<statistics::Estimate> stribeck_speed_rad_s;
 
   [[nodiscard]] bool has_dip() const { return stribeck_speed_rad_s.has_value(); }
+  /// Beyond doubt no line, but for a dip.
+  [[nodiscard]] bool bends() const;
   /// Whether the recordings show all five parameters of Waiboer's law, eq. (6): a dip, and a
   /// viscous torque out of proportion to the speed.
   [[nodiscard]] bool carries_waiboer() const;

@@ -158,6 +158,10 @@ class Describer {
   void put_gain(const std::vector<Cell>& contacts, VectorXd& row) const;
   /// Absent: nothing is there that could differ. @param by a standard deviation beside.
   [[nodiscard]] std::optional<statistics::Estimate> wider(const Wanted& share, double by) const;
+  /// Of an effect's first coefficient, at the size found.
+  [[nodiscard]] double deviation_of(std::size_t e) const {
+    return m_.effects[e].scale[0] / std::sqrt(m_.precision[static_cast<Index>(e)]);
+  }
   /// One standard deviation of the scale of recordings beside sweeps and runs.
   [[nodiscard]] double own_gain() const;
 
@@ -293,8 +297,7 @@ std::optional<statistics::Estimate> Describer::friction_of(
   double of_one = 0;
   if (const std::size_t own = m_.find(joint::effect::friction_of_recording.key);
       own < m_.effects.size()) {
-    of_one = m_.effects[own].scale[0] / std::sqrt(m_.precision[static_cast<Index>(own)]) /
-             m_.point.friction_Nm / std::sqrt(static_cast<double>(count));
+    of_one = deviation_of(own) / m_.point.friction_Nm / std::sqrt(static_cast<double>(count));
   }
   return wider(share, std::hypot(of_one, own_gain()));
 }
@@ -322,9 +325,7 @@ double Describer::own_gain() const {
   const Effect& gain = joint::effect::gain_of_runs;
   const std::size_t at = m_.find(gain.key);
   constexpr double of_percent = 0.01;
-  return at < m_.effects.size()
-             ? m_.effects[at].scale[0] / std::sqrt(m_.precision[static_cast<Index>(at)])
-             : of_percent * m_.sizes.of(gain);
+  return at < m_.effects.size() ? deviation_of(at) : of_percent * m_.sizes.of(gain);
 }
 
 std::optional<statistics::Estimate> Describer::wider(const Wanted& share, double by) const {
