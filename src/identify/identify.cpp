@@ -152,18 +152,7 @@ method::hysteresis::BehindTorque behind_torque(const Progress& p) {
 /// show the rest, and without a static torque that a ramp has exceeded.
 std::optional<method::hysteresis::LuGreFit> stated_loop_fit(const Progress& p) {
   if (!p.loop.lugre) return std::nullopt;
-  method::hysteresis::LuGreFit fit =
-      method::hysteresis::with_ripple_of_loops(p.loop.lugre->fit, p.c.rough.ripple);
-  std::vector<double> motor_angles;
-  for (const method::hysteresis::Oscillation& o : p.c.hysteresis.oscillations) {
-    motor_angles.push_back(p.n * o.centre_rad);
-  }
-  fit = method::hysteresis::with_friction_of_angle(std::move(fit), p.c.rough, motor_angles);
-  fit = method::hysteresis::with_unknown_lag(std::move(fit), p.loop_timing);
-  if (p.loop_timing.lag_s > 0) {
-    fit = method::hysteresis::with_lag_as_filter(std::move(fit), p.loop_timing.lag_s);
-  }
-  fit = method::hysteresis::with_rival_contacts(std::move(fit));
+  method::hysteresis::LuGreFit fit = p.loop.lugre->fit;
   const auto& dip = p.c.model.law.stribeck_speed_rad_s;
   if (dip || (p.c.friction.waiboer && p.c.friction.waiboer->converged)) {
     fit = method::hysteresis::with_experiments(
@@ -241,6 +230,19 @@ joint::EffectSizes sizes_of_effects(const joint::Manifest& manifest) {
   return sizes;
 }
 
+bool states_none(const joint::Manifest& manifest, const joint::Effect& effect) {
+  return manifest.effects.is_stated(effect) && manifest.effects.of(effect) == 0;
+}
+
+/// What sweeps, runs and the manifest say of what acts on the loops.
+method::hysteresis::KnownEffects known_effects(const Progress& p) {
+  const method::gravity::CogSweepResult of_turn = method::hysteresis::of_motor_turn(p.c.rough, p.n);
+  const double friction_share = of_turn.coulomb_Nm && of_turn.coulomb_Nm->value > 0
+                                    ? of_turn.friction_by_angle_Nm / of_turn.coulomb_Nm->value
+                                    : 0;
+  return {sizes_of_effects(p.dataset.manifest), p.loop_timing, friction_share};
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be compared
 /// with a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
@@ -287,7 +289,7 @@ constexpr Step papers_chain[] = {
     {"hysteresis loop",
      [](Progress& p) {
        std::vector<const joint::Recording*> loops = p.recordings(Role::oscillation);
-       const method::hysteresis::KnownOfLoops known{p.loop_timing, p.inertia_kgm2};
+       const method::hysteresis::KnownOfLoops known{known_effects(p), p.inertia_kgm2};
        p.prepared.clear();
        p.prepared.reserve(loops.size());
        for (const joint::Recording*& r : loops) {
@@ -340,7 +342,10 @@ constexpr Step further_steps[] = {
        const std::optional<statistics::Estimate> inertia = inertia_for_ramps(p);
        p.c.break_away = method::hysteresis::identify_break_away(
            p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
-           p.n, p.c.rough, behind_torque(p));
+           p.n,
+           p.c.model.friction_of_ramps ? method::hysteresis::of_motor_turn(p.c.rough, p.n)
+                                       : p.c.rough,
+           behind_torque(p), states_none(p.dataset.manifest, joint::effect::contact_misfit));
        method::hysteresis::refer_to_runs(p.c.model.friction_of_ramps, p.c.break_away);
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},
@@ -371,10 +376,7 @@ void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);
     for (const Step& step : papers_chain) step.run(chain);
-    if (chain.loop.lugre) {
-      chain.c.lugre = method::hysteresis::with_ripple_of_loops(std::move(chain.loop.lugre->fit),
-                                                               chain.c.rough.ripple);
-    }
+    if (chain.loop.lugre) chain.c.lugre = std::move(chain.loop.lugre->fit);
     return std::move(chain.c);
   };
   p.c.truth_check = truth::check_known_truth(

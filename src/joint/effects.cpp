@@ -31,6 +31,7 @@ const std::vector<Effect>& effects() {
                                        drift,
                                        law_misfit,
                                        law_at_its_ends,
+                                       contact_misfit,
                                        friction_of_session,
                                        tare,
                                        friction_of_recording};

@@ -112,6 +112,10 @@ inline constexpr Effect law_misfit{
 /// The same, along Coulomb and viscous torque: as law_misfit is stated.
 inline constexpr Effect law_at_its_ends{
     "law_at_its_ends", Effect::Kind::fixed, 0.2, {}, "record.runs"};
+/// Percent of friction at rest: by how much the contact differs from LuGre's on the way after a
+/// reversal.
+inline constexpr Effect contact_misfit{
+    "contact_misfit", Effect::Kind::effect, 0.3, "percent", "record.compare_reversals", 2, 30};
 /// Percent of the friction: on another day it is another by temperature, lubricant, wear.
 inline constexpr Effect friction_of_session{"friction_of_session", Effect::Kind::fixed, 2,
                                             "percent", "record.other_days"};

@@ -92,6 +92,10 @@ joint::EffectSizes absent_effects(const Scenario& s) {
   const bool is_exact = dynamic_cast<const friction::LuGreFriction*>(model) != nullptr ||
                         dynamic_cast<const friction::StribeckFriction*>(model) != nullptr;
   if (!is_exact) absent.forget(effect::law_misfit);
+  const auto* bristle = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get());
+  const bool is_fitted = bristle != nullptr && bristle->parameters().stribeck_power == 2 &&
+                         bristle->parameters().damping_speed_rad_s == 0;
+  if (!is_fitted) absent.forget(effect::contact_misfit);
   constexpr double slow = 24;  // periods in a turn of the joint, up to which means show a ripple
   for (const Noise::Ripple& ripple : s.noise.ripple) {
     if (ripple.amplitude_Nm == 0 || ripple.periods_per_turn * s.gear_ratio > slow) continue;

@@ -47,15 +47,6 @@ std::optional<Measured> friction_over_gravity(const Calibration& c) {
                    {{"gravity_Nm", gravity}, {"friction_Nm", friction}}}};
 }
 
-/// What a torque out of proportion does to friction at the largest torque, in percent: a cube's
-/// slope is three times its share there.
-std::optional<Measured> slope_out_of_proportion(const Calibration& c) {
-  constexpr double slope_of_cube = 3;
-  std::optional<Measured> found = measure_effect(c, "torque_nonlinear", c.model.top_Nm);
-  if (found) found->value *= slope_of_cube;
-  return found;
-}
-
 std::optional<Measured> motion_harmonics(const Calibration& c) {
   double second = 0;
   double third = 0;
@@ -246,15 +237,6 @@ std::optional<Measured> coloured_noise(const Calibration& c) {
                    {{"coloured_Nm", c.rough.coloured_Nm}, {"white_Nm", c.rough.white_Nm}}}};
 }
 
-/// The same as a share of the friction: loops and runs are too short to average it out.
-std::optional<Measured> coloured_noise_in_friction(const Calibration& c) {
-  const double friction = largest_friction_Nm(c);
-  std::optional<Measured> found = coloured_noise(c);
-  if (!found || !(friction > 0)) return std::nullopt;
-  found->value = 100 * c.rough.coloured_Nm / friction;
-  return found;
-}
-
 }  // namespace
 
 std::vector<Rule> gravity_rules() {
@@ -300,14 +282,6 @@ std::vector<Rule> gravity_rules() {
       // that it does not have are more, and make what is taken off wrong.
       {"description_differs", "%", 30, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
        description_differs},
-      {"slope_out_of_proportion",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::coulomb_torque,
-        Quantity::inertia},
-       "record.torque_at_loads",
-       slope_out_of_proportion},
       {"scale_of_loops",
        "%",
        2,
@@ -339,23 +313,7 @@ std::vector<Rule> gravity_rules() {
        {Quantity::bristle_stiffness, Quantity::bristle_damping},
        "record.other_frequency",
        vibration_in_loops},
-      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise},
-      {"coloured_noise_in_friction",
-       "%",
-       3,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping, Quantity::stribeck_speed,
-        Quantity::viscous_coefficient},
-       "record.more_of_the_same",
-       coloured_noise_in_friction},
-      // The choice of a law over the speed follows such noise too.
-      {"coloured_noise_large_in_friction",
-       "%",
-       10,
-       Verdict::doubtful,
-       {Quantity::break_away_torque, Quantity::coulomb_torque, Quantity::viscous_curve},
-       "record.more_of_the_same",
-       coloured_noise_in_friction}};
+      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise}};
 }
 
 bool has_stated_no_gravity(const Calibration& c) {

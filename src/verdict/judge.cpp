@@ -368,6 +368,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   out.rules = apply_rules(c, out.quantities);
   give_causes_as_reasons(out.rules, out.quantities);
   state_by_model(c, out.rules, out.quantities);
+  doubt_wide_contacts(c, out.quantities);
   out.friction_at_speed = friction_at_speeds(c, out.rules);
   const bool without_gravity = is_without_gravity(c);
   if (without_gravity) {
@@ -443,7 +444,7 @@ calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
 calibration::QuantityVerdict by_estimate(joint::Quantity quantity,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment) {
-  constexpr double widest_usable = 0.3;
+  const double widest_usable = quantity == Quantity::bristle_damping ? 0.4 : 0.3;
   calibration::QuantityVerdict q;
   q.quantity = quantity;
   if (!estimate || !std::isfinite(estimate->value)) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "calibration/headline.h"
 #include "joint/degrees.h"
@@ -39,6 +40,8 @@ double usual_need(Quantity quantity) {
       return 0.15;
     case Quantity::inertia:
       return 0.25;
+    case Quantity::bristle_damping:
+      return 0.40;
     default:
       return 0.10;
   }
@@ -309,6 +312,51 @@ void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
       mass.high *= kg_per_Nm;
       take(mass, doubt, verdict_on(Quantity::surrogate_mass, quantities));
     }
+  }
+}
+
+std::vector<method::hysteresis::EffectShare> shares_of_loops(const Calibration& c,
+                                                             Quantity quantity) {
+  using method::hysteresis::LuGreParameterName;
+  const std::array read{
+      std::pair(Quantity::break_away_torque, LuGreParameterName::static_torque),
+      std::pair(Quantity::bristle_stiffness, LuGreParameterName::bristle_stiffness),
+      std::pair(Quantity::bristle_damping, LuGreParameterName::bristle_damping)};
+  // Of the break-away torque where ramps do not know it better.
+  const auto& ramps = c.break_away.mean_Nm;
+  const auto level = c.lugre ? c.lugre->shown(LuGreParameterName::static_torque) : std::nullopt;
+  const bool is_of_ramps = quantity == Quantity::break_away_torque && ramps &&
+                           (!level || level->half_width() > ramps->half_width());
+  for (const auto& [of, name] : read) {
+    if (of != quantity || !c.lugre || is_of_ramps) continue;
+    for (const method::hysteresis::LuGreParameter& one : c.lugre->parameters) {
+      if (one.name == name) return one.shares;
+    }
+  }
+  return {};
+}
+
+void doubt_wide_contacts(const Calibration& c, std::vector<QuantityVerdict>& quantities) {
+  constexpr double matters = 0.25;  // of the variance
+  for (const Quantity quantity :
+       {Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::bristle_damping}) {
+    QuantityVerdict& q = verdict_on(quantity, quantities);
+    if (!q.estimate) continue;
+    const double width = q.estimate->half_width() / std::abs(q.estimate->value);
+    const double need = need_of(c, quantity, q.estimate->value);
+    if (width <= need) continue;
+    const auto shares = shares_of_loops(c, quantity);
+    if (shares.empty() || shares.front().share < matters) {
+      calibration::lower(q, Verdict::doubtful,
+                         {"verdict.known_to_share", {{"percent", 100 * width}}}, q.experiment);
+      continue;
+    }
+    calibration::lower(q, Verdict::doubtful,
+                       {"model.wide",
+                        {{"half_width", 100 * width},
+                         {"need", 100 * need},
+                         {"effect", name_of_effect(shares.front().effect)}}},
+                       remedy_of(shares.front().effect));
   }
 }
 

@@ -19,6 +19,14 @@ void state_by_model(const calibration::Calibration& calibration,
                     const std::vector<calibration::RuleOutcome>& rules,
                     std::vector<calibration::QuantityVerdict>& quantities);
 
+/// Of the variance of what the loop fit shows, largest first; empty for other quantities.
+std::vector<method::hysteresis::EffectShare> shares_of_loops(
+    const calibration::Calibration& calibration, joint::Quantity quantity);
+
+/// Doubts what loops and ramps show where the interval is wider than the need.
+void doubt_wide_contacts(const calibration::Calibration& calibration,
+                         std::vector<calibration::QuantityVerdict>& quantities);
+
 /// Friction at the speeds of the model, rising.
 std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
     const calibration::Calibration& calibration,

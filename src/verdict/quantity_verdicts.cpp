@@ -105,32 +105,39 @@ Statement why_no_fit(const calibration::Calibration& c) {
   return {"verdict.no_loop_model"};
 }
 
-/// The estimate of the ramps; where the loops' level disagrees with it beyond both intervals,
-/// widened to include that level: which of the two the contact's model biases is not known.
+/// Ramps and the level of loops together; where they disagree beyond both intervals, or the loops'
+/// contact is not LuGre's, the ramps', widened to include that level: which of the two the
+/// contact's model biases is not known.
 std::optional<statistics::Estimate> with_loops(
     const std::optional<statistics::Estimate>& ramps_Nm,
     const std::optional<statistics::Estimate>& loop_level_Nm) {
   if (!ramps_Nm || !loop_level_Nm) return ramps_Nm;
   const double difference = std::abs(loop_level_Nm->value - ramps_Nm->value);
   const double of_level = loop_level_Nm->half_width();
-  const double noise = std::hypot(ramps_Nm->half_width(), of_level);
+  const double of_ramps = ramps_Nm->half_width();
+  const double noise = std::hypot(of_ramps, of_level);
   // Of a contact that is not LuGre's the ramps are read by a law that is not its own.
   const bool is_of_other_law = of_level == 0;
-  if (difference <= noise && !is_of_other_law) return ramps_Nm;
-  return statistics::symmetric_estimate(
-      ramps_Nm->value, is_of_other_law ? std::hypot(noise, difference) : difference + of_level,
-      {"interval.widened_by_loops", {{"interval", ramps_Nm->method}}});
+  if (difference > noise || is_of_other_law) {
+    return statistics::symmetric_estimate(
+        ramps_Nm->value, is_of_other_law ? std::hypot(noise, difference) : difference + of_level,
+        {"interval.widened_by_loops", {{"interval", ramps_Nm->method}}});
+  }
+  // What they have in common, as their distance to the runs, does not average.
+  const double share = of_ramps * of_ramps / (of_ramps * of_ramps + of_level * of_level);
+  return statistics::symmetric_estimate(std::lerp(ramps_Nm->value, loop_level_Nm->value, share),
+                                        std::lerp(of_ramps, of_level, share),
+                                        {"interval.of_ramps_and_loops"});
 }
 
 /// The level at which the loops slide, by the law that describes them; where that is not LuGre's,
-/// without an interval.
+/// without an interval. Absent where they show none, or ramps contradict it.
 std::optional<statistics::Estimate> level_of_loops(const calibration::Calibration& c) {
   using method::hysteresis::ContactLaw;
-  if (!c.lugre) return std::nullopt;
+  const auto level = c.lugre ? c.lugre->shown(LuGreParameterName::static_torque) : std::nullopt;
+  if (!level) return std::nullopt;
   const method::hysteresis::ContactContest& contest = c.lugre->contacts;
-  if (!contest.winner || contest.winner == ContactLaw::lugre) {
-    return c.lugre->shown(LuGreParameterName::static_torque);
-  }
+  if (!contest.winner || contest.winner == ContactLaw::lugre) return level;
   return statistics::symmetric_estimate(contest.find(*contest.winner)->static_Nm, 0, {});
 }
 

@@ -9,6 +9,7 @@
 
 #include "joint/degrees.h"
 #include "verdict/effect_findings.h"
+#include "verdict/model_verdicts.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
@@ -108,18 +109,21 @@ class BudgetMaker {
   [[nodiscard]] std::vector<calibration::BudgetEffect> effects() const {
     constexpr double worth_a_word = 0.05;
     std::vector<calibration::BudgetEffect> all;
-    const method::model::ModelQuantity* model = of_model();
-    if (model == nullptr || !estimate_.method.is("interval.of_model")) return all;
-    for (const method::model::VarianceShare& one : model->shares) {
-      if (one.share < worth_a_word) break;
-      calibration::BudgetEffect& effect = all.emplace_back(
-          calibration::BudgetEffect{std::string(one.effect), one.share, 0, {}, false});
-      const joint::Effect* of = row_of_effect(one.effect);
-      if (of == nullptr || of->unit.empty()) continue;
+    const auto add_effect = [&](std::string_view key, double share) {
+      if (share < worth_a_word) return;
+      calibration::BudgetEffect& effect =
+          all.emplace_back(calibration::BudgetEffect{std::string(key), share, 0, {}, false});
+      const joint::Effect* of = row_of_effect(key);
+      if (of == nullptr || of->unit.empty()) return;
       effect.size = c_.manifest.effects.of(*of);
       effect.unit = of->unit;
       effect.is_stated = c_.manifest.effects.is_stated(*of);
+    };
+    const method::model::ModelQuantity* model = of_model();
+    if (model != nullptr && estimate_.method.is("interval.of_model")) {
+      for (const auto& one : model->shares) add_effect(one.effect, one.share);
     }
+    for (const auto& one : shares_of_loops(c_, quantity_)) add_effect(one.effect, one.share);
     return all;
   }
 

@@ -32,14 +32,6 @@ const Messages& general_messages() {
       {"interval.mean_over_angle",
        text("{interval}, mean over the angle as the motion has a second harmonic")},
       {"interval.with_type_b", text("{interval}, with what the manifest states of other errors")},
-      {"interval.widened_by_filter",
-       text("{interval}, and what a filter in place of a delay would do at the reversals")},
-      {"interval.widened_by_contacts",
-       text(
-           "{interval}, and what an elasto-plastic contact would have, which the loops do not tell "
-           "from LuGre's")},
-      {"interval.widened_by_ripple_of_loops",
-       text("{interval}, and the torque ripple within the loops, at any phase")},
       {"interval.curve_fit", text("curve fit, scatter of the runs")},
       {"interval.scatter_of_cycles", text("scatter of the cycles")},
       {"interval.white_noise_only", text("white noise only: fewer than three steady cycles")},
@@ -48,6 +40,7 @@ const Messages& general_messages() {
       {"interval.scatter_of_ramps_at_rest",
        text("scatter of the ramps' levels at rest, and what the readings differ from them")},
       {"interval.widened_by_loops", text("{interval}, widened to hold what the loops show")},
+      {"interval.of_ramps_and_loops", text("ramps and the level of the loops together")},
       {"interval.scatter_of_ramps_both_directions", text("scatter of the ramps, both directions")},
       {"interval.scatter_of_strokes", text("scatter of the strokes")},
       {"interval.loop_fit_blocks", text("loop fit, blocks of half a cycle")},

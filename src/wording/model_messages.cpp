@@ -77,14 +77,13 @@ const Messages& model_messages() {
       {"effect.smooth_over_angle", text("a torque that changes slowly with the angle")},
       {"effect.drift", text("friction that changes over the session")},
       {"effect.law_misfit", text("friction over the speed that follows no law")},
+      {"effect.contact_misfit", text("a contact that is not quite LuGre's")},
       {"effect.law_at_its_ends", text("the law of friction at the ends of the speeds")},
       {"effect.choice_of_law", text("the choice among laws of friction over the speed")},
       {"effect.friction_of_session", text("how friction changes from day to day")},
       {"effect.tare", text("an offset of its own in each recording")},
       {"effect.friction_of_recording", text("how friction changes between recordings")},
 
-      {"interval.widened_by_lag",
-       text("{interval}; no narrower than what is not known of the torque's lag allows")},
       {"interval.at_the_runs",
        text("{interval}; at the mean load, place and time of the runs, widened by what of their "
             "effect on friction is not known")},

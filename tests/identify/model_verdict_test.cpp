@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "calibration/calibration.h"
 #include "verdict/effect_findings.h"
 #include "verdict/model_verdicts.h"
+#include "verdict/quantity_rooms.h"
 
 namespace tribolog::model_verdict_test {
 namespace {
@@ -153,6 +155,58 @@ TEST(ModelVerdict, TheModelsNumberIsTheOneThatIsStated) {
   std::vector<QuantityVerdict> quantities{q};
   verdict::state_by_model(c, {}, quantities);
   EXPECT_EQ(quantities[0].estimate->value, c.model.find(Quantity::coulomb_torque)->estimate);
+}
+
+using method::hysteresis::LuGreParameterName;
+
+/// Loops with a stiffness and a damping of these half widths, most of them from the motor's turn,
+/// and a level of 1 within 0.02 N·m; ramps by which the break-away torque is `ramps_Nm`.
+std::vector<QuantityVerdict> of_contacts(double stiffness_percent, double damping_percent,
+                                         const statistics::Estimate& ramps_Nm) {
+  Calibration c = measured();
+  c.lugre.emplace();
+  c.lugre->converged = true;
+  for (const auto& [name, half_width] :
+       {std::pair(LuGreParameterName::bristle_stiffness, stiffness_percent / 100),
+        std::pair(LuGreParameterName::bristle_damping, damping_percent / 100),
+        std::pair(LuGreParameterName::static_torque, 0.02)}) {
+    method::hysteresis::LuGreParameter& parameter = c.lugre->parameters.emplace_back();
+    parameter.name = name;
+    parameter.estimate = statistics::symmetric_estimate(1, half_width);
+    parameter.shares = {{"motor_turn", 0.7}, {"load", 0.1}};
+  }
+  c.break_away.ramps.resize(4);
+  c.break_away.mean_Nm = ramps_Nm;
+  std::vector<QuantityVerdict> all = verdict::bristle_verdicts(c);
+  verdict::doubt_wide_contacts(c, all);
+  return all;
+}
+
+TEST(ModelVerdict, WhatLoopsShowIsUsableByTheNeedAndTheWidestEffectIsTheCause) {
+  const statistics::Estimate ramps = statistics::symmetric_estimate(1, 0.05);
+  auto narrow = of_contacts(9, 35, ramps);
+  EXPECT_EQ(verdict::verdict_on(Quantity::bristle_stiffness, narrow).verdict, Verdict::usable);
+  auto wide = of_contacts(12, 45, ramps);
+  const QuantityVerdict& stiffness = verdict::verdict_on(Quantity::bristle_stiffness, wide);
+  EXPECT_EQ(stiffness.verdict, Verdict::doubtful);
+  ASSERT_FALSE(stiffness.reasons.empty());
+  EXPECT_NE(as_code(stiffness.reasons.back()).find("effect.motor_turn"), std::string::npos);
+  EXPECT_EQ(verdict::verdict_on(Quantity::bristle_damping, wide).verdict, Verdict::doubtful);
+}
+
+TEST(ModelVerdict, BreakAwayIsOfRampsAndLoopsTogetherWhereTheyAgree) {
+  auto agree = of_contacts(5, 20, statistics::symmetric_estimate(1.06, 0.08));
+  const statistics::Estimate both =
+      *verdict::verdict_on(Quantity::break_away_torque, agree).estimate;
+  EXPECT_GT(both.value, 1);
+  EXPECT_LT(both.value, 1.01);
+  EXPECT_GT(both.half_width(), 0.02);
+  EXPECT_LT(both.half_width(), 0.03);
+  auto disagree = of_contacts(5, 20, statistics::symmetric_estimate(1.2, 0.08));
+  const statistics::Estimate either =
+      *verdict::verdict_on(Quantity::break_away_torque, disagree).estimate;
+  EXPECT_EQ(either.value, 1.2);
+  EXPECT_LT(either.low, 0.981);
 }
 
 TEST(ModelVerdict, EffectsBeyondDoubtAreToldTheLargestFirst) {

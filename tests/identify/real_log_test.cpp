@@ -275,7 +275,7 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   std::size_t k = 0;
   for (const joint::Recording* whole : dataset.with_role(joint::Role::oscillation)) {
     const method::hysteresis::LuGreLoop& loop = f.loops[k];
-    EXPECT_LT(loop.systematic_Nm / loop.height_Nm, 0.05) << loop.recording;
+    EXPECT_LT(loop.systematic_Nm / loop.height_Nm, 0.08) << loop.recording;
     if (loop.traced) {
       ASSERT_TRUE(loop.traced->model_turn_stiffness_Nm_rad);
       EXPECT_TRUE(

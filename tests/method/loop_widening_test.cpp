@@ -64,28 +64,6 @@ TEST(LoopWidening, ALoopOutsideTheSweepOrWithoutRippleStaysAsItIs) {
   EXPECT_EQ(r.torque_Nm, plain.torque_Nm);
 }
 
-TEST(LoopWidening, FrictionOfTheLoopsAnglesWidensWhatItIsPartOf) {
-  using method::hysteresis::LuGreParameterName;
-  method::gravity::CogSweepResult sweep = sweep_with_ripple(0.1);
-  sweep.coulomb_Nm = statistics::symmetric_estimate(0.5, 0.001);
-  sweep.friction_of_angle.lines = {{2, 0.04, 0.3}};
-  sweep.friction_by_angle_Nm = sweep.friction_of_angle.sd_Nm();
-  method::hysteresis::LuGreFit fit;
-  for (const LuGreParameterName name :
-       {LuGreParameterName::static_torque, LuGreParameterName::inertia}) {
-    method::hysteresis::LuGreParameter parameter;
-    parameter.name = name;
-    parameter.estimate = statistics::symmetric_estimate(2, 0.01);
-    fit.parameters.push_back(parameter);
-  }
-  const auto wider = method::hysteresis::with_friction_of_angle(fit, sweep, {0.2});
-  EXPECT_GT(wider.parameters[0].estimate->half_width(), 0.08 * 2);
-  EXPECT_EQ(wider.parameters[1].estimate->half_width(), fit.parameters[1].estimate->half_width());
-  // A quarter turn apart, the two halves of a period cancel.
-  const auto mean = method::hysteresis::with_friction_of_angle(fit, sweep, {0.2, 0.2 + 1.5707963});
-  EXPECT_NEAR(mean.parameters[0].estimate->half_width(), 0.01, 1e-3);
-}
-
 method::hysteresis::LuGreFit fit_of(method::hysteresis::LuGreParameterName name, double value,
                                     double half_width) {
   method::hysteresis::LuGreFit fit;
@@ -111,16 +89,6 @@ TEST(LoopWidening, StaticTorqueIsReferredToTheRunsAndTheBristleToTheTorquesGain)
   EXPECT_NEAR(stiffness.value, 200 / 1.04, 1e-9);
   EXPECT_NEAR(stiffness.half_width() / stiffness.value, std::hypot(0.005, 0.005 / 1.04), 1e-9);
   EXPECT_EQ(stiffness.method.code().text(), "interval.at_the_gain");
-}
-
-TEST(LoopWidening, DampingIsKnownNoBetterThanTheLag) {
-  using method::hysteresis::LuGreParameterName;
-  for (const double half_width : {0.001, 0.3}) {
-    const auto fit = method::hysteresis::with_unknown_lag(
-        fit_of(LuGreParameterName::bristle_damping, 0.5, half_width), {8e-4, 3e-4});
-    EXPECT_NEAR(fit.shown(LuGreParameterName::bristle_damping)->half_width(),
-                std::max(half_width, 200 * 5e-4), 1e-12);
-  }
 }
 
 }  // namespace

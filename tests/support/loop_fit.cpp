@@ -22,7 +22,14 @@ std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario
   return simulate::simulated_dataset(s).recordings;
 }
 
-method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations) {
+method::hysteresis::KnownOfLoops contact_alone() {
+  method::hysteresis::KnownOfLoops known;
+  for (const joint::Effect& one : joint::statable_effects()) known.effects.sizes.state(one, 0);
+  return known;
+}
+
+method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations,
+                                             const method::hysteresis::KnownOfLoops& known) {
   std::vector<method::motion::OscillationMotion> motions;
   for (const joint::Recording& r : oscillations)
     motions.push_back(*method::motion::fit_oscillation_motion(r));
@@ -31,7 +38,7 @@ method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>
     inputs.push_back({&oscillations[k], &motions[k], nullptr,
                       method::motion::angle_step(oscillations[k].q_rad, gear_ratio).step_rad});
   }
-  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
+  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad(), {}, known);
 }
 
 std::map<method::hysteresis::LuGreParameterName, double> true_parameters(

@@ -13,8 +13,13 @@ namespace tribolog::test {
 /// Its oscillations alone; z is recorded as the scenario says.
 std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario);
 
+/// Nothing acts beside the contact.
+method::hysteresis::KnownOfLoops contact_alone();
+
 /// The fit with its signals.
-method::hysteresis::FittedLuGre fitted_loops(const std::vector<joint::Recording>& oscillations);
+method::hysteresis::FittedLuGre fitted_loops(
+    const std::vector<joint::Recording>& oscillations,
+    const method::hysteresis::KnownOfLoops& known = contact_alone());
 inline method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations) {
   return fitted_loops(oscillations).fit;
 }

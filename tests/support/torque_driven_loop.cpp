@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "simulate/forced_motion.h"
+#include "support/loop_fit.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test {
@@ -66,7 +67,8 @@ method::hysteresis::LuGreFit fit_traced(const std::vector<joint::Recording>& loo
   for (std::size_t k = 0; k < loops.size(); ++k) {
     inputs.push_back({&loops[k], nullptr, &motions[k]});
   }
-  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad()).fit;
+  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad(), {}, contact_alone())
+      .fit;
 }
 
 }  // namespace tribolog::test

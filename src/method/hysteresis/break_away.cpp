@@ -139,7 +139,8 @@ bool has_levels(const std::vector<BreakAwayRamp>& ramps, bool is_rising) {
 std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
                                      bool is_level, const std::optional<KnownGravity>& gravity,
                                      double gear_ratio, const gravity::CogSweepResult& sweep,
-                                     double behind_half_width_s, BreakAwayResult& result) {
+                                     double behind_half_width_s, bool is_lugre,
+                                     BreakAwayResult& result) {
   std::vector<double> readings;
   std::vector<double> levels;
   std::vector<double> motor_angles;
@@ -179,7 +180,7 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   const double noise = std::hypot(reading->scatter, level.scatter);
   // Which of the two is the joint's, another contact decides: beyond their noise the interval holds
   // both.
-  const double by_contact = difference > noise ? difference : 0;
+  const double by_contact = difference > noise && !is_lugre ? difference : 0;
   result.apart = std::max(result.apart, by_contact / level.value);
   const double by_angle = angles.take(levels, level);
   told();
@@ -240,7 +241,7 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
                                     const std::optional<KnownGravity>& gravity,
                                     double inertia_at_joint, double gear_ratio,
                                     const gravity::CogSweepResult& sweep,
-                                    const BehindTorque& behind) {
+                                    const BehindTorque& behind, bool is_lugre) {
   BreakAwayResult out;
   out.stage.name = "break_away";
   out.gravity = gravity;
@@ -256,10 +257,10 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   }
   out.is_level = gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
                  has_levels(out.ramps, false);
-  const auto rising =
-      mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep, behind.half_width_s, out);
-  const auto falling =
-      mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep, behind.half_width_s, out);
+  const auto rising = mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep,
+                              behind.half_width_s, is_lugre, out);
+  const auto falling = mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep,
+                               behind.half_width_s, is_lugre, out);
   if (rising) out.rising_Nm = rising->torque_Nm;
   if (falling) out.falling_Nm = falling->torque_Nm;
   if (rising && falling) out.mean_Nm = mean_of_both(*rising, *falling);

@@ -208,7 +208,7 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
                       loop.oscillation.step_is_of_print ? 0 : loop.oscillation.encoder_step_rad,
                       std::max({loop.followed_from_s,
                                 settled_from_s(loop.recording, 1 / loop.oscillation.frequency_Hz),
-                                start_that_a_lag_hides_s(loop.recording, known.timing)})});
+                                start_that_a_lag_hides_s(loop.recording, known.effects.timing)})});
     traces.push_back(&loop.trace);
   }
   FittedLuGre lugre;

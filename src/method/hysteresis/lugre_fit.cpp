@@ -203,7 +203,8 @@ LuGreLocal told_from_the_start(const LuGreLoopModel& model, const LuGreShared::V
 /// Gravity of each recording, and the fit's bristle in it.
 /// @param problem of every sample.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
-                    const LuGreClimb& climb, double gear_ratio, FittedLuGre& made) {
+                    const LuGreClimb& climb, const LoopEffects& effects, double gear_ratio,
+                    FittedLuGre& made) {
   LuGreFit& fit = made.fit;
   double squares = 0;
   Eigen::Index samples = 0;
@@ -255,6 +256,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     loop.systematic_Nm = loop.traced ? systematic_of_traced(recording, inputs[r], signals, loop)
                          : loop.cycle_misfit.is_known() ? loop.cycle_misfit.systematic_Nm
                                                         : loop.misfit.systematic_Nm;
+    loop.systematic_Nm = std::hypot(loop.systematic_Nm, effects.misfit_Nm(r));
     fit.loops.push_back(std::move(loop));
     made.signals.push_back(std::move(signals));
   }
@@ -272,38 +274,6 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
   }
   return mean_over_positions(each, angle, ripple,
                              {"interval.scatter_of_half_cycles_and_recordings"});
-}
-
-/// Derivative of a torque with respect to its lag [N·m/s].
-Eigen::VectorXd slope_by_lag(const std::vector<double>& t_s, const Eigen::VectorXd& torque_Nm) {
-  Eigen::VectorXd out(torque_Nm.size());
-  for (Eigen::Index i = 0; i < torque_Nm.size(); ++i) {
-    const Eigen::Index a = std::max<Eigen::Index>(0, i - 1);
-    const Eigen::Index b = std::min(torque_Nm.size() - 1, i + 1);
-    const double span = t_s[static_cast<std::size_t>(b)] - t_s[static_cast<std::size_t>(a)];
-    out(i) = span > 0 ? -(torque_Nm(b) - torque_Nm(a)) / span : 0;
-  }
-  return out;
-}
-
-/// Shifts of the fit's parameters by the lag, as standard deviations: one column for the
-/// uncertainty of its size, and one for its shape, which may be that of a delay or of a filter.
-Eigen::MatrixXd shifts_by_lag(const LuGreClimb& climb, const LuGreProblem& problem,
-                              const LoopTiming& timing) {
-  Eigen::MatrixXd late = Eigen::MatrixXd::Zero(problem.rows(), 2);
-  Eigen::Index top = 0;
-  for (const LuGreLoopModel& model : problem.models()) {
-    const std::vector<double> times = model.row_times_s();
-    const Eigen::VectorXd torque =
-        model.measured() + climb.linear.fit.residuals.segment(top, model.rows());
-    late.col(0).segment(top, model.rows()) = slope_by_lag(times, torque) * timing.half_width_s;
-    if (timing.lag_s > 0) {
-      late.col(1).segment(top, model.rows()) =
-          rounded_by_filter(times, torque, timing.lag_s) - torque;
-    }
-    top += model.rows();
-  }
-  return statistics::least_squares(climb.linear.fit.jacobian, late) / statistics::normal_975;
 }
 
 void add_columns(const Eigen::MatrixXd& more, Eigen::MatrixXd& to) {
@@ -440,28 +410,32 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
     return made;
   }
   fit.converged = true;
-  Eigen::MatrixXd& shifts = climb.linear.fit.further_shifts;  // that of an open fall, or none
-  add_columns(shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad), shifts);
-  if (known.timing.half_width_s > 0) {
-    add_columns(shifts_by_lag(climb, problem, known.timing), shifts);
+  const LoopEffects effects(problem, climb, ripple, known.effects);
+  if (!effects.empty()) {
+    problem = effects.taken_off(problem);
+    climb = solved_again(climb, problem, half_loop_blocks(loops, problem));
   }
-  fit.damping_fall = fall_of_damping(climb, problem, known.inertia_kgm2);
+  Eigen::MatrixXd& shifts = climb.linear.fit.further_shifts;  // that of an open fall, or none
+  if (!effects.empty()) add_columns(effects.shifts(), shifts);
+  add_columns(shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad), shifts);
+  fit.damping_fall =
+      fall_of_damping(climb, problem, effects.contact_Nm(problem), known.inertia_kgm2);
   climb.around.covariance += shifts * shifts.transpose();
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
-  fit.parameters = read_lugre_parameters(climb, fit.peak_speed_rad_s);
+  fit.parameters = read_lugre_parameters(climb, effects, fit.peak_speed_rad_s);
   fit.identifiability =
       lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
   const std::vector<std::size_t> samples_in_row = samples_in_rows(problem);
   if (std::any_of(samples_in_row.begin(), samples_in_row.end(),
                   [](std::size_t together) { return together > 1; })) {
     problem = LuGreProblem({});  // its room is wanted for the next
-    problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
+    problem = effects.taken_off(problem_of(loops, gear_ratio, q_peak_rad, every_sample));
   }
-  describe_loops(loops, problem, climb, gear_ratio, made);
+  describe_loops(loops, problem, climb, effects, gear_ratio, made);
   if (climb.free.starts && leaves_what_repeats(fit)) {
-    fit.contacts = let_contacts_compete(loops, problem_of(loops, gear_ratio, q_peak_rad, thinned),
-                                        thinned_blocks(loops), climb.point, systematic_of_all(fit),
-                                        gear_ratio, q_peak_rad);
+    fit.contacts = let_contacts_compete(
+        loops, effects.taken_off(problem_of(loops, gear_ratio, q_peak_rad, thinned), false),
+        thinned_blocks(loops), climb.point, systematic_of_all(fit), gear_ratio, q_peak_rad);
   }
   if (climb.free.starts) {
     made.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);

@@ -24,6 +24,7 @@
 #include "joint/recording.h"
 #include "method/hysteresis/contact_rivals.h"
 #include "method/hysteresis/cycle_misfit.h"
+#include "method/hysteresis/loop_effects.h"
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/loop_timing.h"
 #include "method/hysteresis/lugre_ladder.h"
@@ -70,8 +71,9 @@ struct LuGreParameter {
   /// Torque (rms over the samples) that the parameter makes and no other can imitate; absent where
   /// it was held.
   std::optional<double> effect_Nm;
-  Statement why_not;     ///< Why it is not shown; empty if it is.
-  Statement experiment;  ///< What would show it; empty if it is shown.
+  std::vector<EffectShare> shares;  ///< Of the estimate's variance, largest first.
+  Statement why_not;                ///< Why it is not shown; empty if it is.
+  Statement experiment;             ///< What would show it; empty if it is shown.
 };
 
 /// Identifiability by the singular values of the scaled Jacobian. Columns are scaled by the
@@ -158,7 +160,7 @@ struct LuGreSignals {
 
 /// What sweeps and runs say of the loops.
 struct KnownOfLoops {
-  LoopTiming timing;                                 ///< Its lag is removed already.
+  KnownEffects effects;
   std::optional<statistics::Estimate> inertia_kgm2;  ///< Motor side.
 };
 
@@ -173,7 +175,6 @@ struct FittedLuGre {
 /// @param q_peak_rad angle at which gravity is largest.
 /// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
 /// three.
-/// @param known a lag looks like bristle damping: its uncertainty widens what depends on that.
 /// @throw std::invalid_argument if there is no loop.
 FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
                       const gravity::Ripple& ripple = {}, const KnownOfLoops& known = {});

@@ -147,6 +147,7 @@ Statement described_direction(const std::vector<Statement>& names,
 }  // namespace
 
 std::vector<LuGreParameter> read_lugre_parameters(const LuGreClimb& climb,
+                                                  const LoopEffects& effects,
                                                   double peak_speed_rad_s) {
   const Reader reader(climb);
   const Shared::Vector& p = climb.point.shared;
@@ -157,6 +158,8 @@ std::vector<LuGreParameter> read_lugre_parameters(const LuGreClimb& climb,
   std::vector<LuGreParameter> out;
   const auto judge = [&](LuGreParameterName name, const char* unit, const Reading& r) {
     out.push_back(judged(name, unit, r, reader, climb));
+    const double deviation = climb.around.standard_error_along(r.gradient);
+    out.back().shares = effects.shares(r.gradient, deviation * deviation);
   };
   judge(LuGreParameterName::bristle_stiffness, "N·m/rad",
         reader.product(s0, {{Shared::log_stiffness, 1}}));

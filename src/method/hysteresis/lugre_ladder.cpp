@@ -278,6 +278,23 @@ bool LuGreClimb::stands(Shared::Index parameter, double widest) const {
   return s.relative < widest && s.effect_Nm > smallest_effect * height_Nm;
 }
 
+LuGreClimb solved_again(const LuGreClimb& nearby, const LuGreProblem& problem,
+                        const std::vector<std::size_t>& block_of_row) {
+  LuGreClimb out = nearby;
+  statistics::LeastSquaresLimits limits;
+  limits.cost_change = smallest_gain / static_cast<double>(problem.rows());
+  limits.evaluations = longest_way;
+  const LuGreProblem::Solution s = problem.solve(nearby.free, nearby.point, limits);
+  out.evaluations += s.evaluations;
+  out.point = s.point;
+  const Eigen::MatrixXd shifts = nearby.linear.fit.further_shifts;
+  out.linear = problem.linearise(out.free, out.point, block_of_row);
+  out.linear.fit.further_shifts = shifts;
+  out.around = statistics::block_regression(out.linear.fit.jacobian, -out.linear.fit.residuals,
+                                            block_of_row);
+  return out;
+}
+
 LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
                               const std::vector<std::size_t>& block_of_row) {
   return Climber(problems, block_of_row).climb();

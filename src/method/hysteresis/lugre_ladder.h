@@ -76,6 +76,10 @@ struct LuGreProblems {
   const LuGreProblem& whole;             ///< All samples.
 };
 
+/// The same rung from a solution nearby. @param block_of_row of the problem's rows.
+LuGreClimb solved_again(const LuGreClimb& nearby, const LuGreProblem& problem,
+                        const std::vector<std::size_t>& block_of_row);
+
 /// @param block_of_row of the rows of the whole problem.
 LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
                               const std::vector<std::size_t>& block_of_row);

@@ -212,6 +212,10 @@ Eigen::VectorXd LuGreLoopModel::measured() const {
   return Eigen::Map<const Eigen::VectorXd>(measured_Nm_.data(), rows());
 }
 
+void LuGreLoopModel::take_off(const Eigen::VectorXd& torque_Nm) {
+  Eigen::Map<Eigen::VectorXd>(measured_Nm_.data(), rows()) -= torque_Nm;
+}
+
 /// Adds one piece, or two where the motion reverses within it.
 void LuGreLoopModel::add_way(double from_s, double to_s, double start_speed, double end_speed) {
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_instant) {
@@ -386,6 +390,11 @@ double LuGreLoopModel::peak_speed_rad_s() const {
   double peak = 0;
   for (const double w : speed_) peak = std::max(peak, std::abs(w));
   return peak;
+}
+
+double LuGreLoopModel::middle_rad() const {
+  const auto [low, high] = std::minmax_element(angle_.begin(), angle_.end());
+  return (*high + *low) / 2;
 }
 
 double LuGreLoopModel::motor_amplitude_rad() const {

@@ -66,6 +66,9 @@ class LuGreLoopModel {
   [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
   /// Times of the rows since the first sample, and the torque measured there.
   [[nodiscard]] std::vector<double> row_times_s() const;
+  [[nodiscard]] const simulate::Motion& motion() const { return *motion_; }
+  /// Subtracts a torque from that measured at each row.
+  void take_off(const Eigen::VectorXd& torque_Nm);
   /// Motor speed there, by the motion.
   [[nodiscard]] Eigen::VectorXd row_speeds_rad_s() const;
   [[nodiscard]] Eigen::VectorXd measured() const;
@@ -86,6 +89,8 @@ class LuGreLoopModel {
   [[nodiscard]] const std::vector<double>& speed_rad_s() const { return speed_; }
   /// Largest motor speed [rad/s] where the model is evaluated.
   [[nodiscard]] double peak_speed_rad_s() const;
+  /// Between the extremes of the motion [rad, motor].
+  [[nodiscard]] double middle_rad() const;
   /// Half the distance between the extremes of the motion [rad, motor].
   [[nodiscard]] double motor_amplitude_rad() const;
   /// Largest minus smallest torque that is compared, without jumps [N·m].

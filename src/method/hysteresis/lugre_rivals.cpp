@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "statistics/block_regression.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -30,7 +31,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& columns, Eigen::Index one) {
 }  // namespace
 
 std::optional<FallOfDamping> fall_of_damping(
-    const LuGreClimb& climb, const LuGreProblem& problem,
+    const LuGreClimb& climb, const LuGreProblem& problem, const Eigen::VectorXd& contact_Nm,
     const std::optional<statistics::Estimate>& inertia_kgm2) {
   // Inertia is the last of the shared columns: without it, these two stay where they are.
   const Eigen::Index stiffness = climb.column(LuGreShared::log_stiffness);
@@ -38,7 +39,7 @@ std::optional<FallOfDamping> fall_of_damping(
   const Eigen::Index inertia = climb.column(LuGreShared::inertia);
   if (!climb.converged || stiffness < 0 || damping < 0) return std::nullopt;
   const statistics::LinearisedFit& fit = climb.linear.fit;
-  Eigen::VectorXd left = -fit.residuals;
+  Eigen::VectorXd left = contact_Nm - fit.residuals;
   Eigen::MatrixXd columns = fit.jacobian;
   if (inertia > damping && inertia_kgm2) {
     left -= columns.col(inertia) * (inertia_kgm2->value - climb.point.shared(LuGreShared::inertia));
@@ -48,6 +49,7 @@ std::optional<FallOfDamping> fall_of_damping(
   const double peak = speeds.cwiseAbs().maxCoeff();
   const Eigen::Index fall = columns.cols();
   columns.conservativeResize(Eigen::NoChange, fall + 1);
+  const double without_fall = statistics::least_squares(columns.leftCols(fall), left)(stiffness);
   constexpr double least_certainty = 2;
   double best = least_certainty;
   std::optional<FallOfDamping> found;
@@ -63,7 +65,8 @@ std::optional<FallOfDamping> fall_of_damping(
         std::abs(lost) * columns.col(fall).norm() / std::sqrt(static_cast<double>(columns.rows()));
     if (!(certainty > best) || effect_Nm < smallest_effect * climb.height_Nm) continue;
     best = certainty;
-    found = FallOfDamping{falls_at * std::sqrt(std::numbers::ln2), step.coefficients(stiffness)};
+    found = FallOfDamping{falls_at * std::sqrt(std::numbers::ln2),
+                          step.coefficients(stiffness) - without_fall};
   }
   return found;
 }

@@ -23,9 +23,10 @@ struct FallOfDamping {
 
 /// Present only where the residuals show it beyond doubt: a coefficient of at least two half widths
 /// of its 95 % interval, an effect that counts, and a damping that falls.
+/// @param contact_Nm of the problem's rows, taken off as another contact's: it stays in here.
 /// @param inertia_kgm2 as starts and stops show it, motor side.
 std::optional<FallOfDamping> fall_of_damping(
-    const LuGreClimb& climb, const LuGreProblem& problem,
+    const LuGreClimb& climb, const LuGreProblem& problem, const Eigen::VectorXd& contact_Nm,
     const std::optional<statistics::Estimate>& inertia_kgm2);
 
 }  // namespace tribolog::method::hysteresis

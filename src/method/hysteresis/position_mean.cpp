@@ -150,6 +150,20 @@ double share_of_friction_left(const gravity::CogSweepResult& sweep,
   return std::min(share, most) / (1 - std::min(share, most));
 }
 
+gravity::CogSweepResult of_motor_turn(gravity::CogSweepResult sweep, double gear_ratio) {
+  constexpr double fewest_periods = 10;
+  const double turns = gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);
+  std::vector<gravity::RippleLine>& lines = sweep.friction_of_angle.lines;
+  lines.erase(std::remove_if(lines.begin(), lines.end(),
+                             [&](const gravity::RippleLine& line) {
+                               return line.periods_per_turn * turns <= fewest_periods;
+                             }),
+              lines.end());
+  sweep.friction_of_angle.rest_Nm = 0;
+  sweep.friction_by_angle_Nm = sweep.friction_of_angle.sd_Nm();
+  return sweep;
+}
+
 std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravity::Ripple& ripple) {
   const double apart = quarter_period_rad(ripple);
   std::sort(motor_angle_rad.begin(), motor_angle_rad.end());

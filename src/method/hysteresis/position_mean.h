@@ -63,4 +63,8 @@ double half_width_left_in_mean(const gravity::Ripple& of_angle,
 double share_of_friction_left(const gravity::CogSweepResult& sweep,
                               const std::vector<double>& motor_angle_rad);
 
+/// What a sweep shows without that of few periods along it, which is friction over the joint's
+/// angle, not over the motor's turn.
+gravity::CogSweepResult of_motor_turn(gravity::CogSweepResult sweep, double gear_ratio);
+
 }  // namespace tribolog::method::hysteresis

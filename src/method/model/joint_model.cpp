@@ -465,6 +465,13 @@ class Fit {
       p.gravity_sin_Nm = value_of("gravity", 1);
     }
     p.inertia_kgm2 = value_of("inertia", 0);
+    // One that no acceleration shows is none: else jumps of the acceleration would tell of a lag.
+    if (const std::size_t e = m_.find("inertia"); e < m_.effects.size()) {
+      constexpr double least_certainty = 2;
+      const double unknown = std::pow(least_certainty / p.inertia_kgm2, 2) *
+                             found.covariance(m_.first[e], m_.first[e]);
+      p.inertia_kgm2 *= std::max(0.0, 1 - unknown);
+    }
     const VectorXd law = found.friction();
     p.coulomb_Nm = law[0];
     p.viscous_Nms_rad = found.law.meanings[1].row(1) * law;

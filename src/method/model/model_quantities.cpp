@@ -146,8 +146,8 @@ class Describer {
   [[nodiscard]] ModelQuantity describe(const Wanted& wanted) const;
   [[nodiscard]] ModelEffect describe_effect(std::size_t e) const;
   /// ModelResult::friction_of_loops
-  [[nodiscard]] std::optional<statistics::Estimate> friction_of(
-      const std::vector<Cell>& contacts) const;
+  [[nodiscard]] std::optional<statistics::Estimate> friction_of(const std::vector<Cell>& contacts,
+                                                                const Effect* by_turn) const;
   /// ModelResult::gain_of_loops
   [[nodiscard]] std::optional<statistics::Estimate> gain_of(
       const std::vector<Cell>& contacts) const;
@@ -163,7 +163,7 @@ class Describer {
     return m_.effects[e].scale[0] / std::sqrt(m_.precision[static_cast<Index>(e)]);
   }
   /// One standard deviation of the scale of recordings beside sweeps and runs.
-  [[nodiscard]] double own_gain() const;
+  [[nodiscard]] double own_gain(const std::vector<Cell>& contacts) const;
 
   /// What effects add to a quantity.
   struct OfEffects {
@@ -269,10 +269,10 @@ ModelQuantity Describer::describe(const Wanted& wanted) const {
   return q;
 }
 
-std::optional<statistics::Estimate> Describer::friction_of(
-    const std::vector<Cell>& contacts) const {
-  constexpr std::array of_friction{&joint::effect::load, &joint::effect::position,
-                                   &joint::effect::motor_turn, &joint::effect::drift};
+std::optional<statistics::Estimate> Describer::friction_of(const std::vector<Cell>& contacts,
+                                                           const Effect* by_turn) const {
+  const std::array of_friction{&joint::effect::load, &joint::effect::position,
+                               &joint::effect::drift, by_turn};
   if (contacts.empty() || !(m_.point.friction_Nm > 0)) return std::nullopt;
   Cells there = m_.cells;
   there.rows.insert(there.rows.end(), contacts.begin(), contacts.end());
@@ -286,8 +286,9 @@ std::optional<statistics::Estimate> Describer::friction_of(
   Wanted share{{}, 0, VectorXd::Zero(m_.first.back())};
   const bool has_gravity = m_.find(joint::effect::gravity.key) < m_.effects.size();
   for (const EffectColumns& e : effect_columns(there, has_gravity, m_.point, m_.sizes)) {
-    const bool is_asked = std::any_of(of_friction.begin(), of_friction.end(),
-                                      [&](const Effect* one) { return one->key == e.effect->key; });
+    const bool is_asked =
+        std::any_of(of_friction.begin(), of_friction.end(),
+                    [&](const Effect* one) { return one != nullptr && one->key == e.effect->key; });
     const std::size_t at = m_.find(e.effect->key);
     if (!is_asked || at == m_.effects.size()) continue;
     share.row.segment(m_.first[at], m_.width(at)) =
@@ -299,14 +300,14 @@ std::optional<statistics::Estimate> Describer::friction_of(
       own < m_.effects.size()) {
     of_one = deviation_of(own) / m_.point.friction_Nm / std::sqrt(static_cast<double>(count));
   }
-  return wider(share, std::hypot(of_one, own_gain()));
+  return wider(share, std::hypot(of_one, own_gain(contacts)));
 }
 
 std::optional<statistics::Estimate> Describer::gain_of(const std::vector<Cell>& contacts) const {
   if (contacts.empty()) return std::nullopt;
   Wanted share{{}, 0, VectorXd::Zero(m_.first.back())};
   put_gain(contacts, share.row);
-  return wider(share, own_gain());
+  return wider(share, own_gain(contacts));
 }
 
 void Describer::put_gain(const std::vector<Cell>& contacts, VectorXd& row) const {
@@ -321,11 +322,16 @@ void Describer::put_gain(const std::vector<Cell>& contacts, VectorXd& row) const
   }
 }
 
-double Describer::own_gain() const {
+double Describer::own_gain(const std::vector<Cell>& contacts) const {
   const Effect& gain = joint::effect::gain_of_runs;
   const std::size_t at = m_.find(gain.key);
   constexpr double of_percent = 0.01;
-  return at < m_.effects.size() ? deviation_of(at) : of_percent * m_.sizes.of(gain);
+  const double own = at < m_.effects.size() ? deviation_of(at) : of_percent * m_.sizes.of(gain);
+  // A slope depends on the form of what is taken off more than the torque does.
+  constexpr double of_slope = 0.4;
+  VectorXd row = VectorXd::Zero(m_.first.back());
+  put_gain(contacts, row);
+  return std::hypot(own, of_slope * row.dot(best_.mean.head(row.size())));
 }
 
 std::optional<statistics::Estimate> Describer::wider(const Wanted& share, double by) const {
@@ -419,8 +425,9 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     result.effects.push_back(describer.describe_effect(e));
   }
-  result.friction_of_loops = describer.friction_of(model.cells.contacts.loops);
-  result.friction_of_ramps = describer.friction_of(model.cells.contacts.ramps);
+  result.friction_of_loops = describer.friction_of(model.cells.contacts.loops, nullptr);
+  result.friction_of_ramps =
+      describer.friction_of(model.cells.contacts.ramps, &joint::effect::motor_turn);
   result.gain_of_loops = describer.gain_of(model.cells.contacts.loops);
   return result;
 }
