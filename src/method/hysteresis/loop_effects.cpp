@@ -306,9 +306,10 @@ void LoopEffects::solve(const LuGreProblem& problem, const LuGreClimb& climb) {
       scale.asDiagonal() * stack.products.topLeftCorner(n, n) * scale.asDiagonal();
   const VectorXd right = scale.asDiagonal() * stack.right();
   double variance = stack.squares() / stack.count;
+  double correlated = 1;  // rows that say as much as one
   constexpr int rounds = 12;
   for (int round = 0; round < rounds; ++round) {
-    MatrixXd precision = scaled / (variance * correlated_);
+    MatrixXd precision = scaled / (variance * correlated);
     precision.diagonal().array() += 1e-12 * precision.diagonal().maxCoeff();
     for (const OfEffect& one : all_) {
       precision.diagonal().segment(p + one.first, one.count).array() +=
@@ -317,7 +318,7 @@ void LoopEffects::solve(const LuGreProblem& problem, const LuGreClimb& climb) {
     }
     const MatrixXd covariance =
         statistics::solve_normal(precision, MatrixXd::Identity(n, n));  // of scaled coefficients
-    const VectorXd found = covariance * right / (variance * correlated_);
+    const VectorXd found = covariance * right / (variance * correlated);
     const double left = stack.squares() - 2 * found.dot(right) + found.dot(scaled * found);
     variance = std::max(left, 1e-12 * stack.squares()) / stack.count;
     const auto of_effects = scale.tail(coefficients_).asDiagonal();
@@ -332,7 +333,7 @@ void LoopEffects::solve(const LuGreProblem& problem, const LuGreClimb& climb) {
       const VectorXd residuals = stack.residuals(r, plain);
       total += correlation(residuals) * static_cast<double>(residuals.size()) / stack.count;
     }
-    correlated_ = total;
+    correlated = total;
   }
   by_effects_ = -(scale.head(p).asDiagonal() *
                   statistics::solve_normal(
@@ -395,7 +396,11 @@ VectorXd LoopEffects::contact_Nm(const LuGreProblem& problem) const {
   Index top = 0;
   for (std::size_t r = 0; r < problem.models().size() && asks_contact(); ++r) {
     const LuGreLoopModel& model = problem.models()[r];
-    all.segment(top, model.rows()) = columns_of(model, r).rightCols(hats) * mean_.tail(hats);
+    const Index compared = model.rows() - model.rows_left_out();
+    all.segment(top + model.rows_left_out(), compared) =
+        hats_over_way(model, LuGreShared::largest_deflection_rad(point_.shared))
+            .bottomRows(compared) *
+        mean_.tail(hats);
     top += model.rows();
   }
   return all;

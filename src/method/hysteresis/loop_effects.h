@@ -47,7 +47,6 @@ struct EffectShare {
 
 class LoopEffects {
  public:
-  LoopEffects() = default;
   /// @param climb the solution for LuGre, linearised at the problem's rows.
   /// @param ripple that the sweep shows; its phase in it was taken off the loops.
   LoopEffects(const LuGreProblem& problem, const LuGreClimb& climb, const gravity::Ripple& ripple,
@@ -110,7 +109,6 @@ class LoopEffects {
   std::vector<double> misfit_Nm_;       ///< Of each loop.
   std::vector<Eigen::Index> position_;  ///< Motor angle of each loop, numbered.
   Eigen::MatrixXd by_lag_;              ///< Shift of the fit's parameters, standard deviations.
-  double correlated_{1};                ///< Rows that say as much as one.
 };
 
 }  // namespace tribolog::method::hysteresis

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -413,7 +414,7 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   const LoopEffects effects(problem, climb, ripple, known.effects);
   if (!effects.empty()) {
     problem = effects.taken_off(problem);
-    climb = solved_again(climb, problem, half_loop_blocks(loops, problem));
+    climb = solved_again(std::move(climb), problem, half_loop_blocks(loops, problem));
   }
   Eigen::MatrixXd& shifts = climb.linear.fit.further_shifts;  // that of an open fall, or none
   if (!effects.empty()) add_columns(effects.shifts(), shifts);

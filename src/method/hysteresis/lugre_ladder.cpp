@@ -45,6 +45,12 @@ std::vector<Shared::Index> with(std::vector<Shared::Index> some,
   return some;
 }
 
+void surround(const LuGreProblem& problem, const std::vector<std::size_t>& blocks, LuGreClimb& at) {
+  at.linear = problem.linearise(at.free, at.point, blocks);
+  at.around =
+      statistics::block_regression(at.linear.fit.jacobian, -at.linear.fit.residuals, blocks);
+}
+
 class Climber {
  public:
   Climber(const LuGreProblems& problems, const std::vector<std::size_t>& blocks)
@@ -157,14 +163,8 @@ class Climber {
     evaluations_ += s.evaluations;
     out.point = s.point;
     out.converged = s.converged;
-    if (s.converged) surround(out);
+    if (s.converged) surround(problem_, blocks_, out);
     return out;
-  }
-
-  void surround(LuGreClimb& at) const {
-    at.linear = problem_.linearise(at.free, at.point, blocks_);
-    at.around =
-        statistics::block_regression(at.linear.fit.jacobian, -at.linear.fit.residuals, blocks_);
   }
 
   LuGreClimb from_level(const LuGreFreedom& free) {
@@ -278,21 +278,18 @@ bool LuGreClimb::stands(Shared::Index parameter, double widest) const {
   return s.relative < widest && s.effect_Nm > smallest_effect * height_Nm;
 }
 
-LuGreClimb solved_again(const LuGreClimb& nearby, const LuGreProblem& problem,
+LuGreClimb solved_again(LuGreClimb nearby, const LuGreProblem& problem,
                         const std::vector<std::size_t>& block_of_row) {
-  LuGreClimb out = nearby;
   statistics::LeastSquaresLimits limits;
   limits.cost_change = smallest_gain / static_cast<double>(problem.rows());
   limits.evaluations = longest_way;
   const LuGreProblem::Solution s = problem.solve(nearby.free, nearby.point, limits);
-  out.evaluations += s.evaluations;
-  out.point = s.point;
-  const Eigen::MatrixXd shifts = nearby.linear.fit.further_shifts;
-  out.linear = problem.linearise(out.free, out.point, block_of_row);
-  out.linear.fit.further_shifts = shifts;
-  out.around = statistics::block_regression(out.linear.fit.jacobian, -out.linear.fit.residuals,
-                                            block_of_row);
-  return out;
+  nearby.evaluations += s.evaluations;
+  nearby.point = s.point;
+  Eigen::MatrixXd shifts = std::move(nearby.linear.fit.further_shifts);
+  surround(problem, block_of_row, nearby);
+  nearby.linear.fit.further_shifts = std::move(shifts);
+  return nearby;
 }
 
 LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,

@@ -77,7 +77,7 @@ struct LuGreProblems {
 };
 
 /// The same rung from a solution nearby. @param block_of_row of the problem's rows.
-LuGreClimb solved_again(const LuGreClimb& nearby, const LuGreProblem& problem,
+LuGreClimb solved_again(LuGreClimb nearby, const LuGreProblem& problem,
                         const std::vector<std::size_t>& block_of_row);
 
 /// @param block_of_row of the rows of the whole problem.
