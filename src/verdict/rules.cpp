@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "calibration/headline.h"
 #include "method/hysteresis/lugre_fit.h"
+#include "method/hysteresis/position_mean.h"
 #include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 
@@ -275,20 +275,15 @@ std::optional<Measured> by_motor_angle(const Calibration& c) {
   const double percent =
       100 * std::sqrt(2.0) * c.rough.friction_by_angle_Nm / std::abs(c.rough.coulomb_Nm->value);
   // Fewer periods along the whole sweep are a course of the joint's angle, or of the load.
-  constexpr double fewest_periods = 10;
-  const double turns = c.manifest.drive.gear_ratio() * (c.rough.highest_rad - c.rough.lowest_rad) /
-                       (2 * std::numbers::pi);
-  const std::vector<method::gravity::RippleLine>& lines = c.rough.friction_of_angle.lines;
-  const auto line =
-      std::find_if(lines.begin(), lines.end(), [&](const method::gravity::RippleLine& one) {
-        return one.periods_per_turn * turns > fewest_periods;
-      });
-  if (line == lines.end()) {
+  const std::vector<method::gravity::RippleLine> lines =
+      method::hysteresis::of_motor_turn(c.rough, c.manifest.drive.gear_ratio())
+          .friction_of_angle.lines;
+  if (lines.empty()) {
     return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
   }
   return Measured{percent,
                   {"cause.friction_by_motor_angle",
-                   {{"percent", percent}, {"periods", line->periods_per_turn}}}};
+                   {{"percent", percent}, {"periods", lines.front().periods_per_turn}}}};
 }
 
 std::optional<Measured> between_ramps(const Calibration& c) {

@@ -21,6 +21,7 @@ std::size_t usual_distance(const std::vector<double>& apart) {
   constexpr double regular = 0.95;
   if (apart.size() < fewest_bends) return 1;
   const double usual = statistics::median(apart);
+  if (usual == 1) return 1;
   const auto multiples = std::count_if(apart.begin(), apart.end(),
                                        [&](double n) { return std::remainder(n, usual) == 0; });
   const bool is_regular =
@@ -59,12 +60,12 @@ std::size_t samples_between_bends(const std::vector<double>& t_s,
     bends.push_back(change[i]);
     before = i;
   }
-  if (bends.empty()) return 1;
+  const std::size_t distance = usual_distance(apart);
+  if (distance == 1) return 1;
   const double usual = statistics::median(bends);
   std::vector<double> from_usual;
   for (const double bend : bends) from_usual.push_back(std::abs(bend - usual));
-  if (statistics::median(std::move(from_usual)) < least_scatter * usual) return 1;
-  return usual_distance(apart);
+  return statistics::median(std::move(from_usual)) < least_scatter * usual ? 1 : distance;
 }
 
 /// The same of a channel that is held: it changes by many steps of its resolution, and stands

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/requirements.h"
@@ -32,29 +31,6 @@ std::optional<RampMean> mean_over(const std::vector<double>& values) {
   return RampMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
 }
 
-/// Ramps that start within this much of each other start at one motor angle: friction of six
-/// periods a turn changes by an eighth of one.
-constexpr double one_position_rad = 0.13;
-
-/// Motor angles in groups of one position, ascending.
-std::vector<std::vector<std::size_t>> by_position(const std::vector<double>& motor_angle_rad) {
-  std::vector<std::size_t> order(motor_angle_rad.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return motor_angle_rad[a] < motor_angle_rad[b];
-  });
-  std::vector<std::vector<std::size_t>> groups;
-  double first = 0;
-  for (const std::size_t i : order) {
-    if (groups.empty() || motor_angle_rad[i] - first > one_position_rad) {
-      groups.emplace_back();
-      first = motor_angle_rad[i];
-    }
-    groups.back().push_back(i);
-  }
-  return groups;
-}
-
 /// The ramps of one direction as means over their angles.
 class OverAngles {
  public:
@@ -62,17 +38,16 @@ class OverAngles {
   OverAngles(const std::vector<double>& motor_angle_rad, bool has_gravity,
              const gravity::CogSweepResult& sweep)
       : share_of_sweep_(share_of_friction_left(sweep, motor_angle_rad)) {
-    if (!has_gravity) groups_ = by_position(motor_angle_rad);
+    if (has_gravity) return;
+    position_ = position_numbers(motor_angle_rad);
+    for (const std::size_t number : position_) positions_ = std::max(positions_, number + 1);
   }
 
   /// Takes the mean over angles where ramps differ by them.
   /// @return 95 % half width of what the angles leave, beside the scatter of the ramps.
   [[nodiscard]] double take(const std::vector<double>& values, RampMean& mean) {
-    std::vector<std::vector<double>> by_angle;
-    for (const std::vector<std::size_t>& group : groups_) {
-      by_angle.emplace_back();
-      for (const std::size_t i : group) by_angle.back().push_back(values[i]);
-    }
+    std::vector<std::vector<double>> by_angle(positions_);
+    for (std::size_t i = 0; i < position_.size(); ++i) by_angle[position_[i]].push_back(values[i]);
     const auto over_angles = statistics::mean_of_groups_that_differ(by_angle);
     const double by_sweep = share_of_sweep_ * std::abs(mean.value);
     constexpr double matters = 0.002;
@@ -82,15 +57,16 @@ class OverAngles {
     between_ = between;
     mean = {over_angles->mean, 0};
     // Two say that there is a difference, not how large it is elsewhere: the sweep does.
-    const bool is_told_by_sweep = groups_.size() == 2 && by_sweep > 0;
+    const bool is_told_by_sweep = positions_ == 2 && by_sweep > 0;
     const double by_ramps = is_told_by_sweep ? over_angles->largest_off : over_angles->half_width;
     return std::max(by_ramps, by_sweep);
   }
-  [[nodiscard]] std::size_t positions() const { return groups_.size(); }
+  [[nodiscard]] std::size_t positions() const { return positions_; }
   [[nodiscard]] double between() const { return between_; }
 
  private:
-  std::vector<std::vector<std::size_t>> groups_;
+  std::vector<std::size_t> position_;
+  std::size_t positions_{0};
   double share_of_sweep_{};
   double between_{0};
 };

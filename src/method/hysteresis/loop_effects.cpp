@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "method/hysteresis/loop_timing.h"
+#include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
+#include "statistics/evidence.h"
 #include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
@@ -41,21 +43,12 @@ ByLuGre by_lugre(const LuGreLoopModel& model, const LuGreShared::Vector& shared,
   return out;
 }
 
-/// Motor angles about which loops stand, numbered: friction of six periods a turn changes by an
-/// eighth of one between two of them.
+/// Motor angles about which loops stand, numbered.
 std::vector<Index> positions_of(const std::vector<LuGreLoopModel>& models) {
-  constexpr double one_position_rad = 0.13;
   std::vector<double> middles;
-  std::vector<Index> numbers;
-  for (const LuGreLoopModel& model : models) {
-    const double middle = model.middle_rad();
-    const auto at = std::find_if(middles.begin(), middles.end(), [&](double other) {
-      return std::abs(other - middle) < one_position_rad;
-    });
-    numbers.push_back(at - middles.begin());
-    if (at == middles.end()) middles.push_back(middle);
-  }
-  return numbers;
+  for (const LuGreLoopModel& model : models) middles.push_back(model.middle_rad());
+  const std::vector<std::size_t> numbers = position_numbers(middles);
+  return {numbers.begin(), numbers.end()};
 }
 
 VectorXd slope_over_time(const std::vector<double>& t_s, const VectorXd& x) {
@@ -115,20 +108,11 @@ double left_of_ripple_Nm(const gravity::Ripple& ripple, double amplitude_rad) {
   return left * gravity::random_phase_half_width(heights, 0) / statistics::normal_975;
 }
 
-/// As how many rows of a loop one independent row counts: integrated autocorrelation.
-double correlation(const VectorXd& residuals) {
-  constexpr Index most = 400;
-  constexpr double least = 0.03;
-  const Index n = residuals.size();
-  const double power = residuals.squaredNorm() / static_cast<double>(n) + 1e-300;
-  double total = 1;
-  for (Index k = 1; k <= most && k < n / 4; ++k) {
-    const double one =
-        residuals.head(n - k).dot(residuals.tail(n - k)) / static_cast<double>(n - k) / power;
-    if (one < least) break;
-    total += 2 * one;
-  }
-  return total;
+/// As how many rows of a loop one independent row counts.
+double correlation_of(const VectorXd& residuals) {
+  const Index most = std::min<Index>(400, residuals.size() / 4);
+  return statistics::integrated_autocorrelation(residuals, most, 1,
+                                                [](Index, Index) { return true; });
 }
 
 }  // namespace
@@ -286,12 +270,10 @@ LoopEffects::Stack LoopEffects::stacked(const LuGreProblem& problem,
 
 void LoopEffects::improve_sizes(const VectorXd& mean, const VectorXd& variance) {
   for (OfEffect& one : all_) {
-    const double square = one.scale * one.scale;
-    const double unknown = variance.segment(one.first, one.count).sum() / square;
-    const double size = mean.segment(one.first, one.count).squaredNorm() / square;
-    const double known = std::max(0.0, static_cast<double>(one.count) - one.precision * unknown);
-    one.precision = std::max((one.effect->dof + known) / (one.effect->dof + size),
-                             one.effect->least_precision());
+    one.precision = statistics::next_precision(
+        mean.segment(one.first, one.count), variance.segment(one.first, one.count),
+        VectorXd::Constant(one.count, one.scale), one.precision, one.effect->dof,
+        one.effect->least_precision());
   }
 }
 
@@ -331,7 +313,7 @@ void LoopEffects::solve(const LuGreProblem& problem, const LuGreClimb& climb) {
     double total = 0;
     for (std::size_t r = 0; r < stack.rows.size(); ++r) {
       const VectorXd residuals = stack.residuals(r, plain);
-      total += correlation(residuals) * static_cast<double>(residuals.size()) / stack.count;
+      total += correlation_of(residuals) * static_cast<double>(residuals.size()) / stack.count;
     }
     correlated = total;
   }

@@ -164,6 +164,26 @@ gravity::CogSweepResult of_motor_turn(gravity::CogSweepResult sweep, double gear
   return sweep;
 }
 
+std::vector<std::size_t> position_numbers(const std::vector<double>& motor_angle_rad) {
+  constexpr double one_position_rad = 0.13;
+  std::vector<std::size_t> order(motor_angle_rad.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return motor_angle_rad[a] < motor_angle_rad[b];
+  });
+  std::vector<std::size_t> numbers(motor_angle_rad.size());
+  std::size_t number = 0;
+  double first = order.empty() ? 0 : motor_angle_rad[order.front()];
+  for (const std::size_t i : order) {
+    if (motor_angle_rad[i] - first > one_position_rad) {
+      ++number;
+      first = motor_angle_rad[i];
+    }
+    numbers[i] = number;
+  }
+  return numbers;
+}
+
 std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravity::Ripple& ripple) {
   const double apart = quarter_period_rad(ripple);
   std::sort(motor_angle_rad.begin(), motor_angle_rad.end());

@@ -29,6 +29,10 @@ inline constexpr std::size_t fewest_positions = 3;
 /// strongest line where that is shorter.
 std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravity::Ripple& ripple);
 
+/// Of each motor angle the number of its position, ascending: angles of one position lie within an
+/// eighth of the period of friction that changes six times a turn.
+std::vector<std::size_t> position_numbers(const std::vector<double>& motor_angle_rad);
+
 struct PositionMean {
   statistics::Estimate gravity_Nm;
   /// Degrees of freedom of the positions' scatter. 0: distinct positions are fewer than three; the

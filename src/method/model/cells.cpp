@@ -61,6 +61,20 @@ ArrayXd mean_over(const ArrayXd& x, Index h) {
   return m;
 }
 
+/// Cosine and sine, and those of twice the angle.
+struct Turned {
+  ArrayXd cos, sin;
+
+  explicit Turned(const ArrayXd& angle) : cos(angle.size()), sin(angle.size()) {
+    for (Index i = 0; i < angle.size(); ++i) {
+      cos[i] = std::cos(angle[i]);
+      sin[i] = std::sin(angle[i]);
+    }
+  }
+  [[nodiscard]] ArrayXd cos_of_twice() const { return 2 * cos.square() - 1; }
+  [[nodiscard]] ArrayXd sin_of_twice() const { return 2 * sin * cos; }
+};
+
 /// Two means by the trapezoidal rule to those of the integrals, as slopes are: less a sixth of the
 /// second difference, which is all that their errors are up to the fourth order.
 ArrayXd as_integrals(const ArrayXd& x) {
@@ -148,10 +162,12 @@ void add_motions(const joint::Recording& r, int index, double n, double lag_s,
       m.acceleration = slope(once, h, dt);
       m.jerk = slope(m.acceleration, h, dt);
       m.smooth_torque = smooth(m.torque);
-      m.cos = smooth(m.q.cos());
-      m.sin = smooth(m.q.sin());
-      m.motor = {smooth((n * m.q).cos()), smooth((n * m.q).sin()), smooth((2 * n * m.q).cos()),
-                 smooth((2 * n * m.q).sin())};
+      const Turned joint(m.q);
+      m.cos = smooth(joint.cos);
+      m.sin = smooth(joint.sin);
+      const Turned motor(n * m.q);
+      m.motor = {smooth(motor.cos), smooth(motor.sin), smooth(motor.cos_of_twice()),
+                 smooth(motor.sin_of_twice())};
       motions.push_back(std::move(m));
     }
     first = next;
@@ -173,12 +189,23 @@ ArrayXd mean_about(const ArrayXd& x, Index reach) {
   return mean;
 }
 
+/// Of values along a motion, of which some thousands tell a quantile as well as all.
+template <typename Values>
+double usual_value(const Eigen::ArrayBase<Values>& values, double share) {
+  constexpr Index enough = 4096;
+  const Index stride = 1 + (values.size() - 1) / enough;
+  std::vector<double> some;
+  some.reserve(static_cast<std::size_t>(values.size() / stride + 1));
+  for (Index i = 0; i < values.size(); i += stride) some.push_back(values.coeff(i));
+  return statistics::value_at_share(std::move(some), share);
+}
+
 constexpr double beyond_noise = 3;
 
 /// Of motor speed: below it a sample belongs to no stroke.
 double slowest_speed(const Motion& m, double top) {
   const ArrayXd rough = m.speed - mean_about(m.speed, 4 * m.half + 1);
-  const double noise = statistics::normal_sd_by_median_size * value_at_share(rough.abs(), 0.5);
+  const double noise = statistics::normal_sd_by_median_size * usual_value(rough.abs(), 0.5);
   return std::max(slowest_share * top, beyond_noise * noise);
 }
 
@@ -189,7 +216,7 @@ double acceleration_noise(const Motion& m, double n) {
   const auto at = [&](Index shift) { return m.q.segment(shift, inner); };
   const ArrayXd square = (at(0) - 4 * at(1) + 6 * at(2) - 4 * at(3) + at(4)).square();
   constexpr double all_but_jumps = 0.995;
-  const double most = value_at_share(square, all_but_jumps);
+  const double most = usual_value(square, all_but_jumps);
   const double q_variance = (square <= most).select(square, 0).mean() / 70;
   const double reach = 2 * static_cast<double>(m.half) * m.interval_s;
   return n * std::sqrt(6 * q_variance) / (reach * reach);
@@ -223,14 +250,14 @@ class CellMaker {
       : n_(n), width_(bin_width), turning_(turning) {}
 
   void add(const Motion& m, double session_s) {
-    const double top = value_at_share(m.speed.abs(), 0.95);
+    const double top = usual_value(m.speed.abs(), 0.95);
     const double slowest = slowest_speed(m, top);
     calm_ = beyond_noise * acceleration_noise(m, n_);
     const Index w = 4 * m.half + 1;
     const Index count = m.q.size();
     const ArrayXd step = m.jerk.abs() * (0.5 * static_cast<double>(w - 1) * m.interval_s);
     const double abrupt =
-        std::max(0.1 * value_at_share(m.acceleration.abs(), 0.98), 6 * value_at_share(step, 0.5));
+        std::max(0.1 * usual_value(m.acceleration.abs(), 0.98), 6 * usual_value(step, 0.5));
     const auto side = [&](Index i) {
       if (i < w / 2 + 1 || i >= count - w / 2 - 1 || std::abs(m.speed[i]) <= slowest) return 0;
       return m.speed[i] > 0 ? 1 : -1;
@@ -252,7 +279,7 @@ class CellMaker {
                   double abrupt, double session_s) {
     const double way = std::abs(m.q[to - 1] - m.q[from]);
     if (n_ * way < 0.01) return;
-    const double top = value_at_share(m.speed.segment(from, to - from).abs(), 0.95);
+    const double top = usual_value(m.speed.segment(from, to - from).abs(), 0.95);
     const double behind_reversal = 0.05 * std::min(way, 0.5);
     std::vector<Index> used;
     for (Index i = from; i < to; ++i) {
@@ -292,8 +319,8 @@ class CellMaker {
       c.speed_rad_s += std::abs(m.speed[i]) / count;
       c.acceleration_rad_s2 += m.acceleration[i] / count;
       c.jerk_rad_s3 += m.jerk[i] / count;
-      c.cos_rate -= std::sin(m.q[i]) * rate / count;
-      c.sin_rate += std::cos(m.q[i]) * rate / count;
+      c.cos_rate -= m.sin[i] * rate / count;
+      c.sin_rate += m.cos[i] * rate / count;
       c.time_s += (session_s + m.time_s[i]) / count;
     }
     c.others = others_of(m, samples);

@@ -16,6 +16,7 @@
 
 #include "method/model/unlike_recordings.h"
 #include "statistics/distributions.h"
+#include "statistics/evidence.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::method::model {
@@ -69,26 +70,6 @@ struct Noise {
     }
   }
 };
-
-/// As how many cells of a stroke one independent cell counts: integrated autocorrelation.
-double correlation(const ArrayXd& standardised, const std::vector<int>& stroke) {
-  constexpr Index most = 12;
-  const double power = standardised.square().mean() + 1e-12;
-  double total = 1;
-  const Index n = standardised.size();
-  for (Index k = 1; k <= most && k < n; ++k) {
-    double sum = 0;
-    double count = 0;
-    for (Index i = k; i < n; ++i) {
-      if (stroke[static_cast<std::size_t>(i)] != stroke[static_cast<std::size_t>(i - k)]) continue;
-      sum += standardised[i] * standardised[i - k];
-      ++count;
-    }
-    if (count < 20 || sum / count / power < 0.03) break;
-    total += 2 * sum / count / power;
-  }
-  return total;
-}
 
 /// Everything of one round: given sizes and noise, the evidence of each law.
 class Solve {
@@ -431,24 +412,24 @@ class Fit {
       standardised -=
           (own * ((own.transpose() * standardised.matrix()).array() / of_each).matrix()).array();
     }
-    m_.samples_per_independent = correlation(standardised.max(-4.0).min(4.0), stroke_);
+    constexpr Index most = 12;    // cells of a stroke
+    constexpr Index fewest = 20;  // pairs
+    m_.samples_per_independent = statistics::integrated_autocorrelation(
+        standardised.max(-4.0).min(4.0).matrix(), most, fewest, [&](Index i, Index lag) {
+          return stroke_[static_cast<std::size_t>(i)] == stroke_[static_cast<std::size_t>(i - lag)];
+        });
   }
 
   void improve_sizes(const LawPosterior& found) {
     for (std::size_t e = 0; e < m_.effects.size(); ++e) {
       const Effect& effect = *m_.effects[e].effect;
       if (!asks_size(effect)) continue;
-      const VectorXd& scale = m_.effects[e].scale;
-      double unknown = 0;
-      double size = 0;
-      for (Index k = 0; k < scale.size(); ++k) {
-        const Index i = m_.first[e] + k;
-        unknown += found.covariance(i, i) / (scale[k] * scale[k]);
-        size += found.mean[i] * found.mean[i] / (scale[k] * scale[k]);
-      }
+      const Index own = m_.width(e);
       double& alpha = m_.precision[static_cast<Index>(e)];
-      const double known = std::max(0.0, static_cast<double>(scale.size()) - alpha * unknown);
-      alpha = std::max((effect.dof + known) / (effect.dof + size), effect.least_precision());
+      alpha = statistics::next_precision(found.mean.segment(m_.first[e], own),
+                                         found.covariance.diagonal().segment(m_.first[e], own),
+                                         m_.effects[e].scale, alpha, effect.dof,
+                                         effect.least_precision());
       known_precision_[effect.key] = alpha;
     }
   }

@@ -40,6 +40,12 @@ bool stand_on_grid(const std::vector<double>& angles, double step_rad) {
 double print_step_rad(std::vector<double> angles, double gear_ratio) {
   constexpr std::size_t fewest_angles = 20;
   constexpr int most_decimals = 6;
+  constexpr std::size_t enough_angles = 4096;
+  if (angles.size() > enough_angles) {  // some tell as much as all
+    const std::size_t stride = 1 + (angles.size() - 1) / enough_angles;
+    for (std::size_t k = 0; k * stride < angles.size(); ++k) angles[k] = angles[k * stride];
+    angles.resize(1 + (angles.size() - 1) / stride);
+  }
   std::sort(angles.begin(), angles.end());
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   if (angles.size() < fewest_angles) return 0;

@@ -94,6 +94,8 @@ std::vector<std::size_t> impossible_samples(const std::vector<double>& y, double
   constexpr double beyond = 4;  // times the recording's usual torque
   std::vector<std::size_t> found;
   if (y.size() < 2 * beside + 1 || !(size_Nm > 0)) return found;
+  const auto [least, most] = std::minmax_element(y.begin(), y.end());
+  if (*most - *least <= beyond * size_Nm) return found;  // none is so far from any other
   for (std::size_t i = 0; i < y.size(); ++i) {
     const std::size_t about = std::clamp(i, beside, y.size() - 1 - beside);
     if (std::abs(y[i] - median_about(y, about, beside)) > beyond * size_Nm) found.push_back(i);
