@@ -96,6 +96,7 @@ constexpr int least_contrast = 16;            // of 255, in the strongest channe
 constexpr double least_tint = 0.4;            // of the way from the background to the colour
 constexpr double most_series_hue_error = 48;  // of 255
 constexpr double least_series_share = 0.5;    // of the pixels that must show a series
+constexpr std::size_t least_series_px = 8;    // of a series of which others leave less to see
 constexpr double white = 255.0;
 
 struct Ink {
@@ -216,19 +217,24 @@ void check_series(const figure::DrawList& list, const figure::Figure& figure,
     const figure::Colour& c = one.colour;
     return std::pair(name_of(figure, one.owner), figure::Colour{c.red, c.green, c.blue});
   };
+  const auto is_shown = [&](std::size_t i) {
+    return static_cast<double>(found[i]) >= least_series_share * static_cast<double>(expected[i]);
+  };
+  const auto is_hidden = [&](std::size_t i) {
+    return expected[i] == 0 || (expected[i] < least_series_px && !is_shown(i));
+  };
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (expected[i] > 0) seen.push_back(curve(subjects[i]));
+    if (!is_hidden(i)) seen.push_back(curve(subjects[i]));
   }
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const Statement name = name_of(figure, subjects[i].owner);
     if (!contrasts(subjects[i].colour)) {
       findings.error = {"drawing.no_contrast", {{"what", name}}};
-    } else if (expected[i] == 0 && subjects[i].painted > 0) {
+    } else if (is_hidden(i) && subjects[i].painted > 0) {
       if (std::find(seen.begin(), seen.end(), curve(subjects[i])) != seen.end()) continue;
       seen.push_back(curve(subjects[i]));
       findings.warnings.push_back({"drawing.hidden", {{"what", name}}});
-    } else if (static_cast<double>(found[i]) <
-               least_series_share * static_cast<double>(expected[i])) {
+    } else if (!is_shown(i)) {
       findings.error = {"drawing.not_visible",
                         {{"what", name}, {"found", found[i]}, {"expected", expected[i]}}};
     }

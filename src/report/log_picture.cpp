@@ -17,7 +17,7 @@ namespace {
 using calibration::LogTrace;
 using wording::tr;
 
-constexpr double strip_first_px = 46;
+constexpr double strip_first_px = 64;
 constexpr double strip_last_px = 996;
 constexpr double strip_top_px = 24;
 constexpr double strip_bottom_px = 124;
@@ -40,6 +40,22 @@ std::string role_in_words(joint::Role role) {
       break;
   }
   return "";
+}
+
+/// No longer than fits beside the strip: a shaft may turn a thousand times.
+std::string angle_in_words(double q_rad, double largest_rad) {
+  constexpr double many_turns_deg = 1e5;
+  constexpr double whole_degrees_deg = 100;
+  const double largest_deg = largest_rad * joint::degrees_per_rad;
+  const double deg = q_rad * joint::degrees_per_rad;
+  if (largest_deg >= many_turns_deg) {
+    return tr("{turns} turn",
+              {{"turns", wording::with_minus_sign(fmt::format("{:.0f}", deg / 360))}});
+  }
+  const bool is_whole = largest_deg >= whole_degrees_deg;
+  return wording::with_minus_sign(is_whole ? fmt::format("{:.0f}", deg)
+                                           : fmt::format("{:.4g}", deg)) +
+         "°";
 }
 
 double duration_s(const LogTrace& trace) { return trace.t_s.back() - trace.t_s.front(); }
@@ -90,9 +106,8 @@ std::optional<LogPicture> log_picture(const calibration::Calibration& c) {
   };
   LogPicture picture;
   for (const double q_rad : {low, high}) {
-    picture.y_ticks.push_back(
-        {y_of(q_rad),
-         wording::with_minus_sign(fmt::format("{:.4g}", q_rad * joint::degrees_per_rad)) + "°"});
+    const double largest_rad = std::max(std::abs(low), std::abs(high));
+    picture.y_ticks.push_back({y_of(q_rad), angle_in_words(q_rad, largest_rad)});
   }
   for (std::size_t k = 0; k < traces.size(); ++k) {
     const LogTrace& one = *traces[k];

@@ -224,7 +224,14 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
   constexpr double most = 0.5;       // the same
   constexpr double most_of_others = 0.5;
   Doubt doubt = common;
-  // Over part of a turn what looks like gravity has many forms, and one that shows may be another.
+  const bool is_angle = quantity == Quantity::cog_angle;
+  const double half = (by_model.high - by_model.low) / 2;
+  const double width = is_angle ? half : half / std::abs(by_model.estimate);
+  const double need = need_of(c, quantity, by_model.estimate);
+  // Over part of a turn what looks like gravity has many forms, and one that shows may be another:
+  // by some intervals, which may be less than what matters.
+  constexpr double of_another_form = 3;
+  const bool form_matters = of_another_form * width > need;
   double of_angle = 0;
   for (const auto& share : by_model.shares) of_angle += is_of_angle(share.effect) ? share.share : 0;
   for (const ModelEffect& effect : c.model.effects) {
@@ -232,7 +239,8 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
     // A size that nothing explains is not asked of a chi-square.
     const bool shows = std::isnan(effect.chi2) || effect.chi2 > significant * effect.freedom;
     const bool is_at_cap = shows && effect.is_near_cap();
-    const bool shows_there = shows && is_of_gravity(quantity) && is_of_angle(effect.key);
+    const bool shows_there =
+        shows && form_matters && is_of_gravity(quantity) && is_of_angle(effect.key);
     for (const auto& share : by_model.shares) {
       if (share.effect != effect.key) continue;
       if (!(is_at_cap && share.share >= matters) && !(shows_there && of_angle >= most)) continue;
@@ -255,18 +263,17 @@ Doubt doubt_of(const Calibration& c, Quantity quantity, const ModelQuantity& by_
                   remedy_of(effect.key));
     }
   }
-  const bool is_angle = quantity == Quantity::cog_angle;
-  const double half = (by_model.high - by_model.low) / 2;
-  const double width = is_angle ? half : half / std::abs(by_model.estimate);
-  const double need = need_of(c, quantity, by_model.estimate);
   if (!(width <= need) && !by_model.shares.empty()) {
     const auto& largest = by_model.shares.front();
+    const Statement effect = name_of_effect(largest.effect);
     const double unit = is_angle ? joint::degrees_per_rad : 100;
-    doubt.lower(!(width <= widest_known(quantity)) ? Verdict::not_identifiable : Verdict::doubtful,
+    if (!(width <= widest_known(quantity))) {
+      doubt.lower(Verdict::not_identifiable, {"model.not_shown", {{"effect", effect}}},
+                  remedy_of(largest.effect));
+    }
+    doubt.lower(Verdict::doubtful,
                 {is_angle ? Code{"model.angle_wide"} : Code{"model.wide"},
-                 {{"half_width", unit * width},
-                  {"need", unit * need},
-                  {"effect", name_of_effect(largest.effect)}}},
+                 {{"half_width", unit * width}, {"need", unit * need}, {"effect", effect}}},
                 remedy_of(largest.effect));
   }
   return doubt;

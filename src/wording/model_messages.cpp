@@ -14,6 +14,7 @@ const Messages& model_messages() {
       {"model.angle_wide",
        text("known to ± {half_width:.3g}°, and ± {need:.2g}° is needed; most of it comes from "
             "{effect}")},
+      {"model.not_shown", text("the recordings do not show it, mostly because of {effect}")},
       {"model.cells_far_off",
        text("{percent:.0f} % of the torque's means lie far off any model of the joint")},
       {"model.recordings_unlike",
