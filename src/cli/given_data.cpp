@@ -105,7 +105,6 @@ FoundData find_data(const GivenData& given, const std::string& output, Console& 
     found.dataset.manifest = *manifest;
     return found;
   }
-  found.is_of_logs = true;
   const bool is_beside_output = !output.empty() && is_file_output(output);
   found.dataset.manifest = (is_beside_output ? without_ending(output) : found.stem) + ".toml";
   const std::vector<SurveyedFile> files = files_of(given.paths);
@@ -139,12 +138,6 @@ std::string output_or_beside(const std::string& stated, const FoundData& found,
                       "another");
   }
   return path;
-}
-
-std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const GivenData& given) {
-  constexpr std::size_t of_a_first_look = 5;
-  const bool is_stated = given.truth_runs != nullptr && given.truth_runs->count() > 0;
-  return found.is_of_logs && !is_stated ? std::min(stated, of_a_first_look) : stated;
 }
 
 void tell_what_is_open(const FoundData& found, const std::vector<std::string>& arguments,

@@ -20,13 +20,11 @@ struct GivenData {
   bool all_joints{};
   bool force{};                             ///< Replaces a manifest that was edited.
   std::vector<const CLI::Option*> of_logs;  ///< The options that are for logs alone.
-  const CLI::Option* truth_runs{};          ///< Of the known-truth check.
 };
 
 struct FoundData {
   DatasetChoice dataset;
   std::string stem;  ///< Of the outputs' names that are not stated: "runs/j3" of "runs/j3.csv".
-  bool is_of_logs{};
   std::vector<std::string> open;  ///< Options that would state what is not known.
 };
 
@@ -42,10 +40,6 @@ FoundData find_data(const GivenData& given, const std::string& output, Console& 
 /// @throw OutputError: it would replace a file that this program has not written.
 std::string output_or_beside(const std::string& stated, const FoundData& found,
                              const std::string& ending);
-
-/// Runs of the known-truth check: of logs fewer than of a manifest, unless the user states them. A
-/// first answer is wanted soon.
-std::size_t truth_runs_of(std::size_t stated, const FoundData& found, const GivenData& given);
 
 /// The line to type for what is not known yet: the one that was typed, with what it lacks; nothing
 /// where all is known.

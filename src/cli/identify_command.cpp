@@ -17,7 +17,6 @@ ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::
   console.make_way_for(options.output);
   const FoundData found = find_data(stated.given, stated.output, console);
   options.dataset = found.dataset;
-  options.truth_runs = truth_runs_of(stated.truth_runs, found, stated.given);
   options.output = output_or_beside(
       stated.output, found, joints_to_do(options.dataset).empty() ? ".calibration.json" : "");
   if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {
@@ -111,7 +110,6 @@ CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
   command.add_option("-o,--output", identify.output,
                      "calibration file (JSON) to write; default: beside the input");
   add_truth_runs(command, identify.truth_runs);
-  identify.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, identify.fail_on);
   add_seed(command, identify.seed);
   add_archiving(command, identify.archiving);
@@ -130,7 +128,6 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   command.add_flag_callback(
       "--no-figures", [&report] { report.figures = false; }, "numbers and tables only");
   add_truth_runs(command, report.truth_runs);
-  report.given.truth_runs = command.get_option("--truth-runs");
   add_fail_on(command, report.fail_on);
   add_seed(command, report.seed);
   add_archiving(command, report.archiving);

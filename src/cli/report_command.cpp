@@ -44,7 +44,6 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
   }
   const FoundData found = find_data(stated.given, stated.output, console);
   options.dataset = found.dataset;
-  options.truth_runs = truth_runs_of(stated.truth_runs, found, stated.given);
   options.output =
       output_or_beside(stated.output, found, joints_to_do(options.dataset).empty() ? ".html" : "");
   if (const auto joints = joints_to_do(options.dataset); !joints.empty()) {

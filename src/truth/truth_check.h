@@ -25,7 +25,7 @@ using PlainIdentification =
     std::function<calibration::Calibration(const joint::Dataset&, std::uint64_t seed)>;
 
 struct TruthCheckOptions {
-  std::size_t runs{20};  ///< > 0
+  std::size_t runs{6};  ///< > 0
   std::uint64_t seed{1};
   std::size_t threads{0};  ///< 0: as many as the machine has cores. Changes no number.
 };

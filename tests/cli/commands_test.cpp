@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -271,7 +272,9 @@ TEST(Commands, TheSeedOfTheCommandLineWinsOverTheManifests) {
   const auto numbers = [&](const std::string& options) {
     const ProgramRun run = dataset.run("identify " + options, "c.json");
     EXPECT_EQ(run.status, 0) << run.err;
-    return read_text(dataset.file("c.json"));
+    const std::string text = read_text(dataset.file("c.json"));
+    const std::size_t at = text.find("\"created_utc\"");  // a second may begin between two runs
+    return text.substr(0, at) + text.substr(text.find('\n', at));
   };
   const auto holds = [](const std::string& text, const std::string& piece) {
     return text.find(piece) != std::string::npos;
