@@ -340,12 +340,15 @@ constexpr Step further_steps[] = {
     {"break-away ramps and loop shapes",
      [](Progress& p) {
        const std::optional<statistics::Estimate> inertia = inertia_for_ramps(p);
-       p.c.break_away = method::hysteresis::identify_break_away(
-           p.recordings(Role::break_away), known_gravity(p), inertia ? p.n * inertia->value : 0,
-           p.n,
-           p.c.model.friction_of_ramps ? method::hysteresis::of_motor_turn(p.c.rough, p.n)
-                                       : p.c.rough,
-           behind_torque(p), states_none(p.dataset.manifest, joint::effect::contact_misfit));
+       method::hysteresis::KnownOfRamps known{known_gravity(p)};
+       known.inertia_at_joint = inertia ? p.n * inertia->value : 0;
+       known.gear_ratio = p.n;
+       known.sweep = p.c.model.friction_of_ramps ? method::hysteresis::of_motor_turn(p.c.rough, p.n)
+                                                 : p.c.rough;
+       known.behind = behind_torque(p);
+       known.is_lugre = states_none(p.dataset.manifest, joint::effect::contact_misfit);
+       p.c.break_away =
+           method::hysteresis::identify_break_away(p.recordings(Role::break_away), known);
        method::hysteresis::refer_to_runs(p.c.model.friction_of_ramps, p.c.break_away);
      }},
     {"", [](Progress& p) { p.c.lugre = stated_loop_fit(p); }},

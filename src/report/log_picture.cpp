@@ -49,13 +49,11 @@ std::string angle_in_words(double q_rad, double largest_rad) {
   const double largest_deg = largest_rad * joint::degrees_per_rad;
   const double deg = q_rad * joint::degrees_per_rad;
   if (largest_deg >= many_turns_deg) {
-    return tr("{turns} turn",
+    return tr("{turns} rev",
               {{"turns", wording::with_minus_sign(fmt::format("{:.0f}", deg / 360))}});
   }
-  const bool is_whole = largest_deg >= whole_degrees_deg;
-  return wording::with_minus_sign(is_whole ? fmt::format("{:.0f}", deg)
-                                           : fmt::format("{:.4g}", deg)) +
-         "°";
+  const char* const format = largest_deg >= whole_degrees_deg ? "{:.0f}" : "{:.3g}";
+  return wording::with_minus_sign(fmt::format(fmt::runtime(format), deg)) + "°";
 }
 
 double duration_s(const LogTrace& trace) { return trace.t_s.back() - trace.t_s.front(); }

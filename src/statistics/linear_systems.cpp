@@ -8,10 +8,6 @@ Eigen::MatrixXd least_squares(const Eigen::MatrixXd& columns, const Eigen::Matri
   return Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(columns).solve(right);
 }
 
-Eigen::MatrixXd left_by_columns(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& right) {
-  return right - columns * least_squares(columns, right);
-}
-
 Eigen::MatrixXd solve_normal(const Eigen::MatrixXd& symmetric, const Eigen::MatrixXd& right) {
   return Eigen::LDLT<Eigen::MatrixXd>(symmetric).solve(right);
 }

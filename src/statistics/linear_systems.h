@@ -12,9 +12,6 @@ namespace tribolog::statistics {
 /// to rounding get 0 (Householder QR with column pivoting).
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& right);
 
-/// What `right` keeps beside all that the columns can take up.
-Eigen::MatrixXd left_by_columns(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& right);
-
 /// Solves symmetric * X = right for a positive semidefinite matrix, as of normal equations (LDL').
 Eigen::MatrixXd solve_normal(const Eigen::MatrixXd& symmetric, const Eigen::MatrixXd& right);
 

@@ -55,12 +55,12 @@ const method::hysteresis::KnownGravity true_gravity{
 TEST(BreakAway, ANoisyTorqueBeforeTheRampDoesNotTurnIt) {
   joint::Recording r = ramp_of({0.1, 12});
   const method::hysteresis::BreakAwayResult clean =
-      method::hysteresis::identify_break_away({&r}, true_gravity);
+      method::hysteresis::identify_break_away({&r}, {true_gravity});
   ASSERT_TRUE(clean.ramps.front().broke_away);
   // Against the ramp, and further than a tenth of it.
   for (const std::size_t i : {20U, 31U, 55U}) r.torque_Nm[i] -= 0.3;
   const method::hysteresis::BreakAwayResult noisy =
-      method::hysteresis::identify_break_away({&r}, true_gravity);
+      method::hysteresis::identify_break_away({&r}, {true_gravity});
   const method::hysteresis::BreakAwayRamp& found = noisy.ramps.front();
   EXPECT_TRUE(found.is_rising);
   EXPECT_TRUE(found.broke_away);
@@ -87,7 +87,7 @@ joint::Recording coarse_ramp(double slip_at_s) {
 TEST(BreakAway, AShortSlideIsSeenByAnEncoderThatNeverFlickered) {
   const joint::Recording slides = coarse_ramp(14.8);
   const joint::Recording rests = coarse_ramp(100);
-  const auto found = method::hysteresis::identify_break_away({&slides, &rests}, std::nullopt);
+  const auto found = method::hysteresis::identify_break_away({&slides, &rests}, {});
   ASSERT_EQ(found.ramps.size(), 2U);
   EXPECT_TRUE(found.ramps[0].broke_away);
   EXPECT_TRUE(found.ramps[0].is_rising);
@@ -100,7 +100,7 @@ TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
     for (const double stiffness : {465.0, 4650.0}) {
       const joint::Recording r = ramp_of({rate, 1.2 / std::abs(rate), stiffness});
       const method::hysteresis::BreakAwayResult result =
-          method::hysteresis::identify_break_away({&r}, true_gravity);
+          method::hysteresis::identify_break_away({&r}, {true_gravity});
       ASSERT_EQ(result.ramps.size(), 1U);
       const method::hysteresis::BreakAwayRamp& found = result.ramps.front();
       EXPECT_TRUE(found.broke_away);
@@ -126,7 +126,7 @@ TEST(BreakAway, TheRestBeforeTheRampIsNoneOfIt) {
   }
   for (std::size_t i = 0; i < held.size(); ++i) held.t_s[i] = static_cast<double>(i) * dt;
   for (std::size_t i = rest - 40; i < rest; ++i) held.q_rad[i] += 1e-9 * static_cast<double>(i % 2);
-  const auto result = method::hysteresis::identify_break_away({&held}, true_gravity);
+  const auto result = method::hysteresis::identify_break_away({&held}, {true_gravity});
   ASSERT_TRUE(result.ramps.front().broke_away);
   EXPECT_NEAR(result.ramps.front().friction_Nm, static_Nm, share_below * static_Nm);
 }
@@ -148,8 +148,8 @@ TEST(BreakAway, AHeavyJointThatRunsAwaySlowlyHasBrokenAway) {
   const joint::Recording r = simulate::simulate_break_away_ramp(s, e, 1.0, "ramp.csv");
   const double gravity = s.load.amplitude_Nm();
   const auto result = method::hysteresis::identify_break_away(
-      {&r}, method::hysteresis::KnownGravity{statistics::symmetric_estimate(gravity, 1e-3),
-                                             s.load.q_peak_rad()});
+      {&r}, {method::hysteresis::KnownGravity{statistics::symmetric_estimate(gravity, 1e-3),
+                                              s.load.q_peak_rad()}});
   ASSERT_TRUE(result.ramps.front().broke_away) << result.ramps.front().largest_yield;
   EXPECT_NEAR(result.ramps.front().level_Nm.value_or(0), 1.9, 0.05);
 }
@@ -159,10 +159,10 @@ TEST(BreakAway, TheRestingPartTellsTheLevelOfARampTooFastForTheJoint) {
   fast.arm_inertia_kgm2 = 20;
   const joint::Recording r = ramp_of(fast);
   const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
-  const auto bare = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
+  const auto bare = method::hysteresis::identify_break_away({&r, &r}, {true_gravity});
   EXPECT_GT(bare.ramps.front().friction_Nm, 1.01 * static_Nm);  // what is read is not held
   const auto result =
-      method::hysteresis::identify_break_away({&r, &r}, true_gravity, inertia_at_joint);
+      method::hysteresis::identify_break_away({&r, &r}, {true_gravity, inertia_at_joint});
   ASSERT_TRUE(result.is_level);
   ASSERT_TRUE(result.rising_Nm);
   EXPECT_NEAR(result.rising_Nm->value, static_Nm, 0.01 * static_Nm);
@@ -176,8 +176,8 @@ TEST(BreakAway, TheDampingOfTheBristleIsNotPartOfTheLevel) {
   for (const double rate : {1.0, -1.0}) {
     const joint::Recording r = ramp_of({rate, 1.2});
     const auto level = [&](const method::hysteresis::BehindTorque& behind) {
-      return method::hysteresis::identify_break_away({&r, &r}, true_gravity, 2e-3 * gear_ratio,
-                                                     gear_ratio, {}, behind);
+      return method::hysteresis::identify_break_away(
+          {&r, &r}, {true_gravity, 2e-3 * gear_ratio, gear_ratio, {}, behind});
     };
     const auto with_damping = level({});
     const auto found = level({behind_s, behind_s / 2});
@@ -198,7 +198,7 @@ TEST(BreakAway, AHeavyJointIsReadWhereItHeldMost) {
   const joint::Recording r = ramp_of(fast);
   const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
   const auto result =
-      method::hysteresis::identify_break_away({&r, &r}, true_gravity, inertia_at_joint);
+      method::hysteresis::identify_break_away({&r, &r}, {true_gravity, inertia_at_joint});
   const method::hysteresis::BreakAwayRamp& ramp = result.ramps.front();
   EXPECT_NEAR(ramp.friction_Nm, static_Nm, 0.04 * static_Nm);
   EXPECT_GE(ramp.inertia_half_width_Nm, 0.25 * std::abs(ramp.inertia_Nm) - 1e-12);
@@ -210,12 +210,12 @@ TEST(BreakAway, MostRampsTellTheLevel) {
   joint::Recording coarse = fine;
   const double step = static_Nm / 465 / gear_ratio;
   for (double& q : coarse.q_rad) q = step * std::round(q / step);
-  const auto all = method::hysteresis::identify_break_away({&fine, &fine, &coarse}, true_gravity);
+  const auto all = method::hysteresis::identify_break_away({&fine, &fine, &coarse}, {true_gravity});
   ASSERT_FALSE(all.ramps.back().level_Nm);
   EXPECT_TRUE(all.is_level);
   EXPECT_NEAR(all.rising_Nm ? all.rising_Nm->value : 0, static_Nm, 0.01 * static_Nm);
   EXPECT_FALSE(
-      method::hysteresis::identify_break_away({&fine, &coarse, &coarse}, true_gravity).is_level);
+      method::hysteresis::identify_break_away({&fine, &coarse, &coarse}, {true_gravity}).is_level);
 }
 
 /// What accelerates shifts both directions alike: their mean is no better known for it.
@@ -230,7 +230,7 @@ TEST(BreakAway, TheInertiaIsNotAveragedAwayOverTheDirections) {
   }
   const double inertia_at_joint = 20.0 / gear_ratio + 2e-3 * gear_ratio;
   const auto result = method::hysteresis::identify_break_away(
-      {&ramps[0], &ramps[0], &ramps[1], &ramps[1]}, true_gravity, inertia_at_joint);
+      {&ramps[0], &ramps[0], &ramps[1], &ramps[1]}, {true_gravity, inertia_at_joint});
   ASSERT_FALSE(result.is_level);
   ASSERT_TRUE(result.mean_Nm);
   double of_inertia = 0;
@@ -248,7 +248,7 @@ TEST(BreakAway, AnEncoderOfFewStepsDoesNotShiftTheLevel) {
     joint::Recording r = fine;
     for (double& q : r.q_rad) q = step * std::round((q - fine.q_rad.front()) / step + phase);
     for (double& q : r.q_rad) q += fine.q_rad.front();
-    const auto result = method::hysteresis::identify_break_away({&r, &r}, true_gravity);
+    const auto result = method::hysteresis::identify_break_away({&r, &r}, {true_gravity});
     ASSERT_TRUE(result.is_level) << phase;
     EXPECT_NEAR(result.ramps.front().level_Nm.value_or(0), static_Nm, 0.01 * static_Nm) << phase;
   }
@@ -257,7 +257,7 @@ TEST(BreakAway, AnEncoderOfFewStepsDoesNotShiftTheLevel) {
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {
   const joint::Recording r = ramp_of({0.1, 8});
   const method::hysteresis::BreakAwayResult result =
-      method::hysteresis::identify_break_away({&r}, true_gravity);
+      method::hysteresis::identify_break_away({&r}, {true_gravity});
   EXPECT_FALSE(result.ramps.front().broke_away);
   EXPECT_NEAR(result.ramps.front().friction_Nm, 0.8, 1e-6);
   EXPECT_EQ(result.censored, 1U);
@@ -272,7 +272,7 @@ TEST(BreakAway, CensoredRampsDoNotPullTheMeanDown) {
   const joint::Recording faster = ramp_of({0.2, 6});
   const joint::Recording early = ramp_of({0.1, 5});
   const method::hysteresis::BreakAwayResult result =
-      method::hysteresis::identify_break_away({&whole, &early, &faster}, true_gravity);
+      method::hysteresis::identify_break_away({&whole, &early, &faster}, {true_gravity});
   ASSERT_TRUE(result.rising_Nm);
   EXPECT_NEAR(result.rising_Nm->value, static_Nm, share_below * static_Nm);
   EXPECT_EQ(result.censored, 1U);
@@ -303,7 +303,7 @@ TEST(BreakAway, AJointThatIsMovedOnByItsPositionSlides) {
     const joint::Recording up = position_ramp(1, ways);
     const joint::Recording down = position_ramp(-1, ways);
     const auto result = method::hysteresis::identify_break_away({&up, &up, &down, &down},
-                                                                true_gravity, 0, gear_ratio);
+                                                                {true_gravity, 0, gear_ratio});
     EXPECT_EQ(result.censored, 0U) << ways;
     ASSERT_TRUE(result.mean_Nm) << ways;
     EXPECT_NEAR(result.mean_Nm->value, static_Nm, 0.002 * static_Nm) << ways;
@@ -313,7 +313,7 @@ TEST(BreakAway, AJointThatIsMovedOnByItsPositionSlides) {
                 0.1 * ways * static_Nm / 465 / gear_ratio / 6);
   }
   const joint::Recording ends_early = position_ramp(1, 3);
-  EXPECT_EQ(method::hysteresis::identify_break_away({&ends_early}, true_gravity).censored, 1U);
+  EXPECT_EQ(method::hysteresis::identify_break_away({&ends_early}, {true_gravity}).censored, 1U);
 }
 
 TEST(BreakAway, BothDirectionsTogetherNeedNoGravity) {
@@ -325,13 +325,13 @@ TEST(BreakAway, BothDirectionsTogetherNeedNoGravity) {
     given.push_back(&ramps.back());
   }
   const method::hysteresis::BreakAwayResult blind =
-      method::hysteresis::identify_break_away(given, std::nullopt);
+      method::hysteresis::identify_break_away(given, {});
   ASSERT_TRUE(blind.mean_Nm);
   EXPECT_NEAR(blind.mean_Nm->value, static_Nm, share_below * static_Nm);
   EXPECT_GT(blind.rising_Nm->value, 2 * static_Nm);  // gravity is in it, and the report says so
   EXPECT_EQ(blind.stage.state, statistics::StageState::partial);
   const method::hysteresis::BreakAwayResult known =
-      method::hysteresis::identify_break_away(given, true_gravity);
+      method::hysteresis::identify_break_away(given, {true_gravity});
   EXPECT_NEAR(known.rising_Nm->value, known.falling_Nm->value, 0.01 * static_Nm);
   EXPECT_EQ(known.stage.state, statistics::StageState::done);
 }
@@ -347,7 +347,7 @@ TEST(BreakAway, HoldsInTheNoiseOfARealDrive) {
     noise.seed = seed;
     simulate::add_drive_noise(r, noise, gear_ratio, 1000, 0);
     const method::hysteresis::BreakAwayResult result =
-        method::hysteresis::identify_break_away({&r}, true_gravity);
+        method::hysteresis::identify_break_away({&r}, {true_gravity});
     ASSERT_TRUE(result.ramps.front().broke_away) << seed;
     // One reading of the torque: three standard deviations of its noise.
     EXPECT_NEAR(result.ramps.front().friction_Nm, static_Nm, share_below * static_Nm + 0.06);
@@ -373,7 +373,7 @@ TEST(BreakAway, IsSeenWhereNoiseIsLargestBeforeIt) {
     noise.seed = seed;
     simulate::add_drive_noise(r, noise, gear_ratio, 1000, 0);
     EXPECT_TRUE(
-        method::hysteresis::identify_break_away({&r}, true_gravity).ramps.front().broke_away)
+        method::hysteresis::identify_break_away({&r}, {true_gravity}).ramps.front().broke_away)
         << seed;
   }
 }
@@ -387,7 +387,7 @@ TEST(BreakAway, ABoundIsNotRaisedByNoise) {
     joint::Recording r = clean;
     noise.seed = seed;
     simulate::add_drive_noise(r, noise, gear_ratio, 1000, 0);
-    const auto result = method::hysteresis::identify_break_away({&r}, true_gravity);
+    const auto result = method::hysteresis::identify_break_away({&r}, {true_gravity});
     ASSERT_FALSE(result.ramps.front().broke_away) << seed;
     EXPECT_NEAR(result.ramps.front().friction_Nm, 0.8, 0.06) << seed;
     above += result.ramps.front().friction_Nm > 0.8 ? 1 : 0;
@@ -418,7 +418,7 @@ std::optional<statistics::Estimate> rising_of(const std::deque<joint::Recording>
                                               const method::gravity::CogSweepResult& sweep = {}) {
   std::vector<const joint::Recording*> given;
   for (const joint::Recording& r : ramps) given.push_back(&r);
-  return method::hysteresis::identify_break_away(given, true_gravity, 0, gear_ratio, sweep)
+  return method::hysteresis::identify_break_away(given, {true_gravity, 0, gear_ratio, sweep})
       .rising_Nm;
 }
 
@@ -462,7 +462,7 @@ TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {
     r.torque_Nm.push_back(0.5 * t);
   }
   const method::hysteresis::BreakAwayResult result =
-      method::hysteresis::identify_break_away({&r}, std::nullopt);
+      method::hysteresis::identify_break_away({&r}, {});
   ASSERT_TRUE(result.ramps.front().broke_away);
   EXPECT_NEAR(result.ramps.front().torque_Nm, 7.5, 0.05);
   ASSERT_TRUE(result.ramps.front().first_slip_rad);
@@ -470,7 +470,7 @@ TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {
 }
 
 TEST(BreakAway, NothingRecordedIsSaidAndNotThrown) {
-  EXPECT_EQ(method::hysteresis::identify_break_away({}, std::nullopt).stage.state,
+  EXPECT_EQ(method::hysteresis::identify_break_away({}, {}).stage.state,
             statistics::StageState::skipped);
   joint::Recording still;
   for (int i = 0; i < 100; ++i) {
@@ -479,11 +479,11 @@ TEST(BreakAway, NothingRecordedIsSaidAndNotThrown) {
     still.torque_Nm.push_back(0.1 * i);
   }
   const method::hysteresis::BreakAwayResult result =
-      method::hysteresis::identify_break_away({&still}, std::nullopt);
+      method::hysteresis::identify_break_away({&still}, {});
   EXPECT_FALSE(result.ramps.front().broke_away);
   EXPECT_EQ(result.stage.state, statistics::StageState::not_identifiable);
   const joint::Recording empty;
-  EXPECT_TRUE(method::hysteresis::identify_break_away({&empty}, std::nullopt).ramps.empty());
+  EXPECT_TRUE(method::hysteresis::identify_break_away({&empty}, {}).ramps.empty());
 }
 
 }  // namespace

@@ -109,35 +109,33 @@ bool has_levels(const std::vector<BreakAwayRamp>& ramps, bool is_rising) {
   return levels == broke_away || (levels >= fewest && 3 * levels >= 2 * broke_away);
 }
 
-/// @param is_level the levels at rest are the values, and are compared with the readings.
-/// @param result `apart` is raised to the difference of these two beyond their noise; it receives
-/// what the positions show.
-std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
-                                     bool is_level, const std::optional<KnownGravity>& gravity,
-                                     double gear_ratio, const gravity::CogSweepResult& sweep,
-                                     double behind_half_width_s, bool is_lugre,
+/// @param result says whether the levels at rest are the values, which are compared with the
+/// readings; `apart` is raised to the difference of these two beyond their noise; it receives what
+/// the positions show.
+std::optional<DirectionMean> mean_of(bool is_rising, const KnownOfRamps& known,
                                      BreakAwayResult& result) {
+  const bool is_level = result.is_level;
   std::vector<double> readings;
   std::vector<double> levels;
   std::vector<double> motor_angles;
   double by_gravity = 0;
   double by_inertia = 0;
   double by_damping = 0;
-  for (const BreakAwayRamp& ramp : ramps) {
+  for (const BreakAwayRamp& ramp : result.ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
     if (is_level && ramp.level_Nm) levels.push_back(*ramp.level_Nm);
-    if (!is_level || ramp.level_Nm) motor_angles.push_back(gear_ratio * ramp.q_start_rad);
+    if (!is_level || ramp.level_Nm) motor_angles.push_back(known.gear_ratio * ramp.q_start_rad);
     by_inertia += ramp.inertia_half_width_Nm;
-    if (!ramp.even_slide_rad_s) by_damping += behind_half_width_s * ramp.rate_Nm_s;
-    if (gravity) {
-      by_gravity += gravity->amplitude_Nm.half_width() *
-                    std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
+    if (!ramp.even_slide_rad_s) by_damping += known.behind.half_width_s * ramp.rate_Nm_s;
+    if (known.gravity) {
+      by_gravity += known.gravity->amplitude_Nm.half_width() *
+                    std::abs(std::cos(ramp.q_start_rad - known.gravity->q_peak_rad));
     }
   }
   std::optional<RampMean> reading = mean_over(readings);
   if (!reading) return std::nullopt;
-  OverAngles angles(motor_angles, !gravity, sweep);
+  OverAngles angles(motor_angles, !known.gravity, known.sweep);
   by_gravity /= static_cast<double>(readings.size());
   by_inertia /= static_cast<double>(readings.size());
   by_damping /= static_cast<double>(readings.size());
@@ -156,7 +154,7 @@ std::optional<DirectionMean> mean_of(const std::vector<BreakAwayRamp>& ramps, bo
   const double noise = std::hypot(reading->scatter, level.scatter);
   // Which of the two is the joint's, another contact decides: beyond their noise the interval holds
   // both.
-  const double by_contact = difference > noise && !is_lugre ? difference : 0;
+  const double by_contact = difference > noise && !known.is_lugre ? difference : 0;
   result.apart = std::max(result.apart, by_contact / level.value);
   const double by_angle = angles.take(levels, level);
   told();
@@ -214,13 +212,10 @@ Code too_few_ramps(const BreakAwayResult& result) {
 }  // namespace
 
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
-                                    const std::optional<KnownGravity>& gravity,
-                                    double inertia_at_joint, double gear_ratio,
-                                    const gravity::CogSweepResult& sweep,
-                                    const BehindTorque& behind, bool is_lugre) {
+                                    const KnownOfRamps& known) {
   BreakAwayResult out;
   out.stage.name = "break_away";
-  out.gravity = gravity;
+  out.gravity = known.gravity;
   if (ramps.empty()) {
     out.stage.state = statistics::StageState::skipped;
     out.stage.reason = {"break_away.no_ramps"};
@@ -228,22 +223,20 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   }
   for (const joint::Recording* r : ramps) {
     if (r->size() < 3) continue;
-    out.ramps.push_back(read_ramp(*r, out, inertia_at_joint, behind.time_s));
+    out.ramps.push_back(read_ramp(*r, out, known.inertia_at_joint, known.behind.time_s));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
   }
-  out.is_level = gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
+  out.is_level = known.gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
                  has_levels(out.ramps, false);
-  const auto rising = mean_of(out.ramps, true, out.is_level, gravity, gear_ratio, sweep,
-                              behind.half_width_s, is_lugre, out);
-  const auto falling = mean_of(out.ramps, false, out.is_level, gravity, gear_ratio, sweep,
-                               behind.half_width_s, is_lugre, out);
+  const auto rising = mean_of(true, known, out);
+  const auto falling = mean_of(false, known, out);
   if (rising) out.rising_Nm = rising->torque_Nm;
   if (falling) out.falling_Nm = falling->torque_Nm;
   if (rising && falling) out.mean_Nm = mean_of_both(*rising, *falling);
   out.stage.state = statistics::StageState::done;
   add_censored(out);
   if (!out.rising_Nm || !out.falling_Nm) add_reason(out.stage, too_few_ramps(out));
-  if (!gravity) add_reason(out.stage, {"break_away.gravity_not_taken_off"});
+  if (!known.gravity) add_reason(out.stage, {"break_away.gravity_not_taken_off"});
   if (!out.rising_Nm && !out.falling_Nm) out.stage.state = statistics::StageState::not_identifiable;
   return out;
 }

@@ -119,17 +119,22 @@ struct BreakAwayResult {
   }
 };
 
+/// What else is known of a joint whose ramps are read.
+struct KnownOfRamps {
+  std::optional<KnownGravity> gravity{};
+  /// Of all that turns: torque at the motor per joint acceleration [N·m s²/rad]; its torque at the
+  /// reading is subtracted. 0: unknown, nothing is subtracted.
+  double inertia_at_joint{0};
+  double gear_ratio{1};
+  /// Its change of friction with the angle widens what ramps at few angles show.
+  gravity::CogSweepResult sweep{};
+  BehindTorque behind{};  ///< Of a bristle whose damping is not known: zero.
+  bool is_lugre{false};   ///< The contact is stated to be LuGre's, whose bend shows the level.
+};
+
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
-/// @param inertia_at_joint of all that turns: torque at the motor per joint acceleration [N·m
-/// s²/rad]; its torque at the reading is subtracted. 0: unknown, nothing is subtracted.
-/// @param sweep whose change of friction with the angle widens what ramps at few angles show.
-/// @param behind of a bristle whose damping is not known: zero.
-/// @param is_lugre the contact is stated to be LuGre's, whose bend shows the level.
 BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
-                                    const std::optional<KnownGravity>& gravity,
-                                    double inertia_at_joint = 0, double gear_ratio = 1,
-                                    const gravity::CogSweepResult& sweep = {},
-                                    const BehindTorque& behind = {}, bool is_lugre = false);
+                                    const KnownOfRamps& known);
 
 /// The means as they are at the mean load, place and time of the runs.
 /// @param difference by which share of itself friction was another where the ramps were recorded;
