@@ -91,5 +91,13 @@ TEST(LoopWidening, StaticTorqueIsReferredToTheRunsAndTheBristleToTheTorquesGain)
   EXPECT_EQ(stiffness.method.code().text(), "interval.at_the_gain");
 }
 
+/// Of friction that differs by nine tenths, or by none, a tenfold torque would be made.
+TEST(LoopWidening, WhatIsTooLittleKnownOfTheRunsOnlyWidens) {
+  const statistics::Estimate level = method::hysteresis::at_the_runs(
+      statistics::symmetric_estimate(5, 0.1), statistics::symmetric_estimate(-0.9, 0.5));
+  EXPECT_EQ(level.value, 5);
+  EXPECT_NEAR(level.half_width(), std::hypot(0.1, 5 * 1.4), 1e-12);
+}
+
 }  // namespace
 }  // namespace tribolog::loop_widening_test

@@ -29,6 +29,13 @@ void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_rati
 
 statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
                                  const statistics::Estimate& difference, Code method) {
+  constexpr double least_share = 0.5;
+  if (!(1 + difference.low > least_share)) {  // too little is known of the runs' to refer to them
+    const double most = std::max(std::abs(difference.low), std::abs(difference.high));
+    return statistics::symmetric_estimate(recorded.value,
+                                          std::hypot(recorded.half_width(), recorded.value * most),
+                                          {method, {{"interval", recorded.method}}});
+  }
   const double factor = 1 + difference.value;
   const double value = recorded.value / factor;
   return statistics::symmetric_estimate(

@@ -17,7 +17,8 @@ namespace tribolog::method::hysteresis {
 void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
                           joint::Recording& loop);
 
-/// A friction torque less the share of itself by which it was another where it was recorded.
+/// A friction torque less the share of itself by which it was another where it was recorded. Where
+/// that may be half or less of the runs' it stays as recorded, and the interval holds the share.
 /// @param method of the new interval, with the recorded one's as its value "interval".
 statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
                                  const statistics::Estimate& difference,

@@ -37,7 +37,7 @@ constexpr int rounds = 14;
 // behind others. What the laws miss starts at its typical one: a large one is rather another law.
 constexpr double open = 0.003;
 /// Rounds before which effects and laws are put up about what was found.
-constexpr std::array put_up_at{0, 3, 6, 9, 11};
+constexpr std::array put_up_at{0, 2, 4, 6, 8, 10, 12};
 
 bool asks_size(const Effect& effect) {
   return effect.kind == Kind::effect || effect.kind == Kind::random;
@@ -342,8 +342,10 @@ class Fit {
       is_resolved = false;
       if (const auto between = between_dips(solve, laws)) {
         found = between;
-        constexpr double most = 16;  // a parabola no further
+        constexpr double most = 6;  // a parabola no further
         half_span = dips_each_side * std::max(between->sd, step / most);
+      } else if (grid.near_rad_s > 0) {
+        half_span = grid.half_span;  // at an end, and perhaps beyond
       }
     }
     return {grid.power, std::exp(found->mean), half_span};
@@ -366,9 +368,10 @@ class Fit {
           if (law.has_dip && law.form == form && law.dip.dip_power == grid.power) laws.push_back(k);
         }
         all.insert(all.end(), laws.begin(), laws.end());
+        const bool is_best = form == best.form && grid.power == best.dip.dip_power;
         bool is_near = true;
         grid = nearer(solve, grid, laws, is_near);
-        if (form == best.form && !is_near) is_resolved = false;
+        if (is_best && !is_near) is_resolved = false;
       }
     }
     constexpr double coarse_step = 0.35;
@@ -382,21 +385,26 @@ class Fit {
       for (int k = -each_side; k <= each_side; ++k) {
         const double power = best.dip.dip_power * std::exp(k * power_step_);
         if (least_dip_power < power && power < most_dip_power) {
-          finer.push_back(as_nearest(grids, power));
+          finer.push_back(between_powers(grids, power));
         }
       }
       grids = std::move(finer);
     }
   }
 
-  /// The grid of the nearest power, for this one.
-  [[nodiscard]] static DipGrid as_nearest(const std::vector<DipGrid>& grids, double power) {
-    const auto distance = [&](const DipGrid& one) { return std::abs(std::log(one.power / power)); };
-    DipGrid grid = *std::min_element(
-        grids.begin(), grids.end(),
-        [&](const DipGrid& a, const DipGrid& b) { return distance(a) < distance(b); });
-    grid.power = power;
-    return grid;
+  /// A grid for this power, its speeds between those of the powers about it.
+  [[nodiscard]] static DipGrid between_powers(const std::vector<DipGrid>& grids, double power) {
+    // Ascending powers; beyond the last one as it is between the last two.
+    std::size_t above = 1;
+    while (above + 1 < grids.size() && grids[above].power < power) ++above;
+    const DipGrid& a = grids[above - 1];
+    const DipGrid& b = grids[above];
+    if (!(a.near_rad_s > 0 && b.near_rad_s > 0)) return {power};
+    constexpr double of_the_way = 0.2;  // speeds are no straight line over powers
+    const double way = std::log(b.near_rad_s / a.near_rad_s);
+    const double share = std::log(power / a.power) / std::log(b.power / a.power);
+    return {power, a.near_rad_s * std::exp(share * way),
+            std::max({a.half_span, b.half_span, of_the_way * std::abs(way)})};
   }
 
   /// And the cells' weights and correlation. @param square mean squares of the residuals.
