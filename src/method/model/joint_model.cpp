@@ -379,13 +379,22 @@ class Fit {
     constexpr int each_side = 2;
     const auto of_power = log_mean_of_dips(solve, all, &LawColumn::dip_power);
     if (!is_resolved || !of_power || of_power->sd > coarse_step) return;
-    power_step_ = std::clamp(of_power->sd, std::max(finest_step, power_step_ / 3), coarse_step);
+    const double finer_step =
+        std::clamp(of_power->sd, std::max(finest_step, power_step_ / 3), coarse_step);
+    const std::vector<DipGrid>& found = dips_[best.form];
+    const bool is_in_the_middle =
+        found.size() == 2 * each_side + 1 && found[each_side].power == best.dip.dip_power;
+    constexpr double alike = 1.5;
+    if (is_in_the_middle && power_step_ < alike * finer_step && finer_step < alike * power_step_) {
+      return;
+    }
+    power_step_ = finer_step;
     for (std::vector<DipGrid>& grids : dips_) {
       std::vector<DipGrid> finer;
       for (int k = -each_side; k <= each_side; ++k) {
         const double power = best.dip.dip_power * std::exp(k * power_step_);
         if (least_dip_power < power && power < most_dip_power) {
-          finer.push_back(between_powers(grids, power));
+          finer.push_back(between_powers(grids, k == 0 ? best.dip.dip_power : power));
         }
       }
       grids = std::move(finer);
@@ -395,6 +404,9 @@ class Fit {
   /// A grid for this power, its speeds between those of the powers about it.
   [[nodiscard]] static DipGrid between_powers(const std::vector<DipGrid>& grids, double power) {
     // Ascending powers; beyond the last one as it is between the last two.
+    const auto same = std::find_if(grids.begin(), grids.end(),
+                                   [&](const DipGrid& one) { return one.power == power; });
+    if (same != grids.end()) return *same;
     std::size_t above = 1;
     while (above + 1 < grids.size() && grids[above].power < power) ++above;
     const DipGrid& a = grids[above - 1];
@@ -404,7 +416,7 @@ class Fit {
     const double way = std::log(b.near_rad_s / a.near_rad_s);
     const double share = std::log(power / a.power) / std::log(b.power / a.power);
     return {power, a.near_rad_s * std::exp(share * way),
-            std::max({a.half_span, b.half_span, of_the_way * std::abs(way)})};
+            std::max(std::min(a.half_span, b.half_span), of_the_way * std::abs(way))};
   }
 
   /// And the cells' weights and correlation. @param square mean squares of the residuals.
