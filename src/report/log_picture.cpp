@@ -103,8 +103,8 @@ std::optional<LogPicture> log_picture(const calibration::Calibration& c) {
     return strip_bottom_px - (q_rad - low) / (high - low) * (strip_bottom_px - strip_top_px);
   };
   LogPicture picture;
+  const double largest_rad = std::max(std::abs(low), std::abs(high));
   for (const double q_rad : {low, high}) {
-    const double largest_rad = std::max(std::abs(low), std::abs(high));
     picture.y_ticks.push_back({y_of(q_rad), angle_in_words(q_rad, largest_rad)});
   }
   for (std::size_t k = 0; k < traces.size(); ++k) {

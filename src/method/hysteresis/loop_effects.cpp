@@ -220,7 +220,6 @@ struct LoopEffects::Stack {
   std::vector<Index> left_out;             ///< Rows at a loop's beginning.
   MatrixXd products;
   Index fitted{};  ///< Columns of the fit.
-  Index own{};     ///< Of them at a loop.
   double count{};  ///< Rows compared.
 
   [[nodiscard]] VectorXd right() const { return products.col(size()).head(size()); }
@@ -241,7 +240,6 @@ LoopEffects::Stack LoopEffects::stacked(const LuGreProblem& problem,
   const Index local = climb.free.starts ? 2 : 1;
   Stack out;
   out.fitted = fit.jacobian.cols();
-  out.own = shared + local;
   const Index all_columns = out.fitted + coefficients_ + 1;
   out.products = MatrixXd::Zero(all_columns, all_columns);
   Index top = 0;
@@ -249,7 +247,7 @@ LoopEffects::Stack LoopEffects::stacked(const LuGreProblem& problem,
     const LuGreLoopModel& model = problem.models()[r];
     const MatrixXd columns = columns_of(model, r);
     const Index first = LuGreProblem::gravity_column(climb.free, r);
-    MatrixXd all(model.rows(), out.own + columns.cols() + 1);
+    MatrixXd all(model.rows(), shared + local + columns.cols() + 1);
     all << fit.jacobian.block(top, 0, model.rows(), shared),
         fit.jacobian.block(top, first, model.rows(), local), columns,
         -fit.residuals.segment(top, model.rows());
