@@ -346,6 +346,7 @@ constexpr Step further_steps[] = {
        known.sweep = p.c.model.friction_of_ramps ? method::hysteresis::of_motor_turn(p.c.rough, p.n)
                                                  : p.c.rough;
        known.behind = behind_torque(p);
+       known.friction_of_turn = 0.01 * p.dataset.manifest.effects.of(joint::effect::motor_turn);
        known.is_lugre = states_none(p.dataset.manifest, joint::effect::contact_misfit);
        p.c.break_away =
            method::hysteresis::identify_break_away(p.recordings(Role::break_away), known);

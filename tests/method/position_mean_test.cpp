@@ -118,20 +118,5 @@ TEST(PositionMean, KeepsALineThatRepeatsFromPositionToPosition) {
   EXPECT_NEAR(method::hysteresis::share_left_in_mean({6, 1, 0}, angle), 0, 1e-12);
 }
 
-TEST(PositionMean, FrictionOfOneAngleMayBeAsFarOffAsTheSweepsAmplitude) {
-  method::gravity::CogSweepResult sweep;
-  sweep.found = true;
-  sweep.coulomb_Nm = statistics::symmetric_estimate(0.5, 0.001);
-  EXPECT_EQ(method::hysteresis::share_of_friction_left(sweep, {0.3}), 0);
-  sweep.friction_of_angle.lines = {{2, 0.04, 0.3}};
-  sweep.friction_by_angle_Nm = sweep.friction_of_angle.sd_Nm();
-  // The smallest reading is 1 - 0.08 of the mean.
-  EXPECT_GT(method::hysteresis::share_of_friction_left(sweep, {0.3}), 0.08 / 0.92);
-  EXPECT_LT(method::hysteresis::share_of_friction_left(sweep, {0.3}), 0.12);
-  EXPECT_NEAR(method::hysteresis::share_of_friction_left(sweep, evenly_over_a_turn(5)), 0, 1e-9);
-  EXPECT_NEAR(method::hysteresis::half_width_left_in_mean(sweep.friction_of_angle, {0.3}), 0.04,
-              0.001);
-}
-
 }  // namespace
 }  // namespace tribolog::position_mean_test

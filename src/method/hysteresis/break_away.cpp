@@ -4,95 +4,31 @@
 #include <cmath>
 #include <utility>
 
-#include "base/requirements.h"
 #include "method/hysteresis/break_away_ramp.h"
 #include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/position_mean.h"
+#include "method/hysteresis/ramp_mean.h"
 #include "statistics/distributions.h"
-#include "statistics/group_mean.h"
 
 namespace tribolog::method::hysteresis {
 
 namespace {
 
-/// Of the ramps of one direction that broke away; absent with fewer than two.
-struct RampMean {
+/// A mean of ramps with what they scatter.
+struct PlainMean {
   double value{};
-  double scatter{};  ///< 95 % half width.
+  double half_width{};
 };
 
-std::optional<RampMean> mean_over(const std::vector<double>& values) {
+/// Absent with fewer than two.
+std::optional<PlainMean> plain_mean(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return std::nullopt;
   double mean = 0;
   for (const double v : values) mean += v / n;
   double squares = 0;
   for (const double v : values) squares += std::pow(v - mean, 2);
-  return RampMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
-}
-
-/// The ramps of one direction as means over their angles.
-class OverAngles {
- public:
-  /// @param has_gravity ramps at different angles differ by it: none can then be compared.
-  OverAngles(const std::vector<double>& motor_angle_rad, bool has_gravity,
-             const gravity::CogSweepResult& sweep)
-      : share_of_sweep_(share_of_friction_left(sweep, motor_angle_rad)) {
-    if (has_gravity) return;
-    position_ = position_numbers(motor_angle_rad);
-    for (const std::size_t number : position_) positions_ = std::max(positions_, number + 1);
-  }
-
-  /// Takes the mean over angles where ramps differ by them.
-  /// @return 95 % half width of what the angles leave, beside the scatter of the ramps.
-  [[nodiscard]] double take(const std::vector<double>& values, RampMean& mean) {
-    std::vector<std::vector<double>> by_angle(positions_);
-    for (std::size_t i = 0; i < position_.size(); ++i) by_angle[position_[i]].push_back(values[i]);
-    const auto over_angles = statistics::mean_of_groups_that_differ(by_angle);
-    const double by_sweep = share_of_sweep_ * std::abs(mean.value);
-    constexpr double matters = 0.002;
-    if (!over_angles) return by_sweep;
-    const double between = over_angles->between_sd / std::abs(over_angles->mean);
-    if (!(between > matters)) return by_sweep;
-    between_ = between;
-    mean = {over_angles->mean, 0};
-    // Two say that there is a difference, not how large it is elsewhere: the sweep does.
-    const bool is_told_by_sweep = positions_ == 2 && by_sweep > 0;
-    const double by_ramps = is_told_by_sweep ? over_angles->largest_off : over_angles->half_width;
-    return std::max(by_ramps, by_sweep);
-  }
-  [[nodiscard]] std::size_t positions() const { return positions_; }
-  [[nodiscard]] double between() const { return between_; }
-
- private:
-  std::vector<std::size_t> position_;
-  std::size_t positions_{0};
-  double share_of_sweep_{};
-  double between_{0};
-};
-
-/// Half widths of what may shift both directions alike.
-struct InCommon {
-  double by_angle_Nm{};
-  double by_inertia_Nm{};  ///< And by damping.
-  double by_contact_Nm{};  ///< Between reading and level: the interval holds both.
-};
-
-/// Of one direction.
-struct DirectionMean {
-  statistics::Estimate torque_Nm;  ///< All in.
-  double own_Nm{};                 ///< Half width of what is this direction's own.
-  InCommon in_common;
-};
-
-DirectionMean direction_mean(double value, double own_Nm, const InCommon& common, Code method) {
-  const Statement plain{method};
-  const Statement why = common.by_angle_Nm > 0 ? Statement{"interval.widened_by_friction_of_angle",
-                                                           {{"interval", plain}}}
-                                               : plain;
-  const double half_width =
-      std::hypot(own_Nm, common.by_angle_Nm, common.by_inertia_Nm) + common.by_contact_Nm;
-  return {statistics::symmetric_estimate(value, half_width, why), own_Nm, common};
+  return PlainMean{mean, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)};
 }
 
 /// Whether the ramps of a direction that broke away, if there are any, bend far enough to show
@@ -109,70 +45,101 @@ bool has_levels(const std::vector<BreakAwayRamp>& ramps, bool is_rising) {
   return levels == broke_away || (levels >= fewest && 3 * levels >= 2 * broke_away);
 }
 
-/// @param result says whether the levels at rest are the values, which are compared with the
-/// readings; `apart` is raised to the difference of these two beyond their noise; it receives what
-/// the positions show.
-std::optional<DirectionMean> mean_of(bool is_rising, const KnownOfRamps& known,
-                                     BreakAwayResult& result) {
-  const bool is_level = result.is_level;
+/// Difference of readings and levels of one direction beyond their scatter: which of the two is the
+/// joint's, another contact decides.
+double difference_beyond_scatter_Nm(const BreakAwayResult& result, bool is_rising) {
   std::vector<double> readings;
   std::vector<double> levels;
-  std::vector<double> motor_angles;
-  double by_gravity = 0;
-  double by_inertia = 0;
-  double by_damping = 0;
   for (const BreakAwayRamp& ramp : result.ramps) {
     if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
     readings.push_back(ramp.friction_Nm);
-    if (is_level && ramp.level_Nm) levels.push_back(*ramp.level_Nm);
-    if (!is_level || ramp.level_Nm) motor_angles.push_back(known.gear_ratio * ramp.q_start_rad);
-    by_inertia += ramp.inertia_half_width_Nm;
-    if (!ramp.even_slide_rad_s) by_damping += known.behind.half_width_s * ramp.rate_Nm_s;
-    if (known.gravity) {
-      by_gravity += known.gravity->amplitude_Nm.half_width() *
-                    std::abs(std::cos(ramp.q_start_rad - known.gravity->q_peak_rad));
-    }
+    if (ramp.level_Nm) levels.push_back(*ramp.level_Nm);
   }
-  std::optional<RampMean> reading = mean_over(readings);
-  if (!reading) return std::nullopt;
-  OverAngles angles(motor_angles, !known.gravity, known.sweep);
-  by_gravity /= static_cast<double>(readings.size());
-  by_inertia /= static_cast<double>(readings.size());
-  by_damping /= static_cast<double>(readings.size());
-  const auto told = [&] {
-    result.positions = std::max(result.positions, angles.positions());
-    result.between_positions = std::max(result.between_positions, angles.between());
-  };
-  if (!is_level) {
-    const double by_angle = angles.take(readings, *reading);
-    told();
-    return direction_mean(reading->value, std::hypot(reading->scatter, by_gravity),
-                          {by_angle, by_inertia, 0}, "interval.scatter_of_ramps");
-  }
-  RampMean level = present(mean_over(levels));
-  const double difference = std::abs(reading->value - share_at_reading * level.value);
-  const double noise = std::hypot(reading->scatter, level.scatter);
-  // Which of the two is the joint's, another contact decides: beyond their noise the interval holds
-  // both.
-  const double by_contact = difference > noise && !known.is_lugre ? difference : 0;
-  result.apart = std::max(result.apart, by_contact / level.value);
-  const double by_angle = angles.take(levels, level);
-  told();
-  return direction_mean(level.value, std::hypot(level.scatter, by_gravity),
-                        {by_angle, by_damping, by_contact}, "interval.scatter_of_ramps_at_rest");
+  const std::optional<PlainMean> reading = plain_mean(readings);
+  const std::optional<PlainMean> level = plain_mean(levels);
+  if (!reading || !level) return 0;
+  const double difference = std::abs(reading->value - share_at_reading * level->value);
+  return difference > std::hypot(reading->half_width, level->half_width) ? difference : 0;
 }
 
-/// Of both directions: their own errors average, what they have in common does not.
-statistics::Estimate mean_of_both(const DirectionMean& rising, const DirectionMean& falling) {
-  const InCommon& up = rising.in_common;
-  const InCommon& down = falling.in_common;
-  return direction_mean(
-             (rising.torque_Nm.value + falling.torque_Nm.value) / 2,
-             std::hypot(rising.own_Nm, falling.own_Nm) / 2,
-             {(up.by_angle_Nm + down.by_angle_Nm) / 2, (up.by_inertia_Nm + down.by_inertia_Nm) / 2,
-              (up.by_contact_Nm + down.by_contact_Nm) / 2},
-             "interval.scatter_of_ramps_both_directions")
-      .torque_Nm;
+/// What the sweep shows of friction over the motor's turn, in shares of friction.
+FrictionOverTurn friction_over_turn(const KnownOfRamps& known) {
+  const gravity::CogSweepResult& sweep = known.sweep;
+  const bool is_shown = sweep.found && sweep.coulomb_Nm && sweep.coulomb_Nm->value > 0;
+  // A sweep that shows a motor's turn leaves little that it does not.
+  constexpr double not_shown = 0.3;
+  FrictionOverTurn out;
+  out.share = known.gravity ? known.friction_of_turn * (is_shown ? not_shown : 1) : 0;
+  if (!is_shown || !(sweep.friction_by_angle_Nm > 0)) return out;
+  // What holds a joint need not change by the same share as what slides.
+  constexpr double more_than_sliding = 1.25;
+  constexpr double most = 0.9;
+  double share = more_than_sliding / sweep.coulomb_Nm->value;
+  // Of what was read, which may be the smallest.
+  share /= 1 - std::min(most, statistics::normal_975 * share * sweep.friction_by_angle_Nm);
+  for (gravity::RippleLine line : sweep.friction_of_angle.lines) {
+    line.amplitude_Nm *= share;
+    out.orders.push_back(line);
+  }
+  out.elsewhere = share * sweep.friction_of_angle.rest_Nm;
+  return out;
+}
+
+/// Those ramps that the values are of, and the bounds.
+std::vector<RampRow> rows_of(const BreakAwayResult& result, const KnownOfRamps& known) {
+  std::vector<RampRow> rows;
+  std::vector<double> angles;
+  for (const BreakAwayRamp& ramp : result.ramps) {
+    const bool has_value = !result.is_level || ramp.level_Nm;
+    // Without gravity taken off a bound is none of friction.
+    if (ramp.broke_away ? !has_value : !known.gravity) continue;
+    RampRow row;
+    row.is_rising = ramp.is_rising;
+    row.broke_away = ramp.broke_away;
+    const bool is_level = ramp.broke_away && result.is_level;
+    row.held_Nm = is_level ? *ramp.level_Nm : ramp.friction_Nm;
+    row.motor_angle_rad = known.gear_ratio * ramp.q_start_rad;
+    if (known.gravity) {
+      row.gravity_Nm = (ramp.is_rising ? 1 : -1) * known.gravity->amplitude_Nm.half_width() *
+                       std::cos(ramp.q_start_rad - known.gravity->q_peak_rad);
+    }
+    if (!is_level) row.inertia_Nm = ramp.inertia_half_width_Nm;
+    if (is_level && !ramp.even_slide_rad_s) {
+      row.damping_Nm = known.behind.half_width_s * ramp.rate_Nm_s;
+    }
+    angles.push_back(row.motor_angle_rad);
+    rows.push_back(row);
+  }
+  const std::vector<std::size_t> positions = position_numbers(angles);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].position = positions[i];
+  return rows;
+}
+
+/// What the contact leaves open is added: it is no matter of chance.
+std::optional<statistics::Estimate> with_contact(const std::optional<statistics::Estimate>& mean,
+                                                 double by_contact_Nm, Code method) {
+  if (!mean) return std::nullopt;
+  return statistics::Estimate{
+      mean->value, mean->low - by_contact_Nm, mean->high + by_contact_Nm, {method}};
+}
+
+void take_means(const KnownOfRamps& known, BreakAwayResult& result) {
+  const RampMeans means = mean_of_ramps(rows_of(result, known), friction_over_turn(known));
+  result.positions = means.positions;
+  result.between_positions = means.between_positions;
+  const bool is_open = result.is_level && !known.is_lugre;
+  const double rising = is_open ? difference_beyond_scatter_Nm(result, true) : 0;
+  const double falling = is_open ? difference_beyond_scatter_Nm(result, false) : 0;
+  if (means.rising_Nm) result.apart = rising / means.rising_Nm->value;
+  if (means.falling_Nm) {
+    result.apart = std::max(result.apart, falling / means.falling_Nm->value);
+  }
+  const Code of_one{result.is_level ? Code{"interval.scatter_of_ramps_at_rest"}
+                                    : Code{"interval.scatter_of_ramps"}};
+  result.rising_Nm = with_contact(means.rising_Nm, rising, of_one);
+  result.falling_Nm = with_contact(means.falling_Nm, falling, of_one);
+  result.mean_Nm = with_contact(means.both_Nm, (rising + falling) / 2,
+                                "interval.scatter_of_ramps_both_directions");
 }
 
 void add_reason(statistics::StageReport& stage, const Statement& reason) {
@@ -228,11 +195,7 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   }
   out.is_level = known.gravity && out.censored < out.ramps.size() && has_levels(out.ramps, true) &&
                  has_levels(out.ramps, false);
-  const auto rising = mean_of(true, known, out);
-  const auto falling = mean_of(false, known, out);
-  if (rising) out.rising_Nm = rising->torque_Nm;
-  if (falling) out.falling_Nm = falling->torque_Nm;
-  if (rising && falling) out.mean_Nm = mean_of_both(*rising, *falling);
+  take_means(known, out);
   out.stage.state = statistics::StageState::done;
   add_censored(out);
   if (!out.rising_Nm || !out.falling_Nm) add_reason(out.stage, too_few_ramps(out));

@@ -23,13 +23,10 @@
 // s1/s0 times its rate; that is taken off where loops show both.
 //
 // Friction may change with the motor's angle, and a ramp has that of the angle at which it starts.
-// The break-away torque meant is the mean over all angles: the variance between ramps at several
-// angles, beyond the scatter of those at one, is estimated by itself (DerSimonian and Laird 1986),
-// with the interval of Knapp and Hartung (2003). Ramps at one or two angles cannot show it; what
-// the sweep shows of such a change is then in the interval.
+// The break-away torque meant is the mean over all angles (ramp_mean.h).
 //
 // A ramp that ends before that shows only that friction is larger than what was reached: a censored
-// value. It bounds the break-away torque from below and is not part of the mean.
+// value, which counts with the probability that the joint holds more.
 
 #include <cmath>
 #include <optional>
@@ -126,10 +123,12 @@ struct KnownOfRamps {
   /// reading is subtracted. 0: unknown, nothing is subtracted.
   double inertia_at_joint{0};
   double gear_ratio{1};
-  /// Its change of friction with the angle widens what ramps at few angles show.
+  /// Its change of friction with the angle acts on the ramps.
   gravity::CogSweepResult sweep{};
   BehindTorque behind{};  ///< Of a bristle whose damping is not known: zero.
-  bool is_lugre{false};   ///< The contact is stated to be LuGre's, whose bend shows the level.
+  /// Typical share by which friction changes over the motor's turn (joint/effects.h, motor_turn).
+  double friction_of_turn{0};
+  bool is_lugre{false};  ///< The contact is stated to be LuGre's, whose bend shows the level.
 };
 
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).

@@ -125,31 +125,6 @@ double share_left_in_mean(const gravity::RippleLine& line,
   return std::abs(sum) / static_cast<double>(motor_angle_rad.size());
 }
 
-double half_width_left_in_mean(const gravity::Ripple& of_angle,
-                               const std::vector<double>& motor_angle_rad) {
-  if (motor_angle_rad.empty()) return 0;
-  std::vector<double> amplitudes;
-  for (const gravity::RippleLine& line : of_angle.lines) {
-    amplitudes.push_back(line.amplitude_Nm * share_left_in_mean(line, motor_angle_rad));
-  }
-  return gravity::random_phase_half_width(amplitudes, of_angle.rest_Nm);
-}
-
-double share_of_friction_left(const gravity::CogSweepResult& sweep,
-                              const std::vector<double>& motor_angle_rad) {
-  const bool is_known = sweep.found && sweep.coulomb_Nm && sweep.coulomb_Nm->value > 0 &&
-                        sweep.friction_by_angle_Nm > 0;
-  if (!is_known) return 0;
-  // What holds a joint need not change by the same share as what slides.
-  constexpr double more_than_sliding = 1.25;
-  constexpr double most = 0.9;
-  const double share = more_than_sliding *
-                       half_width_left_in_mean(sweep.friction_of_angle, motor_angle_rad) /
-                       sweep.coulomb_Nm->value;
-  // Of what was read, which may be the smallest.
-  return std::min(share, most) / (1 - std::min(share, most));
-}
-
 gravity::CogSweepResult of_motor_turn(gravity::CogSweepResult sweep, double gear_ratio) {
   constexpr double fewest_periods = 10;
   const double turns = gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);

@@ -56,17 +56,6 @@ PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravit
 double share_left_in_mean(const gravity::RippleLine& line,
                           const std::vector<double>& motor_angle_rad);
 
-/// Half width that 95 % of means over so many motor angles stay within, of what changes with the
-/// angle: each line at a phase of its own, with the share that its mean leaves; the rest as it is,
-/// for nobody knows how far it reaches [N·m].
-double half_width_left_in_mean(const gravity::Ripple& of_angle,
-                               const std::vector<double>& motor_angle_rad);
-
-/// The same of the friction that a sweep shows, as a share of its friction. 0 where it shows no
-/// change of friction with the angle.
-double share_of_friction_left(const gravity::CogSweepResult& sweep,
-                              const std::vector<double>& motor_angle_rad);
-
 /// What a sweep shows without that of few periods along it, which is friction over the joint's
 /// angle, not over the motor's turn.
 gravity::CogSweepResult of_motor_turn(gravity::CogSweepResult sweep, double gear_ratio);
