@@ -1,4 +1,4 @@
-#include "verdict/gravity_rules.h"
+// Rules on gravity and its angle.
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "joint/degrees.h"
 #include "verdict/effect_findings.h"
+#include "verdict/quantity_rooms.h"
+#include "verdict/rules.h"
 
 namespace tribolog::verdict {
 namespace {
@@ -16,10 +18,6 @@ namespace {
 using calibration::Calibration;
 using calibration::Verdict;
 using joint::Quantity;
-
-const std::vector<Quantity> of_gravity{Quantity::cog_angle, Quantity::gravity_torque,
-                                       Quantity::surrogate_mass};
-const std::vector<Quantity> of_mass{Quantity::gravity_torque, Quantity::surrogate_mass};
 
 /// The largest friction that the joint has shown [N·m, motor side]; 0: none.
 double largest_friction_Nm(const Calibration& c) {
@@ -240,80 +238,82 @@ std::optional<Measured> coloured_noise(const Calibration& c) {
 }  // namespace
 
 std::vector<Rule> gravity_rules() {
-  const auto told = Verdict::usable;  // and corrected, or in the interval
+  const auto reported = Verdict::usable;  // and corrected, or in the interval
+  const auto doubtful = Verdict::doubtful;
+  const auto unknown = Verdict::not_identifiable;
   return {
       // A twentieth of the friction, with some margin: friction that changes with the angle by a
       // twentieth is common, and looks like gravity.
-      {"friction_over_gravity", "%", 1250, Verdict::not_identifiable, of_gravity,
-       "record.with_load", friction_over_gravity},
-      // Joints that are held move by less.
-      {"others_move",
-       "deg",
-       1,
-       Verdict::doubtful,
-       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
-        Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
-       "record.others_at_rest_or_described",
-       others_move},
+      {{"friction_over_gravity", "%", 1250, friction_over_gravity},
+       unknown,
+       of_gravity,
+       of_gravity,
+       "record.with_load"},
+      // Joints that are held move by less. Friction turns with the direction; gravity and inertia
+      // are others with each posture.
+      {{"others_move", "deg", 1, others_move},
+       doubtful,
+       of_gravity + of_friction,
+       of_gravity + of_inertia,
+       "record.others_at_rest_or_described"},
       // What changes slowly in time, by more than a small share, is gravity that changes.
-      {"gravity_in_time", "%", 0.5, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
-       other_joint},
+      {{"gravity_in_time", "%", 0.5, other_joint},
+       doubtful,
+       of_gravity,
+       of_gravity,
+       "record.other_joints_at_rest"},
       // Against friction it need not be small beside gravity to be large; a law over few runs makes
       // several times as much of it.
-      {"gravity_in_time_on_friction",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed,
-        Quantity::viscous_curve, Quantity::inertia, Quantity::break_away_torque},
-       "record.other_joints_at_rest",
-       other_joint_on_friction},
-      {"others_inertia",
-       "deg",
-       1,
-       Verdict::doubtful,
-       {Quantity::inertia},
-       "record.other_joints_at_rest",
-       others_move_beside_description},
-      {"others_taken_off", "%", 0.01, told, of_gravity, "record.other_joints_at_rest",
-       others_taken_off},
+      {{"gravity_in_time_on_friction", "%", 2, other_joint_on_friction},
+       doubtful,
+       of_friction,
+       none,
+       "record.other_joints_at_rest"},
+      {{"others_inertia", "deg", 1, others_move_beside_description},
+       doubtful,
+       of_inertia,
+       of_inertia,
+       "record.other_joints_at_rest"},
+      {{"others_taken_off", "%", 0.01, others_taken_off},
+       reported,
+       of_gravity,
+       none,
+       "record.other_joints_at_rest"},
       // Hoses and what a description leaves out are less; another zero, another sign or a payload
       // that it does not have are more, and make what is taken off wrong.
-      {"description_differs", "%", 30, Verdict::doubtful, of_gravity, "record.other_joints_at_rest",
-       description_differs},
-      {"scale_of_loops",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping},
-       "record.torque_measured",
-       scale_of_loops},
-      {"course_of_angle",
-       "%",
-       1,
-       Verdict::doubtful,
-       {Quantity::viscous_curve},
-       "record.sweep",
-       course_of_angle},
-      {"offset_in_curves",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::viscous_curve},
-       "record.sweep",
-       offset_in_curves},
-      {"motion_harmonics", "%", 0.5, told, of_mass, "record.better_motion", motion_harmonics, true},
-      {"ripple", "%", 0.1, told, of_gravity, "record.eight_positions", ripple},
-      {"vibration", "%", 0.1, told, of_gravity, "record.sweep", vibration},
-      {"vibration_in_loops",
-       "%",
-       0.5,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping},
-       "record.other_frequency",
-       vibration_in_loops},
-      {"coloured_noise", "%", 50, told, of_gravity, "record.sweep", coloured_noise}};
+      {{"description_differs", "%", 30, description_differs},
+       doubtful,
+       of_gravity,
+       of_gravity,
+       "record.other_joints_at_rest"},
+      {{"scale_of_loops", "%", 2, scale_of_loops},
+       doubtful,
+       of_loops,
+       none,
+       "record.torque_measured"},
+      {{"course_of_angle", "%", 1, course_of_angle},
+       doubtful,
+       of_curve_alone,
+       none,
+       "record.sweep"},
+      {{"offset_in_curves", "%", 2, offset_in_curves},
+       doubtful,
+       of_curve_alone,
+       none,
+       "record.sweep"},
+      {{"motion_harmonics", "%", 0.5, motion_harmonics, true},
+       reported,
+       of_mass,
+       none,
+       "record.better_motion"},
+      {{"ripple", "%", 0.1, ripple}, reported, of_gravity, none, "record.eight_positions"},
+      {{"vibration", "%", 0.1, vibration}, reported, of_gravity, none, "record.sweep"},
+      {{"vibration_in_loops", "%", 0.5, vibration_in_loops},
+       doubtful,
+       of_loops,
+       none,
+       "record.other_frequency"},
+      {{"coloured_noise", "%", 50, coloured_noise}, reported, of_gravity, none, "record.sweep"}};
 }
 
 bool has_stated_no_gravity(const Calibration& c) {
@@ -331,12 +331,6 @@ bool has_points_alone(const Calibration& c) {
   return c.speed_sources.empty() && !runs.empty() &&
          std::none_of(runs.begin(), runs.end(),
                       [](const method::viscous::ConstantSpeedRun& run) { return run.has_angle(); });
-}
-
-bool is_without_gravity(const Calibration& c) {
-  const Rule rule = gravity_rules().front();
-  const std::optional<Measured> found = rule.measure(c);
-  return found && found->value > rule.threshold;
 }
 
 }  // namespace tribolog::verdict

@@ -16,7 +16,6 @@
 #include "verdict/curve_findings.h"
 #include "verdict/effect_findings.h"
 #include "verdict/finding_order.h"
-#include "verdict/gravity_rules.h"
 #include "verdict/model_verdicts.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
@@ -30,29 +29,7 @@ using joint::Quantity;
 using method::checks::CheckName;
 using method::hysteresis::Estimator;
 
-using Quantities = std::vector<Quantity>;
-
-const Quantities gravity{Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass};
-const Quantities mass{Quantity::gravity_torque, Quantity::surrogate_mass};
-const Quantities bristle{Quantity::bristle_stiffness, Quantity::bristle_damping};
-const Quantities curve{Quantity::coulomb_torque, Quantity::stribeck_speed,
-                       Quantity::viscous_coefficient, Quantity::viscous_curve};
-const Quantities slopes{Quantity::stribeck_speed, Quantity::viscous_coefficient,
-                        Quantity::viscous_curve};
-const Quantities per_speed{Quantity::bristle_damping, Quantity::inertia};
-const Quantities stiffness{Quantity::bristle_stiffness};
-
-Quantities operator+(const Quantities& a, const Quantities& b) {
-  Quantities all = a;
-  all.insert(all.end(), b.begin(), b.end());
-  return all;
-}
-
-}  // namespace
-
 // The verdict on a quantity that is not recovered from a simulation of itself.
-
-namespace {
 
 /// The quantities that a reading of the check stands for.
 Quantities quantities_of(calibration::ReadingName reading, std::optional<Estimator> recommended) {
@@ -74,7 +51,7 @@ Quantities quantities_of(calibration::ReadingName reading, std::optional<Estimat
       break;
   }
   const std::optional<Estimator> estimator = calibration::estimator_of(reading);
-  return estimator && estimator == recommended ? mass : Quantities{};
+  return estimator && estimator == recommended ? of_mass : none;
 }
 
 /// Makes doubtful the quantities that the method does not recover.
@@ -90,124 +67,6 @@ void apply_truth_check(const calibration::TruthCheckResult& check,
   }
 }
 
-}  // namespace
-
-// What a failing check on the data does to each quantity.
-
-namespace {
-
-/// Which recordings the quantities come from: a failing check of other recordings does not affect
-/// them.
-struct Sources {
-  bool effort_is_target{};       ///< Of a controller: its gravity, too, is the controller's own.
-  bool has_no_gravity{};         ///< Stated: no torque depends on the angle then.
-  bool friction_from_runs{};     ///< Runs at constant speed, not the sweep.
-  bool mass_from_sweep{};        ///< The recommended mass is the sweep's.
-  bool break_away_from_ramps{};  ///< Not from the oscillation.
-};
-
-struct Consequence {
-  CheckName check;
-  Quantities touched;
-  calibration::Verdict lowered_to;
-};
-
-std::vector<Consequence> consequences(const Sources& sources) {
-  const Quantities torque =
-      mass + bristle + curve + Quantities{Quantity::break_away_torque, Quantity::inertia};
-  const Quantities everything = torque + Quantities{Quantity::cog_angle};
-  const Quantities of_loop =
-      sources.break_away_from_ramps ? bristle : bristle + Quantities{Quantity::break_away_torque};
-  const auto doubtful = calibration::Verdict::doubtful;
-  const auto none = calibration::Verdict::not_identifiable;
-  std::vector<Consequence> all{
-      // What is not confirmed may be wrong by a factor, which leaves the angle.
-      {CheckName::effort_provenance, sources.effort_is_target ? everything : torque, doubtful},
-      {CheckName::angle_provenance,
-       sources.has_no_gravity ? slopes + per_speed + stiffness : everything, doubtful},
-      {CheckName::speed_provenance, slopes + per_speed, doubtful},
-      {CheckName::effort_column, everything, doubtful},
-      {CheckName::static_torque, torque, doubtful},
-      {CheckName::joint_moves, everything, doubtful},
-      {CheckName::angle_unit, everything, doubtful},
-      {CheckName::motor_speed, everything, doubtful},
-      {CheckName::angle_jumps, gravity + bristle + Quantities{Quantity::viscous_curve}, doubtful},
-      {CheckName::clock_jitter, slopes + per_speed + stiffness, doubtful},
-      {CheckName::clock_gaps, slopes + per_speed + Quantities{Quantity::break_away_torque},
-       doubtful},
-      {CheckName::angle_interpolated, per_speed + stiffness, doubtful},
-      {CheckName::torque_interpolated, per_speed, doubtful},
-      {CheckName::speed_scale, slopes + per_speed + stiffness, doubtful},
-      {CheckName::run_directions, {Quantity::coulomb_torque}, none},
-      {CheckName::run_directions, {Quantity::viscous_curve}, doubtful},
-      {CheckName::run_common_angles, curve, doubtful},
-      {CheckName::run_speeds, slopes, none},
-      {CheckName::run_speeds, {Quantity::coulomb_torque}, doubtful},
-      // A slip is an acceleration too, as fast as the drive's own control.
-      {CheckName::stick_slip, curve + Quantities{Quantity::inertia}, doubtful},
-      {CheckName::torque_alive, torque, doubtful},
-      {CheckName::torque_held, everything, doubtful},
-      {CheckName::torque_noise, everything, none},
-      {CheckName::torque_saturation, everything, doubtful},
-      {CheckName::torque_step, torque, doubtful},
-      {CheckName::friction_dissipates, everything, none},
-      {CheckName::power, torque, doubtful},
-      {CheckName::friction_drift, curve + Quantities{Quantity::break_away_torque}, doubtful},
-      {CheckName::temperature, curve + Quantities{Quantity::break_away_torque}, doubtful},
-      {CheckName::encoder_step, of_loop, none},
-      {CheckName::oscillation_cycles, of_loop, doubtful},
-      {CheckName::gravity_within_torque, gravity, none},
-      {CheckName::sweep_directions, {Quantity::cog_angle}, doubtful}};
-  if (!sources.break_away_from_ramps) {
-    all.push_back({CheckName::oscillation_slides, {Quantity::break_away_torque}, none});
-  }
-  if (sources.mass_from_sweep) {
-    all.push_back({CheckName::sweep_directions, mass, doubtful});
-  } else {
-    for (const CheckName of_loops : {CheckName::torque_ripple, CheckName::oscillation_cycles,
-                                     CheckName::oscillation_at_peak}) {
-      all.push_back({of_loops, mass, doubtful});
-    }
-  }
-  if (!sources.friction_from_runs) {
-    all.push_back({CheckName::sweep_directions, {Quantity::coulomb_torque}, none});
-    all.push_back({CheckName::sweep_directions, {Quantity::viscous_curve}, doubtful});
-    all.push_back({CheckName::sweep_common_angles, curve, doubtful});
-  }
-  return all;
-}
-
-/// Lowers the quantities that failing checks affect, with what the check found as the reason.
-void apply_data_checks(const method::checks::DataChecksResult& checks, const Sources& sources,
-                       std::vector<calibration::QuantityVerdict>& quantities) {
-  for (const Consequence& consequence : consequences(sources)) {
-    const method::checks::DataCheck* check = checks.find(consequence.check);
-    if (check == nullptr || check->state != method::checks::CheckState::fails) continue;
-    // Where the torque changes in no recording, all numbers are made of one that was held.
-    const bool is_dead = check->name == CheckName::torque_alive && check->measured == 0.0;
-    const auto lowered_to =
-        is_dead ? calibration::Verdict::not_identifiable : consequence.lowered_to;
-    for (calibration::QuantityVerdict& quantity : quantities) {
-      const Quantities& touched = consequence.touched;
-      if (std::find(touched.begin(), touched.end(), quantity.quantity) == touched.end()) continue;
-      calibration::lower(
-          quantity, lowered_to,
-          {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
-          check->experiment);
-    }
-  }
-}
-
-/// From which recordings the quantities come.
-Sources sources_of(const calibration::Calibration& c) {
-  const bool loops_show_level =
-      c.lugre && c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
-  return {c.manifest.drive.kind() == joint::EffortKind::target_torque, has_stated_no_gravity(c),
-          !c.viscous.runs.empty() && !c.viscous.from_sweep,
-          c.selection.recommended == Estimator::sweep,
-          c.break_away.mean_Nm || (!loops_show_level && c.break_away.of_one_direction_Nm())};
-}
-
 /// Off the gravity peak the loops' mean needs the cosine, and with it an angle that can be used.
 void doubt_masses_off_the_peak(const calibration::Calibration& c,
                                std::vector<calibration::QuantityVerdict>& all) {
@@ -219,7 +78,7 @@ void doubt_masses_off_the_peak(const calibration::Calibration& c,
   }
   constexpr double near_deg = 10;  // an angle's error of 1° costs 0.3 % there
   if (*check->measured <= near_deg) return;
-  for (const Quantity quantity : mass) {
+  for (const Quantity quantity : of_mass) {
     calibration::lower(
         verdict_on(quantity, all), calibration::Verdict::doubtful,
         {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
@@ -227,7 +86,8 @@ void doubt_masses_off_the_peak(const calibration::Calibration& c,
   }
 }
 
-std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Calibration& c) {
+std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Calibration& c,
+                                                           const std::vector<BrokenRule>& broken) {
   std::vector<calibration::QuantityVerdict> all = gravity_verdicts(c);
   for (const auto& room : {bristle_verdicts(c), curve_verdicts(c)}) {
     all.insert(all.end(), room.begin(), room.end());
@@ -237,12 +97,12 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   }
   for (const Statement& finding : c.cross_checks.findings) {
     if (!c.cross_checks.doubtful) break;
-    for (const Quantity quantity : mass) {
+    for (const Quantity quantity : of_mass) {
       calibration::lower(verdict_on(quantity, all), calibration::Verdict::doubtful, finding,
                          {"record.eight_positions"});
     }
   }
-  apply_data_checks(c.data_checks, sources_of(c), all);
+  lower_by_rules(broken, all);
   doubt_masses_off_the_peak(c, all);
   if (c.manifest.torque_is_in_amperes) {
     calibration::QuantityVerdict& q = verdict_on(Quantity::surrogate_mass, all);
@@ -329,8 +189,8 @@ Statement what_is_not_usable(const std::vector<calibration::QuantityVerdict>& qu
 
 Statement sentence_of(const calibration::Calibration& c,
                       const std::vector<calibration::QuantityVerdict>& quantities,
-                      calibration::Verdict overall, bool has_angle, bool has_mass,
-                      bool has_disagreement, bool limit_broken) {
+                      calibration::Verdict overall, bool without_gravity, bool has_angle,
+                      bool has_mass, bool has_disagreement, bool limit_broken) {
   const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
   if (c.manifest.drive.kind() == joint::EffortKind::none) {
     for (const Statement& note : c.notes) {
@@ -348,10 +208,10 @@ Statement sentence_of(const calibration::Calibration& c,
   }
   if (overall == calibration::Verdict::usable) {
     if (has_points_alone(c)) return {"verdict.usable_friction_points"};
-    return is_without_gravity(c) ? Statement{"verdict.usable_without_gravity"}
-                                 : Statement{"verdict.usable"};
+    return without_gravity ? Statement{"verdict.usable_without_gravity"}
+                           : Statement{"verdict.usable"};
   }
-  if (is_without_gravity(c)) return {"verdict.doubtful_without_gravity"};
+  if (without_gravity) return {"verdict.doubtful_without_gravity"};
   if (!failing.empty()) return {"verdict.checks_fail"};
   if (has_disagreement) return {"verdict.estimates_disagree"};
   if (limit_broken) return {"verdict.limit_not_kept"};
@@ -364,16 +224,17 @@ Statement sentence_of(const calibration::Calibration& c,
 calibration::Judgement judge(const calibration::Calibration& c) {
   calibration::Judgement out;
   const std::vector<Statement>& disagreements = c.cross_checks.findings;
-  out.quantities = judge_quantities(c);
-  out.rules = apply_rules(c, out.quantities);
+  AppliedRules rules = apply_rules(c);
+  out.quantities = judge_quantities(c, rules.broken);
+  out.rules = std::move(rules.outcomes);
   give_causes_as_reasons(out.rules, out.quantities);
-  state_by_model(c, out.rules, out.quantities);
+  state_by_model(c, rules.broken, out.quantities);
   doubt_wide_contacts(c, out.quantities);
-  out.friction_at_speed = friction_at_speeds(c, out.rules);
-  const bool without_gravity = is_without_gravity(c);
+  out.friction_at_speed = friction_at_speeds(c, rules.broken);
+  const bool without_gravity = is_without_gravity(rules.broken);
   if (without_gravity) {
     // Identifying friction alone is legitimate: nothing is missing.
-    for (const Quantity quantity : gravity) {
+    for (const Quantity quantity : of_gravity) {
       calibration::QuantityVerdict& q = verdict_on(quantity, out.quantities);
       q.decides = false;
       if (!has_stated_no_gravity(c)) continue;
@@ -412,24 +273,10 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   }
   if ((!has_angle || !has_mass) && !without_gravity)
     out.verdict = calibration::Verdict::not_identifiable;
-  out.sentence = sentence_of(c, out.quantities, out.verdict, has_angle, has_mass,
+  out.sentence = sentence_of(c, out.quantities, out.verdict, without_gravity, has_angle, has_mass,
                              c.cross_checks.doubtful, limit_broken);
   out.findings = collect_findings(c, out, disagreements);
   return out;
-}
-
-std::vector<FailingCheck> failing_checks_on(Quantity quantity, const calibration::Calibration& c) {
-  std::vector<FailingCheck> failing;
-  for (const Consequence& consequence : consequences(sources_of(c))) {
-    const method::checks::DataCheck* check = c.data_checks.find(consequence.check);
-    const Quantities& touched = consequence.touched;
-    if (check == nullptr || check->state != method::checks::CheckState::fails ||
-        std::find(touched.begin(), touched.end(), quantity) == touched.end()) {
-      continue;
-    }
-    failing.push_back({check, consequence.lowered_to});
-  }
-  return failing;
 }
 
 calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,

@@ -11,7 +11,6 @@
 #include "calibration/headline.h"
 #include "joint/degrees.h"
 #include "verdict/effect_findings.h"
-#include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
 
@@ -20,10 +19,8 @@ namespace {
 
 using calibration::Calibration;
 using calibration::QuantityVerdict;
-using calibration::RuleOutcome;
 using calibration::Verdict;
 using joint::Quantity;
-using method::checks::CheckName;
 using method::model::ModelEffect;
 using method::model::ModelQuantity;
 using method::model::ModelResult;
@@ -65,50 +62,8 @@ double need_of(const Calibration& c, Quantity quantity, double estimate) {
   return stated.value_or(usual_need(quantity));
 }
 
-/// Whether no interval can hold what this check finds: the numbers are of something else then.
-/// Recordings at rest and of a dead torque have no part in the model.
-bool is_beyond_intervals(CheckName check) {
-  constexpr std::array all{CheckName::effort_provenance,
-                           CheckName::angle_provenance,
-                           CheckName::speed_provenance,
-                           CheckName::effort_column,
-                           CheckName::static_torque,
-                           CheckName::angle_unit,
-                           CheckName::motor_speed,
-                           CheckName::torque_noise,
-                           CheckName::torque_saturation,
-                           CheckName::torque_step,
-                           CheckName::power,
-                           CheckName::friction_dissipates,
-                           CheckName::stick_slip,
-                           CheckName::gravity_within_torque};
-  return std::find(all.begin(), all.end(), check) != all.end();
-}
-
 bool is_of_gravity(Quantity quantity) {
   return quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;
-}
-
-/// The same of a rule: other joints, and friction that a controller has taken off or added. Other
-/// joints change no gravity of one that has none, and friction turns with the direction, as what
-/// changes in time alone does not.
-bool is_beyond_intervals(const Calibration& c, const RuleOutcome& rule, Quantity quantity) {
-  if (rule.rule == "gravity_in_time") return is_of_gravity(quantity);
-  if (rule.rule == "others_move") {
-    // Friction turns with the direction; gravity and inertia are others with each posture.
-    return (is_of_gravity(quantity) && !has_stated_no_gravity(c)) || quantity == Quantity::inertia;
-  }
-  constexpr std::array all{"others_inertia",          "description_differs",
-                           "runs_against_ramps",      "runs_against_loops",
-                           "break_away_over_sliding", "friction_over_gravity",
-                           "many_torque_outliers"};
-  return std::find(all.begin(), all.end(), rule.rule) != all.end();
-}
-
-Statement experiment_of(const RuleOutcome& outcome) {
-  const auto of = std::find_if(rules().begin(), rules().end(),
-                               [&](const Rule& rule) { return outcome.rule == rule.name; });
-  return of == rules().end() ? Statement{record_runs} : Statement{of->experiment};
 }
 
 /// What to record where most of an interval comes from an effect, or from the choice of the law.
@@ -166,30 +121,13 @@ struct Doubt {
 };
 
 /// What contradicts the model wherever this quantity is read.
-Doubt contradiction(const Calibration& c, const std::vector<RuleOutcome>& rules,
-                    Quantity quantity) {
+Doubt contradiction(const Calibration& c, const std::vector<BrokenRule>& rules, Quantity quantity) {
   constexpr double most_far_off = 0.04;
   Doubt doubt;
-  for (const FailingCheck& failing : failing_checks_on(quantity, c)) {
-    const bool is_dead =
-        failing.check->name == CheckName::torque_alive && failing.check->measured == 0.0;
-    // Where the angle jumps, its zero is another; what else changes with it is in the intervals.
-    const bool is_of_angle =
-        failing.check->name == CheckName::angle_jumps && quantity == Quantity::cog_angle;
-    if (!is_beyond_intervals(failing.check->name) && !is_dead && !is_of_angle) continue;
-    doubt.lower(is_dead ? Verdict::not_identifiable : failing.lowers_to,
-                {"verdict.check_fails",
-                 {{"found", failing.check->found}, {"consequence", failing.check->consequence}}},
-                failing.check->experiment);
-  }
-  for (const RuleOutcome& rule : rules) {
-    const auto& touched = rule.quantities;
-    if (rule.state != calibration::RuleState::broken || rule.lowers_to == Verdict::usable ||
-        !is_beyond_intervals(c, rule, quantity) ||
-        std::find(touched.begin(), touched.end(), quantity) == touched.end()) {
-      continue;
-    }
-    doubt.lower(rule.lowers_to, rule.finding, experiment_of(rule));
+  for (const BrokenRule& broken : rules) {
+    const Quantities& beyond = broken.rule->beyond_intervals;
+    if (std::find(beyond.begin(), beyond.end(), quantity) == beyond.end()) continue;
+    doubt.lower(broken.rule->lowers_to, broken.reason, broken.experiment);
   }
   // Loops and other ways to gravity are not in the model.
   if (c.cross_checks.doubtful && quantity == Quantity::gravity_torque) {
@@ -289,7 +227,7 @@ void take(const ModelQuantity& by_model, const Doubt& doubt, QuantityVerdict& q)
 
 }  // namespace
 
-void state_by_model(const Calibration& c, const std::vector<RuleOutcome>& rules,
+void state_by_model(const Calibration& c, const std::vector<BrokenRule>& rules,
                     std::vector<QuantityVerdict>& quantities) {
   for (const Quantity quantity : {Quantity::cog_angle, Quantity::gravity_torque, Quantity::inertia,
                                   Quantity::coulomb_torque, Quantity::viscous_coefficient}) {
@@ -367,8 +305,8 @@ void doubt_wide_contacts(const Calibration& c, std::vector<QuantityVerdict>& qua
   }
 }
 
-std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
-    const Calibration& c, const std::vector<RuleOutcome>& rules) {
+std::vector<calibration::FrictionAtSpeed> friction_at_speeds(const Calibration& c,
+                                                             const std::vector<BrokenRule>& rules) {
   std::vector<calibration::FrictionAtSpeed> all;
   const Doubt common = contradiction(c, rules, Quantity::viscous_curve);
   for (const ModelQuantity& q : c.model.quantities) {

@@ -10,13 +10,13 @@
 
 #include "calibration/calibration.h"
 #include "calibration/quantity_verdict.h"
+#include "verdict/rules.h"
 
 namespace tribolog::verdict {
 
 /// Gives the quantities that the model answers its number and its verdict.
-/// @param rules as applied.
 void state_by_model(const calibration::Calibration& calibration,
-                    const std::vector<calibration::RuleOutcome>& rules,
+                    const std::vector<BrokenRule>& broken,
                     std::vector<calibration::QuantityVerdict>& quantities);
 
 /// Of the variance of what the loop fit shows, largest first; empty for other quantities.
@@ -29,7 +29,6 @@ void doubt_wide_contacts(const calibration::Calibration& calibration,
 
 /// Friction at the speeds of the model, rising.
 std::vector<calibration::FrictionAtSpeed> friction_at_speeds(
-    const calibration::Calibration& calibration,
-    const std::vector<calibration::RuleOutcome>& rules);
+    const calibration::Calibration& calibration, const std::vector<BrokenRule>& broken);
 
 }  // namespace tribolog::verdict

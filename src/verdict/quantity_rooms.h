@@ -29,13 +29,14 @@ std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibratio
 calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
                                          std::vector<calibration::QuantityVerdict>& all);
 
-/// A check on the data that a quantity did not pass.
-struct FailingCheck {
-  const method::checks::DataCheck* check{};
-  calibration::Verdict lowers_to{};
-};
-std::vector<FailingCheck> failing_checks_on(joint::Quantity quantity,
-                                            const calibration::Calibration& c);
+/// Whether the manifest states that there is no gravity torque.
+bool has_stated_no_gravity(const calibration::Calibration& calibration);
+
+/// Of a joint whose manifest states none: why.
+Statement why_no_gravity(const calibration::Calibration& calibration);
+
+/// Whether there are friction points but no recordings.
+bool has_points_alone(const calibration::Calibration& calibration);
 
 /// What to record for each family.
 inline constexpr Code record_a_sweep{"record.sweep"};

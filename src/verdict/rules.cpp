@@ -1,444 +1,88 @@
 #include "verdict/rules.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <string_view>
 
-#include "calibration/headline.h"
-#include "method/hysteresis/lugre_fit.h"
-#include "method/hysteresis/position_mean.h"
-#include "verdict/gravity_rules.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
 namespace {
 
 using calibration::Calibration;
-using calibration::InertiaSource;
+using calibration::RuleState;
 using calibration::Verdict;
-using joint::Quantity;
-using method::hysteresis::ContactContest;
-using method::hysteresis::ContactLaw;
-using method::hysteresis::ContactRival;
 
-const std::vector<Quantity> of_curve{Quantity::coulomb_torque, Quantity::viscous_coefficient,
-                                     Quantity::stribeck_speed, Quantity::viscous_curve};
-const std::vector<Quantity> of_loop_fit{Quantity::bristle_stiffness, Quantity::bristle_damping};
+std::optional<BrokenRule> broken_by_check(const Rule& rule, const Calibration& c) {
+  const auto* check = c.data_checks.find(std::get<method::checks::CheckName>(rule.by));
+  if (check == nullptr || check->state != method::checks::CheckState::fails) return std::nullopt;
+  return BrokenRule{
+      &rule,
+      {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
+      check->experiment};
+}
 
-constexpr double most_misfit_percent = 100 * method::hysteresis::lugre_misfit;
-
-/// A model's parameter is the joint's as far as the model describes the joint: the systematic
-/// residual of LuGre in the loop that it describes worst, in percent of that loop's height.
-std::optional<Measured> loop_misfit(const Calibration& c) {
-  const std::optional<double> share = c.lugre ? c.lugre->misfit_share() : std::nullopt;
-  if (!share) return std::nullopt;
-  const method::hysteresis::LuGreLoop* worst = c.lugre->worst_described();
-  const double percent = 100 * *share;
-  std::vector<StatedValue> values{
-      {"recording", worst->recording}, {"misfit_Nm", worst->systematic_Nm}, {"percent", percent}};
-  const ContactContest& contest = c.lugre->contacts;
-  if (!contest.winner || contest.winner == ContactLaw::lugre) {
-    return Measured{percent, Statement::with("cause.other_contact", std::move(values))};
+calibration::RuleOutcome outcome_of(const Rule& rule, const RuleNumber& number,
+                                    const Calibration& c) {
+  calibration::RuleOutcome o;
+  o.rule = number.name;
+  o.threshold = number.threshold;
+  o.unit = number.unit;
+  o.quantities = rule.quantities;
+  o.lowers_to = rule.lowers_to;
+  o.is_note = number.is_note;
+  if (const std::optional<Measured> found = number.measure(c)) {
+    o.value = found->value;
+    o.state = found->value > number.threshold ? RuleState::broken : RuleState::kept;
+    if (o.state == RuleState::broken) o.finding = found->finding;
   }
-  const ContactRival& found = *contest.find(*contest.winner);
-  values.insert(values.end(),
-                {{"stiffness_Nm_rad", found.stiffness_Nm_rad}, {"static_Nm", found.static_Nm}});
-  return Measured{percent, Statement::with(contest.winner == ContactLaw::elasto_plastic
-                                               ? Code{"cause.other_contact_elasto_plastic"}
-                                               : Code{"cause.other_contact_maxwell_slip"},
-                                           std::move(values))};
-}
-
-/// Amplitude of the smallest loop over the deflection at which the bristle slides: the larger, the
-/// less of the motion is pre-sliding, and the more its course there is guessed from the rest.
-std::optional<Measured> amplitude_over_deflection(const Calibration& c) {
-  using method::hysteresis::LuGreParameterName;
-  if (!c.lugre || !c.lugre->converged || c.hysteresis.oscillations.empty()) return std::nullopt;
-  const auto stiffness = c.lugre->shown(LuGreParameterName::bristle_stiffness);
-  const auto level = c.lugre->shown(LuGreParameterName::static_torque);
-  if (!stiffness || !level || !(level->value > 0)) return std::nullopt;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
-    smallest = std::min(smallest, c.manifest.drive.gear_ratio() * o.amplitude_rad);
-  }
-  const double times = smallest * stiffness->value / level->value;
-  return Measured{times, {"cause.loops_too_wide", {{"times", times}}}};
-}
-
-/// By how much the stiffness would be another with a damping that falls with speed.
-std::optional<Measured> fall_of_damping(const Calibration& c) {
-  if (!c.lugre || !c.lugre->converged) return std::nullopt;
-  const std::optional<method::hysteresis::FallOfDamping>& fall = c.lugre->damping_fall;
-  if (!fall) return Measured{0, {}};
-  const double percent = 100 * fall->stiffness_share;
-  return Measured{
-      std::abs(percent),
-      {"cause.damping_falls", {{"half_at_rad_s", fall->half_at_rad_s}, {"percent", percent}}}};
-}
-
-bool has_inertia_of(calibration::InertiaSource source, const Calibration& c) {
-  return calibration::inertia_headline(c).source == source;
-}
-
-/// By how much a difference is larger than both half widths; 0 where it is not.
-double certainly_apart(double difference, const statistics::Estimate& a,
-                       const statistics::Estimate& b) {
-  return std::max(0.0, difference - std::hypot(a.half_width(), b.half_width()));
-}
-
-/// Friction at rest of the loops.
-std::optional<statistics::Estimate> rest_friction_of_loops(const Calibration& c) {
-  if (!c.lugre || !c.lugre->converged) return std::nullopt;
-  return c.lugre->shown(method::hysteresis::LuGreParameterName::static_torque);
-}
-
-/// Break-away torque over the least friction of the law, at speeds that were measured.
-std::optional<Measured> break_away_over_sliding(const Calibration& c) {
-  std::optional<statistics::Estimate> rest = c.break_away.mean_Nm;
-  if (!rest) rest = rest_friction_of_loops(c);
-  if (c.model.law.empty() || !rest) return std::nullopt;
-  constexpr int speeds = 50;
-  const std::vector<double> sliding_Nm = c.model.law.friction_Nm(c.model.law.speeds_rad_s(speeds));
-  const double least_Nm = *std::min_element(sliding_Nm.begin(), sliding_Nm.end());
-  if (!(least_Nm > 0)) return std::nullopt;
-  const double ratio = rest->low / least_Nm;
-  return Measured{ratio, {"cause.friction_taken_off", {{"ratio", ratio}}}};
-}
-
-/// How much less friction is at the speed of ramps that slid evenly than at rest, in percent of it,
-/// by the dip of the curve; all of it where no curve is known.
-std::optional<Measured> ramps_that_slide(const Calibration& c) {
-  const double gear_ratio = c.manifest.drive.gear_ratio();
-  double fastest_rad_s = 0;
-  for (const method::hysteresis::BreakAwayRamp& ramp : c.break_away.ramps) {
-    fastest_rad_s = std::max(fastest_rad_s, gear_ratio * ramp.even_slide_rad_s.value_or(0));
-  }
-  if (!c.break_away.mean_Nm || !(fastest_rad_s > 0)) return std::nullopt;
-  const double rest_Nm = c.break_away.mean_Nm->value;
-  const calibration::CurveHeadline curve = calibration::curve_headline(c);
-  const std::optional<statistics::Estimate>& coulomb = curve.coulomb_Nm.estimate;
-  const std::optional<statistics::Estimate>& dip = curve.stribeck_speed_rad_s.estimate;
-  double percent = 100;
-  if (coulomb && dip && dip->low > 0) {
-    const double excess = std::max(0.0, 1 - coulomb->value / rest_Nm);
-    percent = 100 * excess * (1 - std::exp(-std::pow(fastest_rad_s / dip->low, 2)));
-  }
-  return Measured{percent, {"cause.ramps_slide", {{"speed_rad_s", fastest_rad_s}}}};
-}
-
-std::optional<Measured> runs_against_ramps(const Calibration& c) {
-  const std::optional<statistics::Estimate>& runs = c.model.rest_Nm;
-  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
-  if (!runs || !ramps) return std::nullopt;
-  const double apart = certainly_apart(std::abs(runs->value - ramps->value), *runs, *ramps);
-  return Measured{
-      100 * apart / ramps->value,
-      {"cause.runs_against_ramps", {{"runs_Nm", runs->value}, {"ramps_Nm", ramps->value}}}};
-}
-
-/// More friction at rest in the loops than the runs tell of, where ramps do not decide: a
-/// controller that adds torque against friction adds less in them.
-std::optional<Measured> runs_against_loops(const Calibration& c) {
-  const std::optional<statistics::Estimate>& runs = c.model.rest_Nm;
-  const std::optional<statistics::Estimate> loops = rest_friction_of_loops(c);
-  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
-  constexpr double decides = 0.1;  // half width, of the value
-  const bool ramps_decide = ramps && ramps->half_width() < decides * ramps->value;
-  if (!runs || !loops || ramps_decide) return std::nullopt;
-  const double apart = certainly_apart(loops->value - runs->value, *runs, *loops);
-  return Measured{
-      100 * apart / loops->value,
-      {"cause.runs_against_loops", {{"runs_Nm", runs->value}, {"loops_Nm", loops->value}}}};
-}
-
-/// Friction at rest of the loops beside that of the ramps: torques of another scale in the loops'
-/// log, and a stiffness of that scale.
-std::optional<Measured> loops_against_ramps(const Calibration& c) {
-  const std::optional<statistics::Estimate> loops = rest_friction_of_loops(c);
-  const std::optional<statistics::Estimate>& ramps = c.break_away.mean_Nm;
-  if (!loops || !ramps) return std::nullopt;
-  const double apart = certainly_apart(std::abs(loops->value - ramps->value), *loops, *ramps);
-  return Measured{
-      100 * apart / ramps->value,
-      {"cause.loops_against_ramps", {{"loops_Nm", loops->value}, {"ramps_Nm", ramps->value}}}};
-}
-
-/// Ramps are read where the joint moves on, that is where it accelerates already: without the
-/// inertia, that torque counts as friction. Where their resting parts show the level, as those of
-/// most do on an encoder fine enough, they show this, too.
-std::optional<Measured> ramps_without_inertia(const Calibration& c) {
-  if (!c.break_away.mean_Nm || c.break_away.is_level) return std::nullopt;
-  std::size_t broke_away = 0;
-  std::size_t levels = 0;
-  for (const method::hysteresis::BreakAwayRamp& ramp : c.break_away.ramps) {
-    broke_away += ramp.broke_away ? 1 : 0;
-    levels += ramp.level_Nm ? 1 : 0;
-  }
-  const bool is_unknown = has_inertia_of(InertiaSource::none, c) && 2 * levels < broke_away;
-  return Measured{is_unknown ? 1.0 : 0.0, {"cause.ramps_without_inertia"}};
-}
-
-/// Whether the dip of the curve is certainly not exp(-(w/ws)^2).
-bool has_another_exponent(const method::model::ModelLaw& law) {
-  return law.has_dip() && law.highest_power < 2;
-}
-
-/// Largest difference of the dip from one of exponent 2, in percent of friction at rest, up to a
-/// speed at which both have fallen by the same.
-/// @param fall (w/ws)^exponent at that speed.
-double dips_apart_percent(const method::model::ModelLaw& law, double fall) {
-  constexpr int parts = 50;
-  double apart = 0;
-  for (int k = 1; k < parts; ++k) {
-    const double share = static_cast<double>(k) / parts;  // of that speed
-    apart = std::max(apart, std::abs(std::exp(-fall * std::pow(share, law.dip_power)) -
-                                     std::exp(-fall * share * share)));
-  }
-  return 100 * apart * law.excess_Nm / (law.level_Nm + law.excess_Nm);
-}
-
-/// Of the curve: down to a third of the dip, at the Stribeck velocity of both.
-std::optional<Measured> stribeck_exponent(const Calibration& c) {
-  const method::model::ModelLaw& law = c.model.law;
-  if (!law.has_dip()) return std::nullopt;
-  if (!has_another_exponent(law)) return Measured{0, {}};
-  return Measured{dips_apart_percent(law, 1),
-                  {"cause.stribeck_exponent", {{"exponent", law.dip_power}}}};
-}
-
-/// Up to the loops' fastest speed, whose model has the exponent 2.
-std::optional<Measured> stribeck_exponent_in_loops(const Calibration& c) {
-  const method::model::ModelLaw& law = c.model.law;
-  if (!law.has_dip() || !c.lugre || !c.lugre->converged) return std::nullopt;
-  if (!has_another_exponent(law)) return Measured{0, {}};
-  const double fall = std::pow(c.lugre->peak_speed_rad_s / law.dip_rad_s, law.dip_power);
-  const double percent = dips_apart_percent(law, fall);
-  return Measured{
-      percent,
-      {"cause.stribeck_exponent_in_loops", {{"exponent", law.dip_power}, {"percent", percent}}}};
-}
-
-std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
-  return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent_in_loops(c);
-}
-
-/// Misfit of the loops where the break-away torque comes from them, for want of ramps.
-std::optional<Measured> loop_misfit_without_ramps(const Calibration& c) {
-  return c.break_away.mean_Nm ? std::nullopt : loop_misfit(c);
-}
-
-/// Misfit of the loops where the friction over the speed comes from them, for want of runs.
-std::optional<Measured> loop_misfit_without_runs(const Calibration& c) {
-  const bool is_of_loops =
-      calibration::curve_headline(c).source == calibration::HeadlineSource::loops;
-  return is_of_loops ? loop_misfit(c) : std::nullopt;
-}
-
-/// Five times the dip's speed over the fastest of the loops, where friction over the speed comes
-/// from them: below it they hardly leave the dip.
-std::optional<Measured> loops_within_dip(const Calibration& c) {
-  const calibration::CurveHeadline headline = calibration::curve_headline(c);
-  if (headline.source != calibration::HeadlineSource::loops) return std::nullopt;
-  const std::optional<statistics::Estimate>& dip = headline.stribeck_speed_rad_s.estimate;
-  constexpr double beyond = 5;
-  const double fastest = c.lugre->peak_speed_rad_s;
-  return Measured{dip ? beyond * dip->value / fastest : beyond,
-                  {"cause.loops_within_dip", {{"fastest_rad_s", fastest}}}};
-}
-
-/// Samples of the torque that were replaced, of the recording with most of them.
-std::optional<Measured> torque_outliers(const Calibration& c) {
-  const method::motion::TorqueOutliers& found = c.torque_outliers;
-  return Measured{found.worst_percent,
-                  {"cause.outliers",
-                   {{"samples", found.replaced},
-                    {"percent", found.worst_percent},
-                    {"recording", found.recording},
-                    {"largest_Nm", found.largest_Nm}}}};
-}
-
-/// Scatter of stamps that are not those of the sampling, of the recording where it is largest.
-std::optional<Measured> false_stamps(const Calibration& c) {
-  const method::motion::FalseStamps& found = c.false_stamps;
-  return Measured{found.worst_percent,
-                  {"cause.false_stamps",
-                   {{"recording", found.recording},
-                    {"percent", found.worst_percent},
-                    {"interval_ms", 1e3 * found.interval_s}}}};
-}
-
-// Friction by the motor's angle: in the intervals of what loops and ramps show.
-
-/// Amplitude of a sine with the standard deviation that the sweep shows.
-std::optional<Measured> by_motor_angle(const Calibration& c) {
-  if (!c.rough.found || !c.rough.both_directions || !c.rough.coulomb_Nm) return std::nullopt;
-  const double percent =
-      100 * std::sqrt(2.0) * c.rough.friction_by_angle_Nm / std::abs(c.rough.coulomb_Nm->value);
-  // Fewer periods along the whole sweep are a course of the joint's angle, or of the load.
-  const std::vector<method::gravity::RippleLine> lines =
-      method::hysteresis::of_motor_turn(c.rough, c.manifest.drive.gear_ratio())
-          .friction_of_angle.lines;
-  if (lines.empty()) {
-    return Measured{percent, {"cause.friction_along_angle", {{"percent", percent}}}};
-  }
-  return Measured{percent,
-                  {"cause.friction_by_motor_angle",
-                   {{"percent", percent}, {"periods", lines.front().periods_per_turn}}}};
-}
-
-std::optional<Measured> between_ramps(const Calibration& c) {
-  const method::hysteresis::BreakAwayResult& ramps = c.break_away;
-  if (ramps.positions < 2) return std::nullopt;
-  const double percent = 100 * ramps.between_positions;
-  return Measured{percent,
-                  {"cause.friction_by_motor_angle_of_ramps",
-                   {{"percent", percent}, {"positions", ramps.positions}}}};
-}
-
-std::vector<Rule> with_those_of_gravity(const std::vector<Rule>& of_friction) {
-  std::vector<Rule> all = gravity_rules();
-  all.insert(all.end(), of_friction.begin(), of_friction.end());
-  return all;
+  return o;
 }
 
 }  // namespace
 
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all = with_those_of_gravity({
-      {"runs_against_ramps", "%", 2, Verdict::doubtful, of_curve, "record.torque_measured",
-       runs_against_ramps},
-      {"runs_against_ramps_at_rest",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::break_away_torque},
-       "record.torque_measured",
-       runs_against_ramps},
-      // No dry or greased contact of a joint sticks so much more than it slides.
-      {"break_away_over_sliding", "", 3, Verdict::doubtful, of_curve, "record.torque_measured",
-       break_away_over_sliding},
-      // Of loops alone it is no better known than to some percent, where their contact is not
-      // LuGre's.
-      {"runs_against_loops", "%", 10, Verdict::doubtful, of_curve, "record.ramps",
-       runs_against_loops},
-      {"loops_against_ramps",
-       "%",
-       4,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping},
-       "record.torque_measured",
-       loops_against_ramps},
-      {"ramps_that_slide",
-       "%",
-       1,
-       Verdict::doubtful,
-       {Quantity::break_away_torque},
-       "record.ramps",
-       ramps_that_slide},
-      {"inertia_at_break_away",
-       "",
-       0,
-       Verdict::doubtful,
-       {Quantity::break_away_torque},
-       "record.slower_starts",
-       ramps_without_inertia},
-      {"friction_by_motor_angle", "%", 1, Verdict::usable, {}, {}, by_motor_angle},
-      {"break_away_by_motor_angle", "%", 1, Verdict::usable, {}, {}, between_ramps},
-      {"stribeck_exponent", "%", 0.5, Verdict::usable, {}, {}, stribeck_exponent},
-      // A shape that is off by this bends stiffness by a tenth and damping by half of what matters
-      // (study --misfit, disturbance stribeck_power).
-      {"stribeck_exponent_in_loops",
-       "%",
-       4,
-       Verdict::doubtful,
-       {Quantity::bristle_stiffness, Quantity::bristle_damping},
-       "record.compare_reversals",
-       stribeck_exponent_in_loops},
-      {"stribeck_exponent_at_break_away",
-       "%",
-       2.5,
-       Verdict::doubtful,
-       {Quantity::break_away_torque},
-       "record.ramps",
-       stribeck_exponent_without_ramps},
-      // Replaced by the clock of the sampling, which leaves nothing to doubt.
-      {"false_stamps", "%", 0, Verdict::usable, {}, "clock.log_time_of_sampling", false_stamps},
-      {"torque_outliers", "%", 0, Verdict::usable, {}, "record.more_of_the_same", torque_outliers},
-      {"many_torque_outliers",
-       "%",
-       2,
-       Verdict::doubtful,
-       {Quantity::cog_angle, Quantity::gravity_torque, Quantity::surrogate_mass,
-        Quantity::break_away_torque, Quantity::bristle_stiffness, Quantity::bristle_damping,
-        Quantity::inertia, Quantity::coulomb_torque, Quantity::stribeck_speed,
-        Quantity::viscous_coefficient, Quantity::viscous_curve},
-       "record.more_of_the_same",
-       torque_outliers},
-      {"loop_misfit", "%", most_misfit_percent, Verdict::doubtful, of_loop_fit,
-       "record.compare_reversals", loop_misfit},
-      // Behind a servo that gives way the motion in pre-sliding is not that of the rest: at 600
-      // times
-      // the stiffness was 12 % too large with nothing else to show it.
-      {"amplitude_over_deflection", "", 300, Verdict::doubtful, of_loop_fit, "record.oscillation",
-       amplitude_over_deflection},
-      // A term that is there beyond doubt, at the smallest shift that is worth a word.
-      {"fall_of_damping", "%", 0.5, Verdict::doubtful, of_loop_fit, "record.compare_reversals",
-       fall_of_damping},
-      {"loop_misfit_at_break_away",
-       "%",
-       most_misfit_percent,
-       Verdict::doubtful,
-       {Quantity::break_away_torque},
-       "record.ramps",
-       loop_misfit_without_ramps},
-      {"loop_misfit_of_friction",
-       "%",
-       most_misfit_percent,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed},
-       "record.runs",
-       loop_misfit_without_runs},
-      {"loops_within_dip",
-       "",
-       1,
-       Verdict::doubtful,
-       {Quantity::coulomb_torque, Quantity::viscous_coefficient, Quantity::stribeck_speed},
-       "record.runs",
-       loops_within_dip},
-      {"loop_unlike_model", "%", 10, Verdict::not_identifiable, of_loop_fit,
-       "record.compare_reversals", loop_misfit},
-  });
+  static const std::vector<Rule> all = [] {
+    std::vector<Rule> every;
+    for (const auto& part : {check_rules(), gravity_rules(), friction_rules()}) {
+      every.insert(every.end(), part.begin(), part.end());
+    }
+    return every;
+  }();
   return all;
 }
 
-std::vector<calibration::RuleOutcome> apply_rules(
-    const Calibration& c, std::vector<calibration::QuantityVerdict>& quantities) {
-  std::vector<calibration::RuleOutcome> outcomes;
+AppliedRules apply_rules(const Calibration& c) {
+  AppliedRules out;
   for (const Rule& rule : rules()) {
-    calibration::RuleOutcome o{rule.name,
-                               calibration::RuleState::not_computed,
-                               {},
-                               rule.threshold,
-                               rule.unit,
-                               rule.quantities,
-                               rule.lowers_to,
-                               {},
-                               rule.is_note};
-    if (const std::optional<Measured> found = rule.measure(c)) {
-      o.value = found->value;
-      o.state = found->value > rule.threshold ? calibration::RuleState::broken
-                                              : calibration::RuleState::kept;
-      if (o.state == calibration::RuleState::broken) o.finding = found->finding;
+    if (rule.applies != nullptr && !rule.applies(c)) continue;
+    const RuleNumber* number = rule.number();
+    if (number == nullptr) {
+      if (const auto broken = broken_by_check(rule, c)) out.broken.push_back(*broken);
+      continue;
     }
-    for (const Quantity touched : rule.quantities) {
-      calibration::QuantityVerdict& q = verdict_on(touched, quantities);
-      if (o.state == calibration::RuleState::broken && rule.lowers_to != Verdict::usable) {
-        calibration::lower(q, rule.lowers_to, o.finding, rule.experiment);
-      }
-    }
-    outcomes.push_back(std::move(o));
+    out.outcomes.push_back(outcome_of(rule, *number, c));
+    const calibration::RuleOutcome& o = out.outcomes.back();
+    if (o.state == RuleState::broken) out.broken.push_back({&rule, o.finding, rule.experiment});
   }
-  return outcomes;
+  return out;
+}
+
+void lower_by_rules(const std::vector<BrokenRule>& broken,
+                    std::vector<calibration::QuantityVerdict>& quantities) {
+  for (const BrokenRule& one : broken) {
+    if (one.rule->lowers_to == Verdict::usable) continue;
+    for (const joint::Quantity touched : one.rule->quantities) {
+      calibration::lower(verdict_on(touched, quantities), one.rule->lowers_to, one.reason,
+                         one.experiment);
+    }
+  }
+}
+
+bool is_without_gravity(const std::vector<BrokenRule>& broken) {
+  return std::any_of(broken.begin(), broken.end(), [](const BrokenRule& one) {
+    const RuleNumber* number = one.rule->number();
+    return number != nullptr && std::string_view(number->name) == "friction_over_gravity";
+  });
 }
 
 }  // namespace tribolog::verdict
