@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "verdict/effect_findings.h"
 #include "verdict/model_verdicts.h"
 #include "verdict/quantity_rooms.h"
+#include "verdict/rules.h"
 
 namespace tribolog::model_verdict_test {
 namespace {
@@ -43,13 +45,17 @@ Calibration measured() {
 }
 
 std::vector<Verdict> verdicts_on(const Calibration& c,
-                                 const std::vector<calibration::RuleOutcome>& rules = {}) {
+                                 const std::vector<verdict::BrokenRule>& broken) {
   std::vector<Verdict> all;
-  for (const FrictionAtSpeed& f : verdict::friction_at_speeds(c, rules)) {
+  for (const FrictionAtSpeed& f : verdict::friction_at_speeds(c, broken)) {
     EXPECT_EQ(f.reason.empty(), f.verdict == Verdict::usable) << f.speed_rad_s;
     all.push_back(f.verdict);
   }
   return all;
+}
+
+std::vector<Verdict> verdicts_on(const Calibration& c) {
+  return verdicts_on(c, verdict::apply_rules(c).broken);
 }
 
 const std::vector<Verdict> by_need{Verdict::usable, Verdict::usable, Verdict::doubtful,
@@ -81,20 +87,55 @@ TEST(ModelVerdict, AnEffortThatNobodyConfirmedMakesAllDoubtful) {
 }
 
 TEST(ModelVerdict, WhatIntervalsHoldIsNoContradiction) {
-  Calibration c = measured();
-  calibration::RuleOutcome rule;
-  rule.rule = "direction_asymmetry";
-  rule.state = calibration::RuleState::broken;
-  rule.quantities = {Quantity::viscous_curve};
-  rule.finding = {"model.negative_friction"};
-  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "friction by direction is in the model";
-  rule.rule = "runs_against_ramps";
-  EXPECT_EQ(verdicts_on(c, {rule}), doubtful);
-  rule.quantities = {Quantity::cog_angle};
-  EXPECT_EQ(verdicts_on(c, {rule}), by_need) << "of another quantity";
-  rule.quantities = {Quantity::viscous_curve};
-  rule.state = calibration::RuleState::kept;
-  EXPECT_EQ(verdicts_on(c, {rule}), by_need);
+  const Calibration c = measured();
+  for (const verdict::Rule& rule : verdict::rules()) {
+    const bool is_beyond = std::count(rule.beyond_intervals.begin(), rule.beyond_intervals.end(),
+                                      Quantity::viscous_curve) > 0;
+    const std::vector<Verdict> found =
+        verdicts_on(c, {{&rule, {"model.negative_friction"}, {"record.runs"}}});
+    if (!is_beyond) {
+      EXPECT_EQ(found, by_need);
+    } else if (rule.lowers_to == Verdict::doubtful) {
+      EXPECT_EQ(found, doubtful);
+    } else {
+      EXPECT_EQ(found, std::vector<Verdict>(4, Verdict::not_identifiable));
+    }
+  }
+}
+
+/// Each row of the table of rules lowers what it says, and no other quantity.
+TEST(Rules, LowerWhatTheyTouch) {
+  std::set<std::string> names;
+  for (const verdict::Rule& rule : verdict::rules()) {
+    const verdict::RuleNumber* number = rule.number();
+    const std::string name = number != nullptr ? number->name : "of a check";
+    if (number != nullptr) {
+      EXPECT_TRUE(names.insert(name).second) << name;
+      EXPECT_TRUE(number->measure != nullptr) << name;
+      EXPECT_TRUE(rule.lowers_to == Verdict::usable || !rule.experiment.empty()) << name;
+    }
+    for (const Quantity q : rule.beyond_intervals) {
+      EXPECT_EQ(std::count(rule.quantities.begin(), rule.quantities.end(), q), 1) << name;
+    }
+    std::vector<QuantityVerdict> all(static_cast<std::size_t>(Quantity::viscous_curve) + 1);
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].quantity = static_cast<Quantity>(k);
+    verdict::lower_by_rules({{&rule, {"model.negative_friction"}, {"record.runs"}}}, all);
+    for (const QuantityVerdict& q : all) {
+      const bool is_touched =
+          std::count(rule.quantities.begin(), rule.quantities.end(), q.quantity) > 0;
+      EXPECT_EQ(q.verdict, is_touched ? rule.lowers_to : Verdict::usable)
+          << name << " " << to_string(q.quantity);
+    }
+  }
+}
+
+/// Of a calibration without any data no rule is broken.
+TEST(Rules, SayNothingOfNothing) {
+  const verdict::AppliedRules applied = verdict::apply_rules({});
+  EXPECT_TRUE(applied.broken.empty());
+  for (const calibration::RuleOutcome& one : applied.outcomes) {
+    EXPECT_NE(one.state, calibration::RuleState::broken) << one.rule;
+  }
 }
 
 TEST(ModelVerdict, DataThatTheModelDoesNotFitMakeAllDoubtful) {
