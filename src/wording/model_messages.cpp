@@ -111,9 +111,7 @@ const Messages& model_messages() {
             "the joint with its axis vertical")},
       {"record.warmed_up",
        text("the same again with the joint warmed up and the drive's offset settled, the sweep "
-            "once more at the end")},
-      {"interval.widened_by_friction_of_angle",
-       text("{interval}; widened by what friction changes with the motor's angle")}};
+            "once more at the end")}};
   return all;
 }
 
