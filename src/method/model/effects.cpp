@@ -329,10 +329,14 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
       bent.row(i) = s[i] * hats.bent(v[i]);
       whole.row(i) = s[i] * hats.whole(v[i]);
     }
-    const double misfit = size_of(effect::law_misfit) * friction;
-    add(effect::law_misfit, bent, ArrayXd::Constant(bent.cols(), misfit));
-    add(effect::law_at_its_ends, whole,
-        ArrayXd::Constant(whole.cols(), effect::law_at_its_ends.typical * misfit));
+    // Of the friction at the speed: where viscous torque is most of it, little at slow speeds.
+    constexpr double least = 0.1;
+    const ArrayXd misfit =
+        size_of(effect::law_misfit) * hats.knots.unaryExpr([&](double log_speed) {
+          return std::max(point.friction_at(std::exp(log_speed)), least * friction);
+        });
+    add(effect::law_misfit, bent, misfit);
+    add(effect::law_at_its_ends, whole, effect::law_at_its_ends.typical * misfit);
   }
 
   // What nothing explains: friction of its own in each recording; of few recordings, each stroke.

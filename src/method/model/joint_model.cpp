@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include <Eigen/Dense>
 
+#include "method/model/dip_search.h"
 #include "method/model/unlike_recordings.h"
 #include "statistics/distributions.h"
 #include "statistics/evidence.h"
@@ -36,6 +33,9 @@ constexpr int rounds = 14;
 // Sizes start at eighteen times their typical one: from small ones a large effect stays hidden
 // behind others. What the laws miss starts at its typical one: a large one is rather another law.
 constexpr double open = 0.003;
+/// Round after which residuals may be correlated. What effects and laws explain only once their
+/// sizes are found correlates at first, and would count for less and less as noise.
+constexpr int correlated_from = 5;
 /// Rounds before which effects and laws are put up about what was found.
 constexpr std::array put_up_at{0, 2, 4, 6, 8, 10, 12};
 
@@ -76,7 +76,7 @@ class Solve {
  public:
   Solve(const JointModel& model, const MatrixXd& x, const MatrixXd& law_columns, const VectorXd& y,
         const ArrayXd& weight)
-      : model_(model) {
+      : model_(&model) {
     const Index p = x.cols();
     const ArrayXd root = weight.sqrt();
     const MatrixXd xw = root.matrix().asDiagonal() * x;
@@ -101,8 +101,10 @@ class Solve {
     own_ = (lw.colwise().squaredNorm() - half.colwise().squaredNorm()).transpose();
     right_ = lw.transpose() * yw - half.transpose() * half_b;
     inverse_ = factor.solve(MatrixXd::Identity(p, p));
+    const double common = -factor.matrixLLT().diagonal().array().log().sum() +
+                          0.5 * half_b.squaredNorm() + log_prior_of_sizes();
     evidence_.reserve(model.laws.laws.size());
-    for (const FrictionLaw& law : model.laws.laws) evidence_.push_back(evidence_of(law));
+    for (const FrictionLaw& law : model.laws.laws) evidence_.push_back(common + evidence_of(law));
   }
 
   [[nodiscard]] const std::vector<double>& evidence() const { return evidence_; }
@@ -112,7 +114,7 @@ class Solve {
   }
 
   [[nodiscard]] LawPosterior posterior(std::size_t index) const {
-    const FrictionLaw& law = model_.laws.laws[index];
+    const FrictionLaw& law = model_->laws.laws[index];
     const auto count = static_cast<Index>(law.index.size());
     const Index p = inverse_.rows();
     MatrixXd b(p, count);
@@ -149,6 +151,18 @@ class Solve {
   }
   [[nodiscard]] VectorXd right_of(const FrictionLaw& law) const { return right_(law.index); }
 
+  /// Of the sizes, and of the coefficients at these.
+  [[nodiscard]] double log_prior_of_sizes() const {
+    double sum = 0;
+    for (std::size_t e = 0; e < model_->effects.size(); ++e) {
+      const Effect& effect = *model_->effects[e].effect;
+      const double alpha = model_->precision[static_cast<Index>(e)];
+      sum += 0.5 * static_cast<double>(model_->width(e)) * std::log(alpha);
+      if (asks_size(effect)) sum += 0.5 * effect.dof * (std::log(alpha) - alpha);
+    }
+    return sum;
+  }
+
   [[nodiscard]] double evidence_of(const FrictionLaw& law) const {
     const MatrixXd block = block_of(law);
     const Eigen::LLT<MatrixXd> factor(block);
@@ -164,7 +178,7 @@ class Solve {
     return std::isfinite(sum) ? sum : -1e300;
   }
 
-  const JointModel& model_;
+  const JointModel* model_;
   VectorXd b_;
   MatrixXd cross_;
   // Of the laws' columns, what effects do not explain: products of plain ones with all, and of each
@@ -188,36 +202,57 @@ Noise first_noise(const Cells& cells, double top_Nm) {
   return {white * white, dark * dark, 1e-10 * top_Nm * top_Nm, white * white};
 }
 
-/// The likeliest laws' posteriors.
-std::vector<LawPosterior> likely_posteriors(const Solve& solve) {
+/// The likeliest laws' posteriors, of all solves together.
+std::vector<LawPosterior> likely_posteriors(const std::vector<Solve>& solves) {
   constexpr std::size_t most_laws = 48;
   constexpr double least_share = 0.003;
-  const double most = solve.evidence()[solve.likeliest()];
-  std::vector<std::pair<double, std::size_t>> likely;
+  struct Likely {
+    double share{};
+    const Solve* solve{};
+    std::size_t law{};
+  };
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Solve& solve : solves) most = std::max(most, solve.evidence()[solve.likeliest()]);
+  std::vector<Likely> likely;
   double total = 0;
-  for (std::size_t k = 0; k < solve.evidence().size(); ++k) {
-    const double share = std::exp(solve.evidence()[k] - most);
-    total += share;
-    likely.emplace_back(share, k);
+  for (const Solve& solve : solves) {
+    for (std::size_t k = 0; k < solve.evidence().size(); ++k) {
+      likely.push_back({std::exp(solve.evidence()[k] - most), &solve, k});
+      total += likely.back().share;
+    }
   }
-  std::sort(likely.rbegin(), likely.rend());
+  std::stable_sort(likely.begin(), likely.end(),
+                   [](const Likely& a, const Likely& b) { return a.share > b.share; });
   std::vector<LawPosterior> posteriors;
   double kept = 0;
-  for (const auto& [share, k] : likely) {
-    if (posteriors.size() >= most_laws || share < least_share * total) break;
-    posteriors.push_back(solve.posterior(k));
-    posteriors.back().weight = share;
-    kept += share;
+  for (const Likely& one : likely) {
+    if (posteriors.size() >= most_laws || one.share < least_share * total) break;
+    posteriors.push_back(one.solve->posterior(one.law));
+    posteriors.back().weight = one.share;
+    kept += one.share;
   }
   for (LawPosterior& one : posteriors) one.weight /= kept;
   return posteriors;
 }
 
+/// How well a fit is supported: the evidence at its sizes, and the probability of these.
+struct Support {
+  double log_likelihood{};  ///< Of all cells as if independent.
+  double log_of_sizes{};    ///< Priors of coefficients and sizes, and the posterior's volume.
+  double laws{};            ///< Evidence of all laws over that of the likeliest.
+
+  /// @param alike cells that say as much as one.
+  [[nodiscard]] double log_evidence(double alike) const {
+    return log_likelihood / alike + log_of_sizes + std::log(laws);
+  }
+};
+
 /// The fit of one joint, round by round.
 class Fit {
  public:
-  Fit(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes)
-      : has_gravity_(has_gravity) {
+  /// @param random precision at which the recordings' own friction starts.
+  Fit(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes, double random)
+      : has_gravity_(has_gravity), random_(random) {
     m_.cells = cells;
     m_.sizes = sizes;
     // Cells of a stroke one after the other: neighbours' noise is correlated.
@@ -232,36 +267,64 @@ class Fit {
     m_.weight = ArrayXd::Ones(y_.size());
   }
 
+  /// Of what run() made.
+  [[nodiscard]] const Support& support() const { return support_; }
+
   JointModel run() {
     for (int round = 0;; ++round) {
       if (std::find(put_up_at.begin(), put_up_at.end(), round) != put_up_at.end()) put_up();
-      const ArrayXd variance = noise_.of(count_);
-      const Solve solve(m_, x_, law_columns_, y_,
-                        m_.weight / (variance * m_.samples_per_independent * beyond_weights));
+      const Solve solve = solved();
       const LawPosterior found = solve.posterior(solve.likeliest());
       MatrixXd full(y_.size(), found.mean.size());
       full << x_, law_columns_(Eigen::all, found.law.index);
       m_.residual_Nm = (y_ - full * found.mean).array();
       if (round == rounds - 1) {
-        m_.posteriors = likely_posteriors(solve);
+        support_ = support_of(found);
+        for (const double one : solve.evidence()) {
+          support_.laws += std::exp(one - solve.evidence()[solve.likeliest()]);
+        }
+        m_.posteriors = likely_posteriors(with_other_misfits(solve));
         return std::move(m_);
       }
       if (std::find(put_up_at.begin(), put_up_at.end(), round + 1) != put_up_at.end()) {
-        look_nearer(solve);
+        dips_.look_nearer({m_.laws.laws, solve.evidence()});
       }
       improve_noise(m_.residual_Nm.square() +
                     ((full * found.covariance).array() * full.array()).rowwise().sum());
+      if (round >= correlated_from) improve_correlation();
       improve_sizes(found);
       move_point(found);
     }
   }
 
  private:
+  [[nodiscard]] Solve solved() const {
+    return {m_, x_, law_columns_, y_,
+            m_.weight / (noise_.of(count_) * m_.samples_per_independent * beyond_weights)};
+  }
+
+  /// What no law describes stands for another law where it may be large: laws are weighed at
+  /// several sizes of it.
+  [[nodiscard]] std::vector<Solve> with_other_misfits(const Solve& found) {
+    std::vector<Solve> all{found};
+    const std::size_t misfit = m_.find(joint::effect::law_misfit.key);
+    if (misfit == m_.effects.size()) return all;
+    const double least = joint::effect::law_misfit.least_precision();
+    double& precision = m_.precision[static_cast<Index>(misfit)];
+    const double alpha = precision;
+    for (const double factor : {8.0, 1.0 / 8}) {
+      precision = std::max(factor * alpha, least);
+      if (precision < alpha / 2 || precision > 2 * alpha) all.push_back(solved());
+    }
+    precision = alpha;
+    return all;
+  }
+
   /// Effects and laws about the present point.
   void put_up() {
     m_.effects = effect_columns(m_.cells, has_gravity_, m_.point, m_.sizes);
     m_.hats = law_hats(m_.cells, m_.point);
-    m_.laws = candidate_laws(m_.cells, m_.point, dips_);
+    m_.laws = candidate_laws(m_.cells, m_.point, dips_.grids());
     law_columns_ = m_.laws.torque(m_.cells);
     m_.first = {0};
     for (const EffectColumns& e : m_.effects) {
@@ -273,158 +336,48 @@ class Fit {
       const Effect& effect = *m_.effects[e].effect;
       x_.middleCols(m_.first[e], m_.width(e)) = m_.effects[e].columns;
       const auto known = known_precision_.find(effect.key);
-      m_.precision[static_cast<Index>(e)] = !asks_size(effect)                ? 1
-                                            : known != known_precision_.end() ? known->second
-                                            : effect.key == joint::effect::law_misfit.key
-                                                ? 1
-                                                : std::max(open, effect.least_precision());
+      m_.precision[static_cast<Index>(e)] =
+          !asks_size(effect)                ? 1
+          : known != known_precision_.end() ? known->second
+          : effect.key == joint::effect::law_misfit.key
+              ? 1
+              : std::max(effect.kind == Kind::random ? random_ : open, effect.least_precision());
     }
   }
 
-  /// Mean and standard deviation of the logarithm of a dip's parameter, by the evidence.
-  struct LogMean {
-    double mean{};
-    double sd{};
-  };
-  /// Absent: of none. @param laws a place each.
-  [[nodiscard]] std::optional<LogMean> log_mean_of_dips(const Solve& solve,
-                                                        const std::vector<std::size_t>& laws,
-                                                        double LawColumn::* parameter) const {
-    if (laws.empty()) return std::nullopt;
-    double most = -std::numeric_limits<double>::infinity();
-    for (const std::size_t k : laws) most = std::max(most, solve.evidence()[k]);
-    double total = 0;
-    double sum = 0;
-    double square = 0;
-    for (const std::size_t k : laws) {
-      const double share = std::exp(solve.evidence()[k] - most);
-      const double value = std::log(m_.laws.laws[k].dip.*parameter);
-      total += share;
-      sum += share * value;
-      square += share * value * value;
+  /// By Laplace's approximation at the likeliest law's posterior.
+  [[nodiscard]] Support support_of(const LawPosterior& found) const {
+    Support out;
+    const ArrayXd variance = noise_.of(count_);
+    const ArrayXd ratio = m_.residual_Nm.square() / (cell_freedom * variance);
+    out.log_likelihood = -0.5 * (variance.log() + (cell_freedom + 1) * (1 + ratio).log()).sum();
+    double& sum = out.log_of_sizes;
+    for (std::size_t e = 0; e < m_.effects.size(); ++e) {
+      const Effect& effect = *m_.effects[e].effect;
+      const double alpha = m_.precision[static_cast<Index>(e)];
+      const ArrayXd scale = m_.effects[e].scale.array();
+      const ArrayXd mean = found.mean.segment(m_.first[e], m_.width(e)).array();
+      sum += (0.5 * std::log(alpha) - scale.log() - 0.5 * alpha * (mean / scale).square()).sum();
+      if (asks_size(effect)) sum += 0.5 * effect.dof * (std::log(alpha) - alpha);
     }
-    const double mean = sum / total;
-    return LogMean{mean, std::sqrt(std::max(0.0, square / total - mean * mean))};
+    const ArrayXd law_scale = found.law.scale.array();
+    sum += found.law.log_prior -
+           (law_scale.log() + 0.5 * (found.friction().array() / law_scale).square()).sum();
+    const Eigen::LLT<MatrixXd> volume(found.covariance);
+    sum += volume.matrixLLT().diagonal().array().log().sum();
+    return out;
   }
 
-  /// Of the speeds of one grid, where the evidence is narrower than the grid: by the parabola
-  /// through the likeliest and its neighbours. Absent: it lies at an end.
-  [[nodiscard]] std::optional<LogMean> between_dips(const Solve& solve,
-                                                    const std::vector<std::size_t>& laws) const {
-    std::map<double, double> evidence;  // over the logarithm of the speed
-    for (const std::size_t k : laws) {
-      evidence[std::log(m_.laws.laws[k].dip.dip_speed)] = solve.evidence()[k];
-    }
-    const auto at =
-        std::max_element(evidence.begin(), evidence.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (at == evidence.end() || at == evidence.begin() || std::next(at) == evidence.end()) {
-      return std::nullopt;
-    }
-    const double step = std::next(at)->first - at->first;
-    const double before = std::prev(at)->second - at->second;
-    const double after = std::next(at)->second - at->second;
-    const double bend = before + after;
-    if (!(bend < 0)) return std::nullopt;
-    return LogMean{at->first + step * (before - after) / (2 * bend), step / std::sqrt(-bend)};
-  }
-
-  /// Dips of a grid about the likeliest, as far as their evidence reaches.
-  /// @param laws those of the grid. @param is_resolved false where the grid is coarser than that.
-  [[nodiscard]] DipGrid nearer(const Solve& solve, const DipGrid& grid,
-                               const std::vector<std::size_t>& laws, bool& is_resolved) const {
-    auto found = log_mean_of_dips(solve, laws, &LawColumn::dip_speed);
-    if (!found) return grid;
-    if (found->sd > coarse_dip_step) return {grid.power};
-    const double step = grid.step();
-    double half_span = std::max(dips_each_side * found->sd, step);
-    if (found->sd < step / 3) {
-      is_resolved = false;
-      if (const auto between = between_dips(solve, laws)) {
-        found = between;
-        constexpr double most = 6;  // a parabola no further
-        half_span = dips_each_side * std::max(between->sd, step / most);
-      } else if (grid.near_rad_s > 0) {
-        half_span = grid.half_span;  // at an end, and perhaps beyond
-      }
-    }
-    return {grid.power, std::exp(found->mean), half_span};
-  }
-
-  /// Speeds of dips, and their powers once the speeds are found.
-  void look_nearer(const Solve& solve) {
-    const FrictionLaw& best = m_.laws.laws[solve.likeliest()];
-    if (!best.has_dip) {
-      dips_ = coarse_dips();
-      return;
-    }
-    bool is_resolved = true;
-    std::vector<std::size_t> all;
-    for (std::size_t form = 0; form < dips_.size(); ++form) {
-      for (DipGrid& grid : dips_[form]) {
-        std::vector<std::size_t> laws;
-        for (std::size_t k = 0; k < m_.laws.laws.size(); ++k) {
-          const FrictionLaw& law = m_.laws.laws[k];
-          if (law.has_dip && law.form == form && law.dip.dip_power == grid.power) laws.push_back(k);
-        }
-        all.insert(all.end(), laws.begin(), laws.end());
-        const bool is_best = form == best.form && grid.power == best.dip.dip_power;
-        bool is_near = true;
-        grid = nearer(solve, grid, laws, is_near);
-        if (is_best && !is_near) is_resolved = false;
-      }
-    }
-    constexpr double coarse_step = 0.35;
-    constexpr double finest_step = 0.06;
-    constexpr int each_side = 2;
-    const auto of_power = log_mean_of_dips(solve, all, &LawColumn::dip_power);
-    if (!is_resolved || !of_power || of_power->sd > coarse_step) return;
-    const double finer_step =
-        std::clamp(of_power->sd, std::max(finest_step, power_step_ / 3), coarse_step);
-    const std::vector<DipGrid>& found = dips_[best.form];
-    const bool is_in_the_middle =
-        found.size() == 2 * each_side + 1 && found[each_side].power == best.dip.dip_power;
-    constexpr double alike = 1.5;
-    if (is_in_the_middle && power_step_ < alike * finer_step && finer_step < alike * power_step_) {
-      return;
-    }
-    power_step_ = finer_step;
-    for (std::vector<DipGrid>& grids : dips_) {
-      std::vector<DipGrid> finer;
-      for (int k = -each_side; k <= each_side; ++k) {
-        const double power = best.dip.dip_power * std::exp(k * power_step_);
-        if (least_dip_power < power && power < most_dip_power) {
-          finer.push_back(between_powers(grids, k == 0 ? best.dip.dip_power : power));
-        }
-      }
-      grids = std::move(finer);
-    }
-  }
-
-  /// A grid for this power, its speeds between those of the powers about it.
-  [[nodiscard]] static DipGrid between_powers(const std::vector<DipGrid>& grids, double power) {
-    // Ascending powers; beyond the last one as it is between the last two.
-    const auto same = std::find_if(grids.begin(), grids.end(),
-                                   [&](const DipGrid& one) { return one.power == power; });
-    if (same != grids.end()) return *same;
-    std::size_t above = 1;
-    while (above + 1 < grids.size() && grids[above].power < power) ++above;
-    const DipGrid& a = grids[above - 1];
-    const DipGrid& b = grids[above];
-    if (!(a.near_rad_s > 0 && b.near_rad_s > 0)) return {power};
-    constexpr double of_the_way = 0.2;  // speeds are no straight line over powers
-    const double way = std::log(b.near_rad_s / a.near_rad_s);
-    const double share = std::log(power / a.power) / std::log(b.power / a.power);
-    return {power, a.near_rad_s * std::exp(share * way),
-            std::max(std::min(a.half_span, b.half_span), of_the_way * std::abs(way))};
-  }
-
-  /// And the cells' weights and correlation. @param square mean squares of the residuals.
+  /// And the cells' weights. @param square mean squares of the residuals.
   void improve_noise(const ArrayXd& square) {
     noise_.improve(square, count_);
     const ArrayXd variance = noise_.of(count_);
     m_.weight = (cell_freedom + 1) / (cell_freedom + square / variance);
-    ArrayXd standardised = m_.residual_Nm / variance.sqrt();
+  }
+
+  /// Of the residuals of a stroke's cells.
+  void improve_correlation() {
+    ArrayXd standardised = m_.residual_Nm / noise_.of(count_).sqrt();
     const std::size_t random = m_.find("friction_of_recording");
     if (random < m_.effects.size()) {  // its own: no correlation of neighbours
       const MatrixXd& own = m_.effects[random].columns;
@@ -484,17 +437,36 @@ class Fit {
   }
 
   bool has_gravity_;
+  double random_;
   JointModel m_;
   ArrayXd count_;
   VectorXd y_;
   std::vector<int> stroke_;
   Noise noise_;
   std::map<std::string_view, double> known_precision_;
-  std::vector<std::vector<DipGrid>> dips_{coarse_dips()};
-  double power_step_{0.35};  // of their logarithm
+  DipSearch dips_;
   MatrixXd x_;
   MatrixXd law_columns_;
+  Support support_;
 };
+
+/// The better supported of two fits. Friction that each recording has of its own may be large from
+/// the start of one, so that no other effect has to stand for it; in the other it is typical, so
+/// that it does not stand for a law of friction.
+JointModel better_fit(const Cells& cells, bool has_gravity, const joint::EffectSizes& sizes) {
+  Fit large(cells, has_gravity, sizes, open);
+  JointModel by_large = large.run();
+  if (by_large.find(joint::effect::friction_of_recording.key) == by_large.effects.size()) {
+    return by_large;
+  }
+  Fit typical(cells, has_gravity, sizes, 1);
+  JointModel by_typical = typical.run();
+  if (!by_typical.is_finite()) return by_large;
+  if (!by_large.is_finite()) return by_typical;
+  const double alike = (by_large.samples_per_independent + by_typical.samples_per_independent) / 2;
+  return large.support().log_evidence(alike) > typical.support().log_evidence(alike) ? by_large
+                                                                                     : by_typical;
+}
 
 }  // namespace
 
@@ -524,14 +496,14 @@ JointModel fit_joint_model(const Cells& cells, bool has_gravity, const joint::Ef
   };
   std::vector<int> out = foreign_recordings(cells);
   if (out.size() > recordings.size() / 3) out.clear();
-  JointModel m = Fit(without(out), has_gravity, sizes).run();
+  JointModel m = better_fit(without(out), has_gravity, sizes);
   if (!m.is_finite()) return {};
   constexpr int most_times = 3;
   for (int k = 0; k < most_times; ++k) {
     const std::vector<int> unlike = unlike_recordings(m);
     if (unlike.empty() || out.size() + unlike.size() > recordings.size() / 3) break;
     out.insert(out.end(), unlike.begin(), unlike.end());
-    m = Fit(without(out), has_gravity, sizes).run();
+    m = better_fit(without(out), has_gravity, sizes);
   }
   if (!m.is_finite()) return {};
   m.left_out = std::move(out);
