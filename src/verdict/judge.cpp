@@ -17,6 +17,7 @@
 #include "verdict/effect_findings.h"
 #include "verdict/finding_order.h"
 #include "verdict/model_verdicts.h"
+#include "verdict/needs.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
 #include "verdict/uncertainty_budget.h"
@@ -291,7 +292,6 @@ calibration::QuantityVerdict& verdict_on(joint::Quantity quantity,
 calibration::QuantityVerdict by_estimate(joint::Quantity quantity,
                                          const std::optional<statistics::Estimate>& estimate,
                                          const Statement& why_absent, const Statement& experiment) {
-  const double widest_usable = quantity == Quantity::bristle_damping ? 0.4 : 0.3;
   calibration::QuantityVerdict q;
   q.quantity = quantity;
   if (!estimate || !std::isfinite(estimate->value)) {
@@ -305,7 +305,7 @@ calibration::QuantityVerdict by_estimate(joint::Quantity quantity,
                        estimate->low < 0 ? Statement{"verdict.interval_reaches_below_zero"}
                                          : Statement{"verdict.interval_reaches_zero"},
                        experiment);
-  } else if (!(share <= widest_usable)) {
+  } else if (!(share <= widest_with_stated(quantity))) {
     constexpr double order_of_magnitude = 10;
     calibration::lower(q, calibration::Verdict::doubtful,
                        share > order_of_magnitude

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "calibration/headline.h"
 #include "joint/degrees.h"
 #include "verdict/effect_findings.h"
+#include "verdict/needs.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/rules.h"
 
@@ -24,43 +24,6 @@ using joint::Quantity;
 using method::model::ModelEffect;
 using method::model::ModelQuantity;
 using method::model::ModelResult;
-
-/// Half width up to which a number is usable where the manifest asks for none: of the estimate, of
-/// an angle in radian.
-double usual_need(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::cog_angle:
-      return 0.5 * joint::rad_per_degree;
-    case Quantity::gravity_torque:
-      return 0.01;
-    case Quantity::viscous_coefficient:
-      return 0.15;
-    case Quantity::inertia:
-      return 0.25;
-    case Quantity::bristle_damping:
-      return 0.40;
-    default:
-      return 0.10;
-  }
-}
-
-double widest_known(Quantity quantity) { return quantity == Quantity::cog_angle ? 0.5 : 1; }
-
-/// What the manifest's limits ask for, or what is usual.
-double need_of(const Calibration& c, Quantity quantity, double estimate) {
-  std::optional<double> stated;
-  for (const joint::AcceptanceLimit& limit : c.manifest.limits) {
-    const joint::LimitedQuantity* of = joint::find_limited_quantity(limit.quantity);
-    if (of == nullptr || of->quantity != quantity) continue;
-    if (limit.half_width_percent) stated = *limit.half_width_percent / 100;
-    if (limit.half_width) {
-      const double factor = of->factor * std::pow(c.manifest.drive.gear_ratio(), of->gear_power);
-      const double half_width = *limit.half_width / factor;
-      stated = quantity == Quantity::cog_angle ? half_width : half_width / std::abs(estimate);
-    }
-  }
-  return stated.value_or(usual_need(quantity));
-}
 
 bool is_of_gravity(Quantity quantity) {
   return quantity == Quantity::cog_angle || quantity == Quantity::gravity_torque;

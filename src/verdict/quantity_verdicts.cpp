@@ -3,6 +3,7 @@
 
 #include "calibration/headline.h"
 #include "joint/degrees.h"
+#include "verdict/needs.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog::verdict {
@@ -22,15 +23,12 @@ Statement why_no_angle(const calibration::Calibration& c) {
              : rough.reason;
 }
 
-constexpr double widest_usable_rad = 5 * joint::rad_per_degree;
-constexpr double widest_known_rad = 30 * joint::rad_per_degree;
-
 void lower_by_angle(double half_width_rad, calibration::QuantityVerdict& q) {
-  if (half_width_rad <= widest_usable_rad) return;
+  if (half_width_rad <= widest_with_stated(q.quantity)) return;
   calibration::lower(
       q,
-      half_width_rad <= widest_known_rad ? calibration::Verdict::doubtful
-                                         : calibration::Verdict::not_identifiable,
+      half_width_rad <= widest_known(q.quantity) ? calibration::Verdict::doubtful
+                                                 : calibration::Verdict::not_identifiable,
       {"verdict.known_to_angle", {{"degrees", half_width_rad * joint::degrees_per_rad}}},
       record_a_sweep);
 }
