@@ -3,6 +3,7 @@
 
 #include "method/hysteresis/ramp_mean.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
