@@ -329,11 +329,12 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
       bent.row(i) = s[i] * hats.bent(v[i]);
       whole.row(i) = s[i] * hats.whole(v[i]);
     }
-    // Of the friction at the speed: where viscous torque is most of it, little at slow speeds.
+    // Of the friction at the speed, where that is less than usual: where viscous torque is most of
+    // it, the usual one is much at slow speeds.
     constexpr double least = 0.1;
     const ArrayXd misfit =
         size_of(effect::law_misfit) * hats.knots.unaryExpr([&](double log_speed) {
-          return std::max(point.friction_at(std::exp(log_speed)), least * friction);
+          return std::clamp(point.friction_at(std::exp(log_speed)), least * friction, friction);
         });
     add(effect::law_misfit, bent, misfit);
     add(effect::law_at_its_ends, whole, effect::law_at_its_ends.typical * misfit);

@@ -283,7 +283,7 @@ class Fit {
         for (const double one : solve.evidence()) {
           support_.laws += std::exp(one - solve.evidence()[solve.likeliest()]);
         }
-        m_.posteriors = likely_posteriors(with_other_misfits(solve));
+        m_.posteriors = likely_posteriors(with_smaller_misfit(solve));
         return std::move(m_);
       }
       if (std::find(put_up_at.begin(), put_up_at.end(), round + 1) != put_up_at.end()) {
@@ -303,19 +303,17 @@ class Fit {
             m_.weight / (noise_.of(count_) * m_.samples_per_independent * beyond_weights)};
   }
 
-  /// What no law describes stands for another law where it may be large: laws are weighed at
-  /// several sizes of it.
-  [[nodiscard]] std::vector<Solve> with_other_misfits(const Solve& found) {
+  /// What no law describes may have become so large that it stands for another law: laws are
+  /// weighed at a smaller size of it, too.
+  [[nodiscard]] std::vector<Solve> with_smaller_misfit(const Solve& found) {
     std::vector<Solve> all{found};
     const std::size_t misfit = m_.find(joint::effect::law_misfit.key);
     if (misfit == m_.effects.size()) return all;
-    const double least = joint::effect::law_misfit.least_precision();
+    constexpr double smaller = 8;
     double& precision = m_.precision[static_cast<Index>(misfit)];
     const double alpha = precision;
-    for (const double factor : {8.0, 1.0 / 8}) {
-      precision = std::max(factor * alpha, least);
-      if (precision < alpha / 2 || precision > 2 * alpha) all.push_back(solved());
-    }
+    precision = smaller * alpha;
+    all.push_back(solved());
     precision = alpha;
     return all;
   }
