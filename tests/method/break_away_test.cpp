@@ -444,7 +444,7 @@ TEST(BreakAway, RampsAtOneAngleHoldWhatTheSweepShowsOfTheOthers) {
   sweep.friction_by_angle_Nm = sweep.friction_of_angle.sd_Nm();
   const auto with_sweep = rising_of(ramps, sweep);
   ASSERT_TRUE(alone && with_sweep);
-  EXPECT_NEAR(alone->value, with_sweep->value, 1e-3 * static_Nm);
+  EXPECT_NEAR(alone->value, with_sweep->value, 1e-6 * static_Nm);
   EXPECT_LT(alone->half_width(), 0.02 * static_Nm);
   EXPECT_LE(with_sweep->low, static_Nm);
   EXPECT_GE(with_sweep->high, static_Nm);

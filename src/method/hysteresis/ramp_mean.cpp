@@ -87,10 +87,8 @@ class RampModel {
   Index directions_{};
   double size_Nm_{};  ///< Of the friction.
   double share_of_turn_{};
-  MatrixXd columns_;
-  VectorXd held_Nm_;
-  VectorXd prior_precision_;
-  MatrixXd products_;  ///< Of columns and held torque with one another.
+  VectorXd prior_precision_;  ///< Of each column.
+  MatrixXd products_;         ///< Of columns and held torque with one another.
   std::vector<AtPosition> positions_;
   double variance_of_orders_Nm2_{};
   std::vector<Node> nodes_;
@@ -127,27 +125,27 @@ void RampModel::choose_directions() {
 
 void RampModel::put_up(const FrictionOverTurn& over_turn) {
   const auto n = static_cast<Index>(broken_.size());
-  held_Nm_.resize(n);
-  for (Index i = 0; i < n; ++i) held_Nm_(i) = broken_[static_cast<std::size_t>(i)].held_Nm;
+  VectorXd held_Nm(n);
+  for (Index i = 0; i < n; ++i) held_Nm(i) = broken_[static_cast<std::size_t>(i)].held_Nm;
   constexpr double least = 1e-3;  // of what they hold, where gravity is in it
-  size_Nm_ = std::max(std::abs(held_Nm_.mean()), least * held_Nm_.cwiseAbs().maxCoeff());
+  size_Nm_ = std::max(std::abs(held_Nm.mean()), least * held_Nm.cwiseAbs().maxCoeff());
   const std::size_t orders = std::min(over_turn.orders.size(), most_orders);
   const Index width = directions_ + 2 * static_cast<Index>(orders) + common;
   const double elsewhere_Nm = statistics::normal_975 * over_turn.elsewhere * size_Nm_;
   prior_precision_ = VectorXd::Zero(width);
-  columns_ = MatrixXd::Zero(n, width);
+  MatrixXd columns = MatrixXd::Zero(n, width);
   std::size_t last = 0;
   for (Index i = 0; i < n; ++i) {
     const RampRow& row = broken_[static_cast<std::size_t>(i)];
     last = std::max(last, row.position);
-    columns_(i, column_of(row)) = 1;
+    columns(i, column_of(row)) = 1;
     for (std::size_t k = 0; k < orders; ++k) {
       const Index at = directions_ + 2 * static_cast<Index>(k);
       const double phase = over_turn.orders[k].periods_per_turn * row.motor_angle_rad;
-      columns_(i, at) = std::cos(phase);
-      columns_(i, at + 1) = std::sin(phase);
+      columns(i, at) = std::cos(phase);
+      columns(i, at + 1) = std::sin(phase);
     }
-    columns_.row(i).tail<common>() << row.gravity_Nm, row.inertia_Nm, row.damping_Nm, elsewhere_Nm;
+    columns.row(i).tail<common>() << row.gravity_Nm, row.inertia_Nm, row.damping_Nm, elsewhere_Nm;
   }
   // A normal distribution that is as wide as all orders at phases of their own.
   std::vector<double> amplitudes;
@@ -165,14 +163,14 @@ void RampModel::put_up(const FrictionOverTurn& over_turn) {
   }
   prior_precision_.tail<common>().setConstant(std::pow(statistics::normal_975, 2));
   MatrixXd all(n, width + 1);
-  all << columns_, held_Nm_;
+  all << columns, held_Nm;
   products_ = all.transpose() * all;
   positions_.assign(last + 1, {0, 0, VectorXd::Zero(width)});
   for (Index i = 0; i < n; ++i) {
     AtPosition& at = positions_[broken_[static_cast<std::size_t>(i)].position];
     at.count += 1;
-    at.held_Nm += held_Nm_(i);
-    at.columns += columns_.row(i).transpose();
+    at.held_Nm += held_Nm(i);
+    at.columns += columns.row(i).transpose();
   }
 }
 
@@ -220,7 +218,7 @@ void RampModel::weigh_nodes() {
 
 /// The posterior of all coefficients, and its evidence.
 Conditional RampModel::given(double scatter_Nm, double turn_Nm) const {
-  const Index width = columns_.cols();
+  const Index width = prior_precision_.size();
   const double noise = scatter_Nm * scatter_Nm;
   const double turn = turn_Nm * turn_Nm;
   // u of a position, taken out of its sums: what is left of them is known to its scatter.
@@ -255,7 +253,7 @@ Conditional RampModel::given(double scatter_Nm, double turn_Nm) const {
 
 /// By u and the orders, as far as the ramps show them.
 double RampModel::between_sd_Nm(const VectorXd& found, double turn, double noise) const {
-  const Index orders = columns_.cols() - directions_ - common;
+  const Index orders = prior_precision_.size() - directions_ - common;
   double count = 0;
   double sum = 0;
   double squares = 0;

@@ -71,6 +71,18 @@ struct Noise {
   }
 };
 
+/// Of the effects' sizes, and of the coefficients' scales at these.
+double log_prior_of_sizes(const JointModel& model) {
+  double sum = 0;
+  for (std::size_t e = 0; e < model.effects.size(); ++e) {
+    const Effect& effect = *model.effects[e].effect;
+    const double alpha = model.precision[static_cast<Index>(e)];
+    sum += 0.5 * static_cast<double>(model.width(e)) * std::log(alpha);
+    if (asks_size(effect)) sum += 0.5 * effect.dof * (std::log(alpha) - alpha);
+  }
+  return sum;
+}
+
 /// Everything of one round: given sizes and noise, the evidence of each law.
 class Solve {
  public:
@@ -102,7 +114,7 @@ class Solve {
     right_ = lw.transpose() * yw - half.transpose() * half_b;
     inverse_ = factor.solve(MatrixXd::Identity(p, p));
     const double common = -factor.matrixLLT().diagonal().array().log().sum() +
-                          0.5 * half_b.squaredNorm() + log_prior_of_sizes();
+                          0.5 * half_b.squaredNorm() + log_prior_of_sizes(model);
     evidence_.reserve(model.laws.laws.size());
     for (const FrictionLaw& law : model.laws.laws) evidence_.push_back(common + evidence_of(law));
   }
@@ -150,18 +162,6 @@ class Solve {
     return block;
   }
   [[nodiscard]] VectorXd right_of(const FrictionLaw& law) const { return right_(law.index); }
-
-  /// Of the sizes, and of the coefficients at these.
-  [[nodiscard]] double log_prior_of_sizes() const {
-    double sum = 0;
-    for (std::size_t e = 0; e < model_->effects.size(); ++e) {
-      const Effect& effect = *model_->effects[e].effect;
-      const double alpha = model_->precision[static_cast<Index>(e)];
-      sum += 0.5 * static_cast<double>(model_->width(e)) * std::log(alpha);
-      if (asks_size(effect)) sum += 0.5 * effect.dof * (std::log(alpha) - alpha);
-    }
-    return sum;
-  }
 
   [[nodiscard]] double evidence_of(const FrictionLaw& law) const {
     const MatrixXd block = block_of(law);
@@ -350,13 +350,12 @@ class Fit {
     const ArrayXd ratio = m_.residual_Nm.square() / (cell_freedom * variance);
     out.log_likelihood = -0.5 * (variance.log() + (cell_freedom + 1) * (1 + ratio).log()).sum();
     double& sum = out.log_of_sizes;
+    sum = log_prior_of_sizes(m_);
     for (std::size_t e = 0; e < m_.effects.size(); ++e) {
-      const Effect& effect = *m_.effects[e].effect;
       const double alpha = m_.precision[static_cast<Index>(e)];
       const ArrayXd scale = m_.effects[e].scale.array();
       const ArrayXd mean = found.mean.segment(m_.first[e], m_.width(e)).array();
-      sum += (0.5 * std::log(alpha) - scale.log() - 0.5 * alpha * (mean / scale).square()).sum();
-      if (asks_size(effect)) sum += 0.5 * effect.dof * (std::log(alpha) - alpha);
+      sum -= (scale.log() + 0.5 * alpha * (mean / scale).square()).sum();
     }
     const ArrayXd law_scale = found.law.scale.array();
     sum += found.law.log_prior -
@@ -462,8 +461,8 @@ JointModel better_fit(const Cells& cells, bool has_gravity, const joint::EffectS
   if (!by_typical.is_finite()) return by_large;
   if (!by_large.is_finite()) return by_typical;
   const double alike = (by_large.samples_per_independent + by_typical.samples_per_independent) / 2;
-  return large.support().log_evidence(alike) > typical.support().log_evidence(alike) ? by_large
-                                                                                     : by_typical;
+  const bool is_large = large.support().log_evidence(alike) > typical.support().log_evidence(alike);
+  return std::move(is_large ? by_large : by_typical);
 }
 
 }  // namespace
