@@ -9,12 +9,30 @@
 #include <vector>
 
 namespace tribolog {
+namespace {
+
+/// Cores that no piece of work has taken. Work within work takes what is left of them, and the
+/// machine is never asked for more threads than it has cores.
+std::atomic<std::size_t>& spare_cores() {
+  static std::atomic<std::size_t> spare{std::max(1U, std::thread::hardware_concurrency()) - 1};
+  return spare;
+}
+
+/// Takes up to `wanted` of them. @return how many
+std::size_t take_cores(std::size_t wanted) {
+  std::size_t spare = spare_cores();
+  while (!spare_cores().compare_exchange_weak(spare, spare - std::min(spare, wanted))) {
+  }
+  return std::min(spare, wanted);
+}
+
+}  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   std::size_t threads) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  threads = std::min(threads, count);
-  if (threads <= 1) {
+  const std::size_t most = std::min(threads == 0 ? count : threads, count);
+  const std::size_t taken = most <= 1 ? 0 : threads == 0 ? take_cores(most - 1) : most - 1;
+  if (taken == 0) {
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
@@ -35,9 +53,15 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
   {
     std::vector<std::jthread> others;
     try {
-      for (std::size_t k = 1; k < threads; ++k) others.emplace_back(run);
+      while (others.size() < taken) {
+        others.emplace_back([&] {
+          run();
+          if (threads == 0) ++spare_cores();
+        });
+      }
     } catch (const std::system_error&) {
       // The system gives no more threads: those there are do the work.
+      if (threads == 0) spare_cores() += taken - others.size();
     }
     run();
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -91,7 +90,6 @@ std::vector<IdentifiedJoint> identify_joints(const std::string& manifest,
     joints[k].name = names[k];
     joints[k].file_name = file_names[k];
   }
-  options.threads = threads_for_each(joints.size());
   JointProgress progress(names, console);
   parallel_for(joints.size(), [&](std::size_t k) {
     IdentifyOptions own = options;
@@ -105,11 +103,6 @@ std::vector<IdentifiedJoint> identify_joints(const std::string& manifest,
     if (!joint.refusal.empty()) console.warn(name + ": error: " + joint.refusal);
   }
   return joints;
-}
-
-std::size_t threads_for_each(std::size_t joints) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return std::max<std::size_t>(1, cores / std::max<std::size_t>(1, joints));
 }
 
 void protect_inputs(const std::vector<IdentifiedJoint>& joints, const std::string& directory) {

@@ -31,9 +31,6 @@ class JointProgress {
   std::chrono::steady_clock::time_point drawn_;
 };
 
-/// Where all cores work on so many joints at the same time: at least 1.
-std::size_t threads_for_each(std::size_t joints);
-
 /// What became of one joint.
 struct IdentifiedJoint {
   std::string name;

@@ -115,7 +115,7 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
   render::workers::FigureRenderer renderer(options.processes);  // starts while plans are simulated
 
   PlanCommandOptions each = options;
-  if (each.threads == 0) each.threads = threads_for_each(joints.size());
+  each.threads = std::min<std::size_t>(options.threads, 1);  // joints are spread over them
   JointProgress progress(joints, console);
   parallel_for(
       all.size(), [&](std::size_t k) { plan_one(each, text, provenance, progress.of(k), all[k]); },

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel_for.h"
 #include "base/requirements.h"
 #include "calibration/calibration.h"
 #include "calibration/headline.h"
@@ -15,7 +16,9 @@
 #include "method/hysteresis/loop_widening.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/model/model_quantities.h"
+#include "method/motion/false_stamps.h"
 #include "method/motion/steady_runs.h"
+#include "method/motion/torque_outliers.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
@@ -34,6 +37,7 @@ struct Progress {
 
   const joint::Dataset& dataset;
   const IdentifyOptions& options;
+  bool are_numbers_enough{};  ///< Of a simulation: no recording is checked.
   joint::Dataset
       cleaned;  ///< Without outliers of the torque and false stamps, where there are some.
 
@@ -243,40 +247,60 @@ method::hysteresis::KnownEffects known_effects(const Progress& p) {
   return {sizes_of_effects(p.dataset.manifest), p.loop_timing, friction_share};
 }
 
+/// Copies the dataset only where a recording is damaged.
+void clean(Progress& p) {
+  const std::vector<joint::Recording>& recordings = p.dataset.recordings;
+  std::vector<char> is_damaged(recordings.size());
+  parallel_for(recordings.size(), [&](std::size_t i) {
+    is_damaged[i] = method::motion::has_false_stamps(recordings[i]) ||
+                    !method::motion::torque_outliers(recordings[i]).empty();
+  });
+  if (std::count(is_damaged.begin(), is_damaged.end(), 1) == 0) return;
+  p.cleaned = p.dataset;
+  p.c.false_stamps = method::motion::replace_false_stamps(p.cleaned.recordings);
+  p.c.torque_outliers = method::motion::replace_torque_outliers(p.cleaned.recordings);
+}
+
+void identify_model(Progress& p) {
+  std::vector<const joint::Recording*> all;
+  for (const joint::Recording& r : p.used().recordings) all.push_back(&r);
+  p.c.model = method::model::identify_joint(all, p.dataset.friction_points, p.n, p.has_gravity(),
+                                            sizes_of_effects(p.dataset.manifest));
+  p.inertia_kgm2 = inertia_of_model(p.c.model);
+  const method::model::ModelEffect* lag = p.c.model.find(joint::effect::lag.key);
+  p.loop_timing =
+      method::hysteresis::timing_of_loops(lag == nullptr ? std::nullopt : lag->coefficient);
+}
+
+void identify_rough_sweep(Progress& p) {
+  p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
+  p.rough =
+      method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n, p.has_gravity());
+  p.c.rough = p.rough.result;
+}
+
+void check_recordings(Progress& p) { p.c.data_checks = method::checks::check_recordings(p.used()); }
+
+/// What needs the recordings alone, at the same time.
+void look_at_recordings(Progress& p) {
+  constexpr void (*pieces[])(Progress&) = {identify_model, identify_rough_sweep, check_recordings};
+  const std::size_t count = std::size(pieces) - (p.are_numbers_enough ? 1 : 0);
+  parallel_for(count, [&](std::size_t k) { pieces[k](p); });
+}
+
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be compared
 /// with a known truth, and what later steps start from.
 constexpr Step papers_chain[] = {
-    {"",
+    {"recordings",
      [](Progress& p) {
-       joint::Dataset cleaned = p.dataset;
-       p.c.false_stamps = method::motion::replace_false_stamps(cleaned.recordings);
-       p.c.torque_outliers = method::motion::replace_torque_outliers(cleaned.recordings);
-       if (&p.used() == &p.cleaned) p.cleaned = std::move(cleaned);
+       clean(p);
        p.c.curves.log = traces_of(p.used());
      }},
-    {"",
-     [](Progress& p) {
-       std::vector<const joint::Recording*> all;
-       for (const joint::Recording& r : p.used().recordings) all.push_back(&r);
-       p.c.model =
-           method::model::identify_joint(all, p.dataset.friction_points, p.n, p.has_gravity(),
-                                         sizes_of_effects(p.dataset.manifest));
-       p.inertia_kgm2 = inertia_of_model(p.c.model);
-       const method::model::ModelEffect* lag = p.c.model.find(joint::effect::lag.key);
-       p.loop_timing =
-           method::hysteresis::timing_of_loops(lag == nullptr ? std::nullopt : lag->coefficient);
-     }},
+    {"joint model and rough sweep", look_at_recordings},
     {"",
      [](Progress& p) {
        p.runs = method::motion::SteadyRuns(p.recordings(Role::constant_speed),
                                            p.inertia_kgm2 ? p.n * p.inertia_kgm2->value : 0);
-     }},
-    {"centre of gravity, rough sweep",
-     [](Progress& p) {
-       p.rough_sweep = method::motion::Sweep(p.recordings(Role::rough_sweep));
-       p.rough = method::gravity::identify_cog_sweep(SweepKind::rough, p.rough_sweep, p.n,
-                                                     p.has_gravity());
-       p.c.rough = p.rough.result;
      }},
     {"centre of gravity, precise sweep",
      [](Progress& p) {
@@ -332,10 +356,10 @@ constexpr Step papers_chain[] = {
 
 /// Whether the data support the chain, what goes beyond the paper, and how certain all of it is.
 constexpr Step further_steps[] = {
-    {"checks on the data",
+    {"checks of gravity",
      [](Progress& p) {
-       p.c.data_checks =
-           method::checks::check_recordings(p.used(), {p.c.rough, p.c.masses, p.c.q_peak_rad});
+       method::checks::add_gravity_checks(p.used(), {p.c.rough, p.c.masses, p.c.q_peak_rad},
+                                          p.c.data_checks);
      }},
     {"break-away ramps and loop shapes",
      [](Progress& p) {
@@ -379,6 +403,7 @@ constexpr Step further_steps[] = {
 void check_known_truth(Progress& p) {
   const auto numbers_of = [&p](const joint::Dataset& simulated, std::uint64_t /*seed*/) {
     Progress chain(simulated, p.options);
+    chain.are_numbers_enough = true;
     for (const Step& step : papers_chain) step.run(chain);
     if (chain.loop.lugre) chain.c.lugre = std::move(chain.loop.lugre->fit);
     return std::move(chain.c);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -268,7 +269,10 @@ joint::Dataset read_dataset(const std::string& manifest_path, const std::string&
   add_arm(directory, manifest::joints_in_manifest(text, manifest_path), arm, dataset);
   UnusedColumns unused;
   KeptLogs logs(manifest, directory);
-  for (const manifest::RecordingEntry& entry : manifest.recordings) {
+  std::span<const manifest::RecordingEntry> coming = manifest.recordings;
+  for (; !coming.empty(); coming = coming.subspan(1)) {
+    const manifest::RecordingEntry& entry = coming.front();
+    logs.read_ahead(coming, dataset.manifest.known_loads, arm.columns());
     if (entry.role == joint::Role::friction_points) {
       add_points(entry, manifest, logs, dataset, unused);
     } else {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +13,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/input_file.h"
+#include "base/parallel_for.h"
 #include "base/requirements.h"
 #include "ingest/arrays/array_readers.h"
 #include "ingest/bags/bag_readers.h"
@@ -341,6 +345,56 @@ bool KeptLogs::holds_several(const std::string& file) const {
   return rows != rows_of_.end() && rows->second.size() > 1;
 }
 
+void KeptLogs::read_ahead(std::span<const manifest::RecordingEntry> coming,
+                          const std::vector<joint::KnownLoad>& loads,
+                          const std::vector<std::string>& others) {
+  constexpr std::uintmax_t small_bytes = std::uintmax_t{1} << 22;  // larger ones are read in parts
+  constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 24;
+  if (coming.empty() || ahead_.contains(coming.front().file)) return;
+  std::vector<std::pair<manifest::RecordingEntry, Ahead*>> logs;
+  std::uintmax_t bytes = 0;
+  for (const manifest::RecordingEntry& entry : coming) {
+    const bool is_known = kept_.contains(entry.file) || ahead_.contains(entry.file);
+    if (is_known || entry.role == joint::Role::friction_points) continue;
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(directory_ / entry.file, failure);
+    if (failure || size > small_bytes) continue;
+    bytes += size;
+    if (bytes > most_bytes) break;
+    Ahead& ahead = ahead_[entry.file];
+    const manifest::RecordingEntry own = without_companions(entry);
+    ahead.columns = columns_wanted(own, loads, others);
+    logs.emplace_back(own, &ahead);
+  }
+  parallel_for(logs.size(), [&](std::size_t k) {
+    const auto& [entry, ahead] = logs[k];
+    try {
+      ahead->log = std::make_unique<ReadLog>(read_log(
+          entry, (directory_ / entry.file).string(), ahead->columns, others, rules_, ahead->notes));
+    } catch (...) {
+      ahead->failure = std::current_exception();
+    }
+  });
+}
+
+std::unique_ptr<ReadLog> KeptLogs::log_of(const manifest::RecordingEntry& entry,
+                                          const std::vector<log::WantedColumn>& columns,
+                                          const std::vector<std::string>& others,
+                                          std::vector<Statement>& notes) {
+  const auto found = ahead_.find(entry.file);
+  const bool is_read = found != ahead_.end() && found->second.columns == columns;
+  if (!is_read) {
+    if (found != ahead_.end()) ahead_.erase(found);
+    return std::make_unique<ReadLog>(
+        read_log(entry, (directory_ / entry.file).string(), columns, others, rules_, notes));
+  }
+  Ahead ahead = std::move(found->second);
+  ahead_.erase(found);
+  if (ahead.failure) std::rethrow_exception(ahead.failure);
+  std::move(ahead.notes.begin(), ahead.notes.end(), std::back_inserter(notes));
+  return std::move(ahead.log);
+}
+
 std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
                                               const std::vector<joint::KnownLoad>& loads,
                                               std::vector<Statement>& notes,
@@ -360,7 +414,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
     kept.log.reset();
     if (is_new || !kept.whole) {
       kept.whole.reset();
-      kept.whole = std::make_unique<ReadLog>(read_log(entry, path, columns, others, rules_, notes));
+      kept.whole = log_of(entry, columns, others, notes);
     }
     ReadLog log = entry.columns.rows ? rows_of(entry, *kept.whole)
                                      : std::move(*std::exchange(kept.whole, nullptr));

@@ -1,10 +1,12 @@
 #pragma once
 // Logs of any format that is known, as tables, each read once.
 
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,7 +66,21 @@ class KeptLogs {
                                       std::vector<Statement>& notes,
                                       const std::vector<std::string>& others = {});
 
+  /// Reads the logs of the recordings that come next, several at once, if the first of them is not
+  /// known yet and they are small; read() then finds them read.
+  /// @param loads, others as read() will get them.
+  /// @throw Nothing: read() throws what went wrong.
+  void read_ahead(std::span<const manifest::RecordingEntry> coming,
+                  const std::vector<joint::KnownLoad>& loads,
+                  const std::vector<std::string>& others);
+
  private:
+  struct Ahead {
+    std::vector<log::WantedColumn> columns;
+    std::unique_ptr<ReadLog> log{};
+    std::vector<Statement> notes{};
+    std::exception_ptr failure{};
+  };
   struct Kept {
     std::vector<log::WantedColumn> columns;
     std::optional<double> rate_Hz;     ///< Of its clock, where the log has none of its own.
@@ -72,6 +88,12 @@ class KeptLogs {
     std::unique_ptr<ReadLog> whole{};  ///< With all rows, where recordings take some of them.
     std::shared_ptr<const ReadLog> log;
   };
+  /// As it was read ahead, or now.
+  std::unique_ptr<ReadLog> log_of(const manifest::RecordingEntry& entry,
+                                  const std::vector<log::WantedColumn>& columns,
+                                  const std::vector<std::string>& others,
+                                  std::vector<Statement>& notes);
+
   std::filesystem::path directory_;
   text::TextLogRules rules_;
   /// Whether the file's recordings are told apart by what stands in their rows.
@@ -80,6 +102,7 @@ class KeptLogs {
   std::map<std::string, std::set<std::string>> rows_of_;  ///< By file, what the rows say.
   std::map<std::string, std::size_t> still_named_;        ///< By file, by so many recordings.
   std::map<std::string, Kept> kept_;                      ///< By file.
+  std::map<std::string, Ahead> ahead_;                    ///< By file.
 };
 
 }  // namespace tribolog::ingest::dataset

@@ -30,11 +30,10 @@ DataChecksResult check_recordings(const joint::Dataset& dataset) {
   return result;
 }
 
-DataChecksResult check_recordings(const joint::Dataset& dataset, const GravityResults& gravity) {
-  DataChecksResult result = check_recordings(dataset);
+void add_gravity_checks(const joint::Dataset& dataset, const GravityResults& gravity,
+                        DataChecksResult& result) {
   const std::vector<DataCheck> of_gravity = gravity_checks(dataset, gravity);
   result.checks.insert(result.checks.end(), of_gravity.begin(), of_gravity.end());
-  return result;
 }
 
 }  // namespace tribolog::method::checks

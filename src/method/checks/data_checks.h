@@ -23,8 +23,9 @@ struct GravityResults {
   const std::optional<statistics::Estimate>& q_peak_rad;
 };
 
-/// The same, and the checks that need angle and size of gravity: whether the oscillation is at the
-/// gravity peak, and whether the gravity found is plausible.
-DataChecksResult check_recordings(const joint::Dataset& dataset, const GravityResults& gravity);
+/// Adds the checks that need angle and size of gravity: whether the oscillation is at the gravity
+/// peak, and whether the gravity found is plausible.
+void add_gravity_checks(const joint::Dataset& dataset, const GravityResults& gravity,
+                        DataChecksResult& result);
 
 }  // namespace tribolog::method::checks

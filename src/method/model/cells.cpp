@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
 
+#include "base/parallel_for.h"
 #include "statistics/order_statistics.h"
 #include "statistics/sampled_signal.h"
 
@@ -494,16 +496,19 @@ std::pair<double, double> Cells::session_s() const {
 Cells make_cells(const std::vector<const joint::Recording*>& recordings,
                  const std::vector<joint::FrictionPoints>& points, double gear_ratio,
                  bool has_gravity, double lag_s) {
-  std::vector<Motion> motions;
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
+  std::vector<std::vector<Motion>> of_each(recordings.size());
+  parallel_for(recordings.size(), [&](std::size_t i) {
     const joint::Recording& r = *recordings[i];
     const bool is_used = r.role == joint::Role::rough_sweep ||
                          r.role == joint::Role::precise_sweep ||
                          r.role == joint::Role::constant_speed;
     if (is_used && !r.torque_Nm.empty()) {
-      add_motions(r, static_cast<int>(i), gear_ratio, lag_s, motions);
+      add_motions(r, static_cast<int>(i), gear_ratio, lag_s, of_each[i]);
     }
-  }
+  });
+  std::vector<Motion> motions;
+  for (std::vector<Motion>& some : of_each)
+    std::move(some.begin(), some.end(), std::back_inserter(motions));
   Cells made;
   made.gear_ratio = gear_ratio;
   const std::vector<double> shifts = session_shifts(recordings);

@@ -107,6 +107,10 @@ std::optional<EvenClock> sampling_of(const joint::Recording& r) {
 
 }  // namespace
 
+bool has_false_stamps(const joint::Recording& recording) {
+  return sampling_of(recording).has_value();
+}
+
 FalseStamps replace_false_stamps(std::vector<joint::Recording>& recordings) {
   FalseStamps out;
   for (joint::Recording& r : recordings) {

@@ -23,6 +23,8 @@ struct FalseStamps {
 };
 
 /// @param recordings modified where their stamps are false.
+bool has_false_stamps(const joint::Recording& recording);
+
 FalseStamps replace_false_stamps(std::vector<joint::Recording>& recordings);
 
 }  // namespace tribolog::method::motion
