@@ -49,12 +49,7 @@ constexpr int deepest = 16;  // statements within statements; ours have three
 
 /// Nothing for a code that has no message here: those of a file are not kept for good.
 std::optional<Code> known_code(const std::string& text) {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> codes = wording::all_codes();
-    std::sort(codes.begin(), codes.end());
-    return codes;
-  }();
-  if (!std::binary_search(all.begin(), all.end(), text)) return std::nullopt;
+  if (!wording::has_words(text)) return std::nullopt;
   return Code::of(text);
 }
 

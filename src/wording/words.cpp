@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cwctype>
-#include <map>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -16,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "wording/messages.h"
+#include "wording/message_table.h"
 #include "wording/rounding.h"
 #include "wording/torques_in.h"
 #include "wording/tr.h"
@@ -72,28 +71,9 @@ namespace {
 
 using Arguments = fmt::dynamic_format_arg_store<fmt::format_context>;
 
-const std::map<std::string_view, Message>& messages_by_code() {
-  static const std::map<std::string_view, Message> all = [] {
-    std::map<std::string_view, Message> found;
-    for (const Messages* table :
-         {&general_messages(), &check_messages(), &gravity_messages(), &hysteresis_messages(),
-          &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages(),
-          &history_messages(), &plan_messages(), &study_messages(), &reading_messages(),
-          &drawing_messages(), &model_messages()}) {
-      for (const CodedMessage& one : *table) {
-        if (!found.emplace(one.code, one.message).second) {
-          throw std::logic_error(fmt::format("'{}' has two messages", one.code));
-        }
-      }
-    }
-    return found;
-  }();
-  return all;
-}
-
 const Message& message_of(std::string_view code) {
-  const auto found = messages_by_code().find(code);
-  if (found == messages_by_code().end()) {
+  const auto found = all_messages().find(code);
+  if (found == all_messages().end()) {
     throw std::logic_error(fmt::format("there are no words for '{}'", code));
   }
   return found->second;
@@ -172,16 +152,12 @@ std::string words_for(std::string_view topic, std::string_view key) {
 }
 
 std::string words_for(std::string_view topic, std::string_view key, const std::string& text) {
-  const auto found = messages_by_code().find(fmt::format("{}.{}", topic, key));
-  const bool is_message = found != messages_by_code().end() && found->second.one == text;
+  const auto found = all_messages().find(fmt::format("{}.{}", topic, key));
+  const bool is_message = found != all_messages().end() && found->second.one == text;
   return is_message ? translated(text) : text;
 }
 
-std::vector<std::string> all_codes() {
-  std::vector<std::string> codes;
-  for (const auto& [code, message] : messages_by_code()) codes.emplace_back(code);
-  return codes;
-}
+bool has_words(std::string_view code) { return all_messages().contains(code); }
 
 // As a sentence of its own.
 

@@ -30,8 +30,8 @@ std::string words_for(std::string_view topic, std::string_view key);
 /// else as it is: what an archive calls a quantity.
 std::string words_for(std::string_view topic, std::string_view key, const std::string& text);
 
-/// Codes of all messages, for a check of what is left over.
-std::vector<std::string> all_codes();
+/// Whether there is a message for this code.
+bool has_words(std::string_view code);
 
 // What is said in the middle of a sentence, as one of its own.
 

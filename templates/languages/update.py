@@ -16,7 +16,9 @@ import tempfile
 
 here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
-tables = "src/wording/*_messages.cpp"
+sys.path.append(str(root / "templates" / "messages"))
+import message_files
+
 unwrapped = ["--no-wrap", "--add-location=file", "--sort-by-file"]
 
 
@@ -30,6 +32,30 @@ def extracted(sources, *keywords):
                *(f"-k{keyword}" for keyword in keywords), *unwrapped, "--output=-", *sources)
 
 
+def pot_of_messages():
+    """Those of templates/messages: a text once, with all files that have it."""
+    all_messages, wrong = message_files.messages(root)
+    if wrong:
+        sys.exit("\n".join(wrong))
+    entries = {}
+    for message in all_messages:
+        if not message.is_the_same_everywhere:
+            entries.setdefault(message.one, []).append(message)
+    pot = ['msgid ""\nmsgstr "Content-Type: text/plain; charset=UTF-8\\n"']
+    for one, same in sorted(entries.items()):
+        lines = [f"#. {comment}" for comment in sorted({message.comment for message in same} - {""})]
+        lines += [f"#: {file}" for file in sorted({message.file for message in same})]
+        many = max(message.many for message in same)
+        lines += [f"msgid {quoted(one)}"] + ([f"msgid_plural {quoted(many)}"] if many else [])
+        lines += ['msgstr[0] ""', 'msgstr[1] ""'] if many else ['msgstr ""']
+        pot.append("\n".join(lines))
+    return "\n\n".join(pot) + "\n"
+
+
+def quoted(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
 def with_formats(pot):
     """Values stand in braces; what looks like printf's is a percent sign."""
     entries = []
@@ -37,7 +63,7 @@ def with_formats(pot):
         entry = re.sub(r"^#, .*c-format.*\n", "", entry, flags=re.M)
         says = "".join(re.findall(r'^(?:msgid|msgid_plural)? ?"(.*)"$', entry, flags=re.M))
         # Those of templates are HTML, whose marks the program compares itself.
-        if "{" in says and "#: templates/" not in entry:
+        if "{" in says and not re.search(r"^#: templates/(?!messages/)", entry, flags=re.M):
             entry = entry.replace("msgid ", "#, python-brace-format\nmsgid ", 1)
         entries.append(entry)
     return "\n\n".join(entries)
@@ -46,10 +72,7 @@ def with_formats(pot):
 def write_template(program, pot):
     sources = sorted(str(path.relative_to(root)) for path in (root / "src").rglob("*.[ch]*")
                      if path.suffix in (".cpp", ".h"))
-    messages = [path for path in sources if pathlib.PurePath(path).match(tables)]
-    others = [path for path in sources if path not in messages]
-    parts = [extracted(messages, "text:1", "by_count:2,3"),
-             extracted(others, "tr:1", "tr_count:2,3", "to_translate:1"),
+    parts = [pot_of_messages(), extracted(sources, "tr:1", "tr_count:2,3", "to_translate:1"),
              'msgid ""\nmsgstr "Content-Type: text/plain; charset=UTF-8\\n"\n\n' + run(program)]
     with tempfile.TemporaryDirectory() as folder:
         files = []

@@ -3,8 +3,8 @@
 
   statements.py sentences   no string literal of src/method, src/verdict, src/friction, src/simulate and
                             render is a sentence: three words or more
-  statements.py codes       every code that is stated has one message in src/wording, every message is
-                            stated somewhere, and values have the names that the message asks for
+  statements.py codes       every code that is stated has one message in templates/messages, every message
+                            is stated somewhere, and values have the names that the message asks for
 
 Prints what is wrong; exit status 1 if anything is. Environment: TRIBOLOG_ROOMS, another tree than
 this one."""
@@ -14,6 +14,9 @@ import os
 import pathlib
 import re
 import sys
+
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "templates" / "messages"))
+import message_files
 
 ROOT = pathlib.Path(os.environ.get("TRIBOLOG_ROOMS") or pathlib.Path(__file__).parents[2]).resolve()
 WORDLESS = ("method", "verdict", "friction", "simulate", "render")
@@ -53,21 +56,6 @@ def sentences():
     return wrong
 
 
-def messages():
-    """Code -> the placeholders of its message, of both its forms."""
-    wrong, found = [], {}
-    entry = re.compile(r'\{"(' + CODE + r'|verbatim)",\s*\w+\(((?:[^"()]|'
-                       + LITERALS.pattern + r')*)')
-    for path, text in sources("wording"):
-        if not path.name.endswith("_messages.cpp"):
-            continue
-        for code, words in entry.findall(text):
-            if code in found:
-                wrong.append(f"{path.relative_to(ROOT)}: {code} has two messages")
-            found[code] = set(re.findall(r"\{([a-z][A-Za-z0-9_]*)", joined(words)))
-    return found, wrong
-
-
 def balanced(text, start):
     """From the brace at `start` to the one that closes it."""
     depth, inside = 0, False
@@ -83,12 +71,12 @@ def balanced(text, start):
 
 
 def codes():
-    known, wrong = messages()
+    messages, wrong = message_files.messages(ROOT)
+    known = {message.code: set(re.findall(r"\{([a-z][A-Za-z0-9_]*)", message.one + message.many))
+             for message in messages}
     topics = {code.split(".")[0] for code in known}
     stated, beginnings = collections.defaultdict(set), set()
     for path, text in sources("", "render"):
-        if path.name.endswith("_messages.cpp"):
-            continue
         name = path.relative_to(ROOT)
         made = dict(re.findall(r'StatedValue (\w+)\{"(\w+)"', text))
         beginnings |= set(re.findall(r'"([a-z][a-z0-9_.]*\.)"', text))
@@ -110,9 +98,9 @@ def codes():
             missing = known[code] - given
             if missing:
                 wrong.append(f"{name}: {code} does not state {', '.join(sorted(missing))}")
-    for code in sorted(known):
-        if code not in stated and not any(code.startswith(b) for b in beginnings):
-            wrong.append(f"src/wording: nobody states {code}")
+    for message in messages:
+        if message.code not in stated and not any(message.code.startswith(b) for b in beginnings):
+            wrong.append(f"{message.place}: nobody states {message.code}")
     return wrong
 
 

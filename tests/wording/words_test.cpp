@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wording/message_table.h"
+
 namespace tribolog::words_test {
 namespace {
 
@@ -74,10 +76,9 @@ StatedValue value_for(const std::string& name, const std::string& format) {
 
 TEST(Words, EveryMessageTakesItsValues) {
   static const std::regex placeholder(R"(\{(\w+)(?::([^}]*))?\})");
-  for (const std::string& code : wording::all_codes()) {
-    if (code == Statement::verbatim("of a person").code().text()) continue;
-    const std::string message =
-        wording::words_for(code.substr(0, code.find('.')), code.substr(code.find('.') + 1));
+  for (const auto& [coded, forms] : wording::all_messages()) {
+    const std::string code(coded);
+    const std::string message(forms.one);
     std::vector<StatedValue> values;
     for (std::sregex_iterator at(message.begin(), message.end(), placeholder), end; at != end;
          ++at) {
