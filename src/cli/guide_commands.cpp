@@ -5,12 +5,16 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "base/standard_output.h"
 #include "calibration/provenance.h"
 #include "cli/command_tree.h"
 #include "cli/completion.h"
+#include "cli/manifest_keys.h"
 #include "cli/manual_pages.h"
 #include "cli/shared_options.h"
 #include "cli/usage_refusal.h"
@@ -25,12 +29,42 @@ constexpr const char* hidden = "";  // no group of help's
 std::function<Run()> add_help(CLI::App& app) {
   const auto path = std::make_shared<std::vector<std::string>>();
   CLI::App& command = *app.add_subcommand("help", "what a command does, and its options");
+  const auto markdown = std::make_shared<bool>(false);
   command.add_option("COMMAND", *path, "the command; none: all of them in a line each");
-  return [&app, &command, path]() -> Run {
+  command.add_flag("--markdown", *markdown, "of the command and all below it, as Markdown");
+  return [&app, &command, path, markdown]() -> Run {
     if (!command) return {};
-    return [&app, path](const Invocation&) {
+    return [&app, path, markdown](const Invocation&) {
       const CLI::App& of = command_named(app, *path);
+      if (*markdown) {
+        print(command_reference(of));
+        return ExitStatus::done;
+      }
       print(of.get_formatter()->make_help(&of, typed(of), CLI::AppFormatMode::Normal));
+      return ExitStatus::done;
+    };
+  };
+}
+
+std::function<Run()> add_manifest(CLI::App& app) {
+  const auto table = std::make_shared<std::string>();
+  CLI::App& command = *app.add_subcommand("manifest", "every key of a dataset manifest (Markdown)");
+  command.add_option("TABLE", *table, "one table, such as 'effects' or 'columns'; none: all");
+  return [&command, table]() -> Run {
+    if (!command) return {};
+    return [table](const Invocation&) {
+      const std::string reference = manifest_reference(*table);
+      if (reference.empty()) {
+        std::vector<std::string> names;
+        for (const ManifestTable& one : manifest_tables()) {
+          if (!one.names.front().empty()) names.push_back(one.names.front());
+        }
+        const std::string meant = did_you_mean(*table, names);
+        throw UsageError(
+            fmt::format("{} is no table of a manifest; {}", in_quotes(*table),
+                        meant.empty() ? "its tables: " + list_of_names(names) : meant));
+      }
+      print(reference);
       return ExitStatus::done;
     };
   };

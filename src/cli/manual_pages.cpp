@@ -166,7 +166,59 @@ ManualPage page_of(const CLI::App& command, const std::string& version) {
   return page;
 }
 
+/// Of a table's cell: nothing in it ends the cell or begins a tag.
+std::string in_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) {
+    if (c == '|') {
+      cell += "\\|";
+    } else if (c == '<') {
+      cell += "&lt;";
+    } else {
+      cell += c == '\n' ? ' ' : c;
+    }
+  }
+  return cell;
+}
+
+/// "`-o`, `--output` TEXT"
+std::string option_in_markdown(const CLI::Option& option) {
+  const std::string value = value_name(option);
+  const std::string shown = value_is_optional(option) ? "[" + value + "]" : value;
+  return fmt::format("`{}`{}", fmt::join(names_of(option), "`, `"),
+                     value.empty() ? "" : " " + in_cell(shown));
+}
+
+std::string rows_in_markdown(const CLI::App& command) {
+  std::string rows;
+  const auto add = [&](const std::string& name, const CLI::Option& option) {
+    std::string states = option.get_description();
+    const std::string choices = unnamed_choices(option);
+    if (!choices.empty()) states += "; one of: " + choices;
+    if (option.get_required()) states += "; required";
+    if (!option.get_default_str().empty()) states += "; default: " + option.get_default_str();
+    rows += fmt::format("| {} | {} |\n", name, in_cell(states));
+  };
+  for (const CLI::Option* const one : positionals_of(command))
+    add("`" + main_name(*one) + "`", *one);
+  for (const CLI::Option* const one : options_of(command)) {
+    if (main_name(*one) == "--help") continue;
+    add(option_in_markdown(*one), *one);
+  }
+  return rows.empty() ? "" : "| | |\n|---|---|\n" + rows;
+}
+
 }  // namespace
+
+std::string command_reference(const CLI::App& command) {
+  std::string text;
+  for (const CLI::App* const one : all_commands(command)) {
+    const std::string table = rows_in_markdown(*one);
+    text += fmt::format("{}### {}\n\n{}\n{}", text.empty() ? "" : "\n", typed(*one),
+                        first_line(one->get_description()), table.empty() ? "" : "\n" + table);
+  }
+  return text;
+}
 
 std::vector<ManualPage> manual_pages(const CLI::App& program, const std::string& version) {
   std::vector<ManualPage> pages;

@@ -17,4 +17,7 @@ struct ManualPage {
 /// @param version of the program, which each names.
 std::vector<ManualPage> manual_pages(const CLI::App& program, const std::string& version);
 
+/// What the manual says of the command and of all below it, as Markdown, without exit statuses.
+std::string command_reference(const CLI::App& command);
+
 }  // namespace tribolog::cli

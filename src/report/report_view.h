@@ -235,7 +235,7 @@ struct ReportView {
   std::vector<Table> provenance_tables;
   std::string command_line;
   std::string created_utc;
-  std::string tool;  ///< "tribolog 0.1.0 (revision ...)"
+  std::string tool;  ///< "tribolog 0.2.0 (revision ...)"
 };
 
 /// Figures and drawn pictures pair up by id. A figure whose picture is missing or has an error

@@ -1,9 +1,13 @@
-// README.md as a newcomer types it: every command that it shows is run, in its order.
+// README.md and the pages of docs/ as a newcomer types them: every command that a page shows is
+// run, in its order, and what the page says that a run prints is what it prints.
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,22 +23,61 @@ namespace fs = std::filesystem;
 
 const std::string source = TRIBOLOG_SOURCE_DIR;
 
-/// The lines of all blocks of a kind, without comments behind the commands.
-std::vector<std::string> lines_of_blocks(const std::string& kind) {
-  std::istringstream readme(read_text(source + "/README.md"));
-  std::vector<std::string> lines;
-  bool is_inside = false;
-  for (std::string line; std::getline(readme, line);) {
-    if (line.starts_with("```")) {
-      is_inside = line == "```" + kind;
-    } else if (is_inside) {
-      lines.push_back(line.substr(0, line.find("  #")));
-    }
+/// README.md and docs/*.md, by their path.
+std::vector<std::string> pages() {
+  std::vector<std::string> all{"README.md"};
+  for (const auto& entry : fs::directory_iterator(source + "/docs")) {
+    if (entry.path().extension() == ".md")
+      all.push_back("docs/" + entry.path().filename().string());
   }
-  return lines;
+  std::sort(all.begin() + 1, all.end());
+  return all;
 }
 
-/// A folder as the README supposes it: the examples in it, and `tribolog` on the PATH.
+struct Typed {
+  std::string line;
+  bool shows_output{};
+  std::string shown;  ///< Where its output is shown.
+};
+
+/// The commands of the page's blocks, without comments behind them; long ones in one line.
+std::vector<Typed> commands_of(const std::string& page) {
+  std::istringstream text(read_text(source + "/" + page));
+  std::vector<Typed> commands;
+  std::string kind;
+  bool goes_on = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) {
+      kind = kind.empty() ? line : "";
+      continue;
+    }
+    const bool is_typed = kind == "```sh" || (kind == "```console" && line.starts_with("$ "));
+    if (kind == "```console" && !is_typed && !commands.empty())
+      commands.back().shown += line + "\n";
+    if (!is_typed) continue;
+    std::string command = line.substr(kind == "```sh" ? 0 : 2);
+    command.resize(std::min(command.size(), command.find("  #")));
+    if (goes_on) {
+      commands.back().line += command;
+    } else if (!command.empty() && command.front() != '#') {
+      commands.push_back({command, kind == "```console", ""});
+    }
+    goes_on = !commands.empty() && commands.back().line.ends_with('\\');
+    if (goes_on) commands.back().line.pop_back();
+  }
+  return commands;
+}
+
+/// What builds, installs or tests the program, or opens what it wrote.
+bool is_about_the_checkout(std::string_view line) {
+  constexpr std::array<std::string_view, 7> beginnings = {
+      "./setup.sh ",   "./examples/run.sh", "./tests/run.sh", "apt-get ",
+      "sudo apt-get ", "cmake --install ",  "python3 docs/"};
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view one) { return line.starts_with(one); });
+}
+
+/// A folder as the pages suppose it: the examples in it, and `tribolog` on the PATH.
 class Newcomer {
  public:
   Newcomer() {
@@ -51,7 +94,7 @@ class Newcomer {
   ScratchDirectory scratch_;
 };
 
-/// Ids differ from machine to machine: the README's stands for the first one that is archived.
+/// Ids differ from machine to machine: the pages' stands for the first one that is archived.
 std::string with_own_id(std::string line, const Newcomer& newcomer) {
   const std::string shown = "02b2ab3c";
   const std::size_t at = line.find(shown);
@@ -69,35 +112,38 @@ std::string with_few_runs(std::string line) {
   return line;
 }
 
-TEST(Readme, ShowsCommandsThatCanBeTypedAsTheyAre) {
+class Readme : public testing::TestWithParam<std::string> {};
+
+TEST_P(Readme, ShowsCommandsThatCanBeTypedAsTheyAre) {
   const Newcomer newcomer;
-  std::size_t typed = 0;
-  for (const std::string& line : lines_of_blocks("sh")) {
-    if (!line.starts_with("tribolog ")) continue;  // what builds, installs or tests the program
-    const ProgramRun run = newcomer.types(with_few_runs(with_own_id(line, newcomer)));
-    EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
-    ++typed;
+  for (const Typed& command : commands_of(GetParam())) {
+    if (is_about_the_checkout(command.line)) continue;
+    const ProgramRun run = newcomer.types(with_few_runs(with_own_id(command.line, newcomer)));
+    EXPECT_EQ(run.status, 0) << command.line << "\n" << run.err;
+    if (!command.shows_output) continue;
+    EXPECT_FALSE(command.shown.empty()) << command.line;
+    EXPECT_EQ(difference(run.out, command.shown, 1e-3), "") << command.line;
   }
-  EXPECT_GE(typed, 10U);
 }
 
-// What it says that a run prints is what the run prints.
-TEST(Readme, ShowsWhatIsPrinted) {
-  const Newcomer newcomer;
-  std::string printed;
-  std::string shown;
-  for (const std::string& line : lines_of_blocks("console")) {
-    if (line.starts_with("$ ")) {
-      const ProgramRun run = newcomer.types(line.substr(2));
-      EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
-      printed += run.out;
-    } else {
-      shown += line + "\n";
-    }
-  }
-  EXPECT_FALSE(shown.empty());
-  EXPECT_EQ(difference(printed, shown, 1e-3), "");
+/// "docs/real_logs.md" as "docs_real_logs": what a test may be called.
+std::string name_of_page(const testing::TestParamInfo<std::string>& page) {
+  std::string name = page.param.substr(0, page.param.rfind('.'));
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
+
+/// Those that show commands.
+std::vector<std::string> pages_with_commands() {
+  std::vector<std::string> all = pages();
+  std::erase_if(all, [](const std::string& page) { return commands_of(page).empty(); });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, Readme, testing::ValuesIn(pages_with_commands()), name_of_page);
+
+TEST(Pages, ShowCommands) { EXPECT_GE(pages_with_commands().size(), 7U); }
 
 }  // namespace
 }  // namespace tribolog::test::readme_test

@@ -130,7 +130,7 @@ using Progress = std::function<void(const std::string& what, std::size_t done, s
 /// Codes of the available languages, English first: "en", "pl".
 TRIBOLOG_EXPORT std::vector<std::string> languages();
 
-/// "0.1.0": the version of the running library.
+/// "0.2.0": the version of the running library.
 TRIBOLOG_EXPORT std::string version();
 
 }  // namespace tribolog
