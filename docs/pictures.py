@@ -177,7 +177,7 @@ def with_palette(png):
 def draw_report(program, folder):
     subprocess.run([program, "simulate", "-q", EXAMPLES / "paper/scenario_noise.toml", "-o", folder], check=True)
     subprocess.run([program, "report", "-q", folder / "dataset.toml", "-o", folder / "report.html"], check=True)
-    subprocess.run(["chromium", "--headless", "--no-sandbox", "--hide-scrollbars", "--window-size=1000,1322",
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--hide-scrollbars", "--window-size=1000,1334",
                     f"--screenshot={folder / 'page.png'}", folder / "report.html"],
                    check=True, stderr=subprocess.DEVNULL)
     picture = with_palette((folder / "page.png").read_bytes())

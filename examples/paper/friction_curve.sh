@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Redraws the README's picture: the friction curve identified from the logs of the paper's joint with the
+# Redraws the tutorial's picture: the friction curve identified from the logs of the paper's joint with the
 # noise of a real drive.
 #   examples/paper/friction_curve.sh [PICTURE.svg]
 # Environment: TRIBOLOG (the program).

@@ -98,8 +98,8 @@ The manifest says, for example:
 
 Each role may occur any number of times, and each is optional: if one is absent,
 the stages that need it say so; the rest still runs. The joints of one robot
-can share a manifest, each in [[joints]]: --joint NAME picks one. README.md,
-"Your own joint", describes every key.)";
+can share a manifest, each in [[joints]]: --joint NAME picks one. tribolog manifest
+prints every key.)";
 
 }  // namespace
 

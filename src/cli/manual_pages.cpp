@@ -144,7 +144,7 @@ constexpr const char* files_section = R"(.SH FILES
 the archive, where none is named
 .TP
 .I /usr/share/doc/tribolog
-README.md, the full description, and the examples
+README.md, docs, the full description, and the examples
 )";
 
 ManualPage page_of(const CLI::App& command, const std::string& version) {

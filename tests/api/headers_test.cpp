@@ -38,16 +38,16 @@ TEST(PublicHeaders, CompileAlone) {
   EXPECT_GE(headers, 8U);
 }
 
-TEST(TheReadme, ShowsCodeThatCompiles) {
-  const std::string readme = read_text(TRIBOLOG_SOURCE_DIR "/README.md");
+TEST(TheLibrarysPage, ShowsCodeThatCompiles) {
+  const std::string page = read_text(TRIBOLOG_SOURCE_DIR "/docs/library.md");
   const std::string begin = "```cpp\n#include <tribolog/tribolog.h>\n";
-  const std::size_t from = readme.find(begin);
+  const std::size_t from = page.find(begin);
   ASSERT_NE(from, std::string::npos);
   const std::size_t code = from + begin.size();
   const ScratchDirectory scratch;
   const std::string source =
-      scratch.write("readme.cpp", "#include <tribolog/tribolog.h>\nint main() {\n" +
-                                      readme.substr(code, readme.find("```", code) - code) + "}\n");
+      scratch.write("page.cpp", "#include <tribolog/tribolog.h>\nint main() {\n" +
+                                    page.substr(code, page.find("```", code) - code) + "}\n");
   const ProgramRun run = run_shell(fmt::format("'{}' -std=c++20 -fsyntax-only -I'{}/src/api' '{}'",
                                                TRIBOLOG_CXX, TRIBOLOG_SOURCE_DIR, source));
   EXPECT_EQ(run.status, 0) << run.err;

@@ -32,7 +32,7 @@ TEST(Commands, HelpTeaches) {
     const ProgramRun help = run_shell(program + command + " --help");
     EXPECT_EQ(help.status, 0);
     for (const char* key : {"gear_ratio = 100", "[uncertainty]", "[[limit]]", "[[known_load]]",
-                            "[known_gravity]", "\"none\"", "README.md"}) {
+                            "[known_gravity]", "\"none\"", "tribolog manifest"}) {
       EXPECT_NE(help.out.find(key), std::string::npos) << command << " --help: " << key;
     }
   }

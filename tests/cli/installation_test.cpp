@@ -23,6 +23,7 @@ TEST(Installation, MayBeMoved) {
   const std::string prefix = scratch.file("second");
   for (const char* file :
        {"share/doc/tribolog/README.md", "share/doc/tribolog/copyright",
+        "share/doc/tribolog/docs/tutorial.md", "share/doc/tribolog/docs/pictures/report.png",
         "share/doc/tribolog/examples/ur_like/sine_sweep.csv",
         "share/tribolog/calibration.schema.json", "share/man/man1/tribolog.1",
         "share/man/man1/tribolog-archive-list.1", "share/bash-completion/completions/tribolog",

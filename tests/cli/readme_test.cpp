@@ -40,15 +40,27 @@ struct Typed {
   std::string shown;  ///< Where its output is shown.
 };
 
+/// "END" of a line that ends in <<'END': what follows is its input, up to the line that says so.
+std::string end_of_input(const std::string& line) {
+  const std::size_t at = line.find("<<'");
+  return at == std::string::npos ? "" : line.substr(at + 3, line.find('\'', at + 3) - at - 3);
+}
+
 /// The commands of the page's blocks, without comments behind them; long ones in one line.
 std::vector<Typed> commands_of(const std::string& page) {
   std::istringstream text(read_text(source + "/" + page));
   std::vector<Typed> commands;
   std::string kind;
+  std::string input_end;
   bool goes_on = false;
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("```")) {
       kind = kind.empty() ? line : "";
+      continue;
+    }
+    if (!input_end.empty()) {
+      commands.back().line += "\n" + line;
+      if (line == input_end) input_end.clear();
       continue;
     }
     const bool is_typed = kind == "```sh" || (kind == "```console" && line.starts_with("$ "));
@@ -62,6 +74,7 @@ std::vector<Typed> commands_of(const std::string& page) {
     } else if (!command.empty() && command.front() != '#') {
       commands.push_back({command, kind == "```console", ""});
     }
+    input_end = end_of_input(command);
     goes_on = !commands.empty() && commands.back().line.ends_with('\\');
     if (goes_on) commands.back().line.pop_back();
   }
@@ -108,7 +121,8 @@ std::string with_own_id(std::string line, const Newcomer& newcomer) {
 
 /// A plan simulates for half a minute unless it is told to do less; each night it does all.
 std::string with_few_runs(std::string line) {
-  if (!every_case() && line.starts_with("tribolog plan ")) line += " --runs 2";
+  const std::string plan = "tribolog plan ";
+  if (!every_case() && line.starts_with(plan)) line.insert(plan.size(), "--runs 2 ");
   return line;
 }
 

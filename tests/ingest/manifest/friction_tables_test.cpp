@@ -83,8 +83,8 @@ elements = [
   EXPECT_EQ(std::get<std::uint64_t>(value_of(*bonds, "bristles")), 20U);
 }
 
-TEST(FrictionTables, TheReadMesExampleIsRead) {
-  const std::string page = read_file(std::string(TRIBOLOG_SOURCE_DIR) + "/README.md");
+TEST(FrictionTables, TheDocumentedExampleIsRead) {
+  const std::string page = read_file(std::string(TRIBOLOG_SOURCE_DIR) + "/docs/simulation.md");
   const std::size_t from = page.find("[friction]");
   const ingest::manifest::JointFriction f = read(page.substr(from, page.find("```", from) - from));
   EXPECT_EQ(f.presliding->name(), "gms");
