@@ -22,7 +22,7 @@ needed=(cmake ninja-build g++ pkg-config git
 case $goal in
   package) needed+=(dpkg-dev file) ;;
   tests | lint | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-venv python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
+    python3-minimal python3-venv python3-jsonschema python3-markdown python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
   nightly) needed+=(valgrind) ;;
   bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;

@@ -13,7 +13,10 @@ import pathlib
 import re
 import sys
 
-import markdown
+try:
+    import markdown
+except ImportError:
+    sys.exit("docs/site.py: needs python3-markdown")
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ["README.md"] + [f"docs/{name}.md" for name in (
