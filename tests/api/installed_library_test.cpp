@@ -74,7 +74,7 @@ TEST_F(TheInstalledLibrary, RefusesAnotherVersion) {
   fs::create_directory(source);
   scratch_.write("other/CMakeLists.txt",
                  "cmake_minimum_required(VERSION 3.22)\nproject(other LANGUAGES CXX)\n"
-                 "find_package(tribolog 0.2 REQUIRED)\n");
+                 "find_package(tribolog 0.1 REQUIRED)\n");
   const ProgramRun configured =
       run_shell(fmt::format("'{}' -S '{}' -B '{}/build' -DCMAKE_PREFIX_PATH='{}'", TRIBOLOG_CMAKE,
                             source, source, prefix_));
