@@ -1,8 +1,8 @@
 #include "render/vtk/draw_list_item.h"
 
 #include <cmath>
+#include <vector>
 
-#include <vtkBrush.h>
 #include <vtkContext2D.h>
 #include <vtkFreeTypeTools.h>
 #include <vtkObjectFactory.h>
@@ -12,15 +12,23 @@
 #include <vtkTransform2D.h>
 
 #include "render/figure/draw_list.h"
+#include "render/vtk/triangle_device.h"
 
 namespace tribolog::render::vtk {
 namespace {
 
 constexpr int dots_per_inch = 72;
+constexpr std::size_t colours_at_once = 1 << 18;  // bytes: more would be copied through all caches
+
+/// As of the triangles that tie two parts.
+bool has_no_area(figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint c) {
+  return (b.x - a.x) * (c.y - a.y) == (c.x - a.x) * (b.y - a.y);
+}
 
 }  // namespace
 
 vtkStandardNewMacro(DrawListItem);
+vtkStandardNewMacro(TriangleDevice);
 
 void DrawListItem::show(const figure::DrawList* list, const text::Font* font, int top,
                         int window_height) {
@@ -48,49 +56,52 @@ bool DrawListItem::is_in_window(const figure::PixelBox& box) const {
 
 bool DrawListItem::Paint(vtkContext2D* context) {
   context->GetPen()->SetLineType(vtkPen::NO_PEN);
-  figure::Colour pending{};
-  const auto use = [&](figure::Colour colour) {
-    if (!(colour == pending)) fill(context, pending);
-    pending = colour;
-  };
   for (const figure::Primitive& primitive : list_->primitives) {
     if (const auto* run = std::get_if<figure::TextRun>(&primitive)) {
       if (!is_in_window(run->box)) continue;
-      fill(context, pending);
+      fill(context);
       draw_text(context, *run);
     } else if (const auto* line = std::get_if<figure::Polyline>(&primitive)) {
-      use(line->colour);
+      strip_.use(line->colour);
       strip_.add(*line);
     } else if (const auto* ribbon = std::get_if<figure::Ribbon>(&primitive)) {
-      use(ribbon->colour);
+      strip_.use(ribbon->colour);
       strip_.add(*ribbon);
     } else if (const auto* polygon = std::get_if<figure::Polygon>(&primitive)) {
-      use(polygon->colour);
+      strip_.use(polygon->colour);
       strip_.add(*polygon);
     } else if (const auto* markers = std::get_if<figure::Markers>(&primitive)) {
       if (figure::has_rim(*markers)) {
-        use(figure::marker_rim_colour);
+        strip_.use(figure::marker_rim_colour);
         strip_.add(*markers, figure::marker_rim_px);
       }
-      use(markers->colour);
+      strip_.use(markers->colour);
       strip_.add(*markers);
     }
   }
-  fill(context, pending);
+  fill(context);
   return true;
 }
 
-void DrawListItem::fill(vtkContext2D* context, figure::Colour colour) {
-  const std::vector<figure::PixelPoint>& points = strip_.points();
-  if (points.size() >= 4) {
-    std::vector<float> vertices;
-    vertices.reserve(2 * points.size());
-    for (const figure::PixelPoint& p : points) {
-      vertices.push_back(vtk_x(p.x));
-      vertices.push_back(vtk_y(p.y));
+void DrawListItem::fill(vtkContext2D* context) {
+  const std::vector<StripPoint>& points = strip_.points();
+  auto* const device = TriangleDevice::SafeDownCast(context->GetDevice());
+  std::vector<float> corners;
+  std::vector<unsigned char> colours;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    if (!has_no_area(points[i - 2].at, points[i - 1].at, points[i].at)) {
+      for (const std::size_t k : {i - 2, i - 1, i}) {
+        const auto& [at, cover, colour] = points[k];
+        corners.insert(corners.end(), {vtk_x(at.x), vtk_y(at.y)});
+        colours.insert(colours.end(), {colour.red, colour.green, colour.blue, colour.alpha});
+      }
     }
-    context->GetBrush()->SetColor(colour.red, colour.green, colour.blue, colour.alpha);
-    context->DrawQuadStrip(vertices.data(), static_cast<int>(points.size()));
+    const bool is_last = i + 1 == points.size();
+    if (colours.size() >= colours_at_once || (is_last && !colours.empty())) {
+      device->draw_triangles(corners, colours);
+      corners.clear();
+      colours.clear();
+    }
   }
   strip_.clear();
 }

@@ -30,7 +30,7 @@ class DrawListItem : public vtkContextItem {
   ~DrawListItem() override = default;
 
  private:
-  void fill(vtkContext2D* context, figure::Colour colour);
+  void fill(vtkContext2D* context);
   void draw_text(vtkContext2D* context, const figure::TextRun& run);
   [[nodiscard]] bool is_in_window(const figure::PixelBox& box) const;
   [[nodiscard]] float vtk_x(double x) const;

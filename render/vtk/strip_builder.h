@@ -2,7 +2,8 @@
 // Lines and areas as one strip of quadrilaterals, the only shape that the painter fills.
 //
 // VTK joins thick segments with notches and repeats its dash pattern per segment; strips made here
-// have round joins, and any number of separate parts can share one draw call.
+// have round joins, and any number of separate parts can share one draw call. Their edges fade over
+// one pixel, as smooth as many samples a pixel would make them and at the price of one.
 
 #include <limits>
 #include <vector>
@@ -10,6 +11,13 @@
 #include "render/figure/draw_list.h"
 
 namespace tribolog::render::vtk {
+
+/// A corner of the strip.
+struct StripPoint {
+  figure::PixelPoint at;
+  double cover{1};          ///< How much of the colour is there, from 0 (beyond the edge) to 1.
+  figure::Colour colour{};  ///< With the cover in its alpha.
+};
 
 /// Collects pairs of points (left edge, right edge). Parts are tied by quads without area.
 class StripBuilder {
@@ -19,6 +27,8 @@ class StripBuilder {
     top_ = top;
     bottom_ = bottom;
   }
+  /// Of all that is added from now on.
+  void use(figure::Colour colour) { colour_ = colour; }
   void add(const figure::Polyline& line);  ///< Cut into its dashes.
   void add(const figure::Ribbon& ribbon);
   void add(const figure::Polygon& polygon);
@@ -26,17 +36,27 @@ class StripBuilder {
   void add(const figure::Markers& markers, double grow = 0.0);
 
   /// Pixel coordinates, two points to a pair.
-  [[nodiscard]] const std::vector<figure::PixelPoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<StripPoint>& points() const { return points_; }
   void clear() { points_.clear(); }
 
  private:
-  void pair(figure::PixelPoint a, figure::PixelPoint b);
-  void begin_part(figure::PixelPoint at);
-  void end_part(figure::PixelPoint at);
+  /// Across a line or an area: where it is cut, and what both ends have inside and outside.
+  struct Section {
+    figure::PixelPoint left;      ///< On one edge,
+    figure::PixelPoint right;     ///< and on the other.
+    figure::PixelPoint out_left;  ///< Unit vectors away from the area.
+    figure::PixelPoint out_right;
+    double cover{1};
+  };
+  void pair(StripPoint a, StripPoint b);
+  void begin_part(StripPoint at);
+  void end_part(StripPoint at);
+  void add(const std::vector<Section>& sections);
   void stroke(const std::vector<figure::PixelPoint>& line, double width);
   void convex(const std::vector<figure::PixelPoint>& outline);
 
-  std::vector<figure::PixelPoint> points_;
+  std::vector<StripPoint> points_;
+  figure::Colour colour_;
   double top_{-std::numeric_limits<double>::infinity()};
   double bottom_{std::numeric_limits<double>::infinity()};
 };

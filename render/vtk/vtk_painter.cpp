@@ -20,6 +20,7 @@
 #include "render/vtk/gl_context.h"
 #include "render/vtk/headless_window.h"
 #include "render/vtk/scene_painter.h"
+#include "render/vtk/triangle_device.h"
 
 namespace tribolog::render::vtk {
 
@@ -70,7 +71,7 @@ void VtkMessages::DisplayGenericWarningText(const char*) {}
 
 std::string VtkMessages::take_error() { return std::exchange(first_error_, {}); }
 
-constexpr int samples_per_pixel = 4;          // llvmpipe has no more
+constexpr int samples_of_scenes = 4;          // a pixel; llvmpipe has no more
 constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
 
 class VtkPainter final : public paint::Painter {
@@ -88,6 +89,7 @@ class VtkPainter final : public paint::Painter {
   vtkNew<VtkMessages> messages_;
   vtkNew<HeadlessWindow> window_;
   vtkNew<vtkRenderer> renderer_;
+  vtkNew<TriangleDevice> device_;
   vtkNew<vtkContextActor> actor_;
   vtkNew<DrawListItem> item_;
 };
@@ -97,16 +99,19 @@ VtkPainter::VtkPainter(const text::Font& font) : font_(font), context_(make_gl_c
   // FreeType's glyph cache may start out believing that it is full and reload every glyph.
   vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfBytes(~0UL);
   window_->attach(context_.get());
-  window_->SetMultiSamples(samples_per_pixel);
+  window_->SetMultiSamples(0);
   window_->SwapBuffersOff();
   renderer_->SetBackground(1, 1, 1);
   window_->AddRenderer(renderer_);
   renderer_->AddActor(actor_);
+  actor_->SetForceDevice(device_);
   actor_->GetScene()->SetRenderer(renderer_);
   actor_->GetScene()->AddItem(item_);
 }
 
-figure::Picture VtkPainter::paint(const figure::DrawList& list, int strip_rows) {
+figure::Picture VtkPainter::paint(const figure::DrawList& list, int scene_rows) {
+  const int strip_rows =
+      list.scene ? scene_rows : std::min(samples_of_scenes * scene_rows, list.height);
   figure::Picture picture{list.width, list.height, {}, list.width_mm};
   picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
                      static_cast<std::size_t>(list.height));
@@ -117,6 +122,7 @@ figure::Picture VtkPainter::paint(const figure::DrawList& list, int strip_rows) 
     scene = std::make_unique<ScenePainter>(renderer_, *list.scene, outline_px);
   }
   window_->keep_depth(scene != nullptr);
+  window_->SetMultiSamples(scene ? samples_of_scenes : 0);
   for (int top = 0; top < list.height; top += strip_rows) {
     if (scene) scene->show_rows(list.width, top, strip_rows);
     paint_strip(list, top, strip_rows, picture);
@@ -131,17 +137,19 @@ void VtkPainter::paint_strip(const figure::DrawList& list, int top, int strip_ro
   item_->show(&list, &font_, top, strip_rows);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
-  window_->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
-  const std::size_t row = 3 * static_cast<std::size_t>(list.width);
+  // As they are stored: without alpha, each would be converted by the driver.
+  window_->GetRGBACharPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
+  const std::size_t row = 4 * static_cast<std::size_t>(list.width);
   if (static_cast<std::size_t>(pixels->GetNumberOfValues()) !=
       row * static_cast<std::size_t>(strip_rows)) {
     throw FigureError({"drawing.wrong_size"});
   }
   const unsigned char* bottom_up = pixels->GetPointer(0);
   const int rows = std::min(strip_rows, list.height - top);
+  auto to = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3) * list.width * top;
   for (int y = 0; y < rows; ++y) {
-    std::copy_n(bottom_up + static_cast<std::size_t>(strip_rows - 1 - y) * row, row,
-                picture.rgb.begin() + static_cast<std::ptrdiff_t>(row) * (top + y));
+    const unsigned char* from = bottom_up + static_cast<std::size_t>(strip_rows - 1 - y) * row;
+    for (int x = 0; x < list.width; ++x, from += 4) to = std::copy_n(from, 3, to);
   }
 }
 

@@ -31,13 +31,15 @@ TEST(Dashes, DifferBetweenStyles) {
             figure::dash_lengths(figure::LineStyle::dash, 3)[0]);
 }
 
-/// Area of a strip of quads, each split into two triangles.
-double area(const std::vector<figure::PixelPoint>& p) {
+/// Colour in a strip of quads, each split into two triangles: their area by their mean cover.
+double ink(const std::vector<vtk::StripPoint>& p) {
   double sum = 0;
   for (std::size_t i = 2; i < p.size(); ++i) {
-    sum += std::abs((p[i - 1].x - p[i - 2].x) * (p[i].y - p[i - 2].y) -
-                    (p[i].x - p[i - 2].x) * (p[i - 1].y - p[i - 2].y)) /
-           2;
+    const figure::PixelPoint a = p[i - 2].at;
+    const figure::PixelPoint b = p[i - 1].at;
+    const figure::PixelPoint c = p[i].at;
+    const double cover = (p[i - 2].cover + p[i - 1].cover + p[i].cover) / 3;
+    sum += cover * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) / 2;
   }
   return sum;
 }
@@ -45,17 +47,37 @@ double area(const std::vector<figure::PixelPoint>& p) {
 TEST(StripBuilder, GivesALineItsWidthAndPartsNoTies) {
   vtk::StripBuilder strip;
   strip.add(figure::Polyline{{}, {{0, 0}, {100, 0}}, 4, figure::palette::black, {}});
-  EXPECT_NEAR(area(strip.points()), 400, 1e-9);
+  EXPECT_NEAR(ink(strip.points()), 400, 0.5) << "what fades outside of the edges is missing inside";
   strip.add(figure::Polyline{{}, {{0, 500}, {0, 700}}, 2, figure::palette::black, {}});
-  EXPECT_NEAR(area(strip.points()), 800, 1e-9) << "nothing is filled between the two lines";
+  EXPECT_NEAR(ink(strip.points()), 800, 1) << "nothing is filled between the two lines";
 }
 
 TEST(StripBuilder, RoundsASharpCorner) {
   vtk::StripBuilder strip;
   strip.add(figure::Polyline{{}, {{0, 0}, {100, 0}, {0, 10}}, 10, figure::palette::black, {}});
   double rightmost = 0;
-  for (const figure::PixelPoint& p : strip.points()) rightmost = std::max(rightmost, p.x);
+  for (const vtk::StripPoint& p : strip.points()) {
+    if (p.cover == 1) rightmost = std::max(rightmost, p.at.x + 0.5);
+  }
   EXPECT_NEAR(rightmost, 105, 0.5) << "half the width beyond the corner: neither notch nor spike";
+}
+
+// A line thinner than a pixel is paler, not thinner than what a pixel can show.
+TEST(StripBuilder, KeepsTheInkOfThinLinesPolygonsAndBands) {
+  vtk::StripBuilder thin;
+  thin.add(figure::Polyline{{}, {{0, 0}, {60, 80}}, 0.5, figure::palette::black, {}});
+  EXPECT_NEAR(ink(thin.points()), 50, 0.5);
+  for (const bool clockwise : {true, false}) {
+    std::vector<figure::PixelPoint> square{{10, 10}, {30, 10}, {30, 30}, {10, 30}};
+    if (!clockwise) std::reverse(square.begin(), square.end());
+    vtk::StripBuilder filled;
+    filled.add(figure::Polygon{{}, square, figure::palette::black});
+    EXPECT_NEAR(ink(filled.points()), 400, 1) << clockwise;
+  }
+  vtk::StripBuilder band;
+  band.add(figure::Ribbon{
+      {}, {{0, 0}, {50, 0}, {100, 0}}, {{0, 7}, {50, 7}, {100, 7}}, figure::palette::black});
+  EXPECT_NEAR(ink(band.points()), 700, 1);
 }
 
 TEST(StripBuilder, IgnoresRepeatedPoints) {
