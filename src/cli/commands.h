@@ -30,7 +30,7 @@ struct IdentifyArguments {
   GivenData given;
   DatasetChoice dataset;              ///< Found of what is given.
   std::string output;                 ///< Empty: beside the input.
-  std::size_t truth_runs{6};          ///< Of the known-truth check; 0: none.
+  std::size_t truth_runs{0};          ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;     ///< This verdict or a worse one is exit status 1.
   std::optional<std::uint64_t> seed;  ///< Wins over the manifest's.
   ArchivingOptions archiving;
@@ -51,7 +51,7 @@ struct ReportOptions {
   DatasetChoice dataset;    ///< Found of what is given.
   std::string output;       ///< Empty: beside the input.
   std::string calibration;  ///< Empty: beside the report.
-  std::size_t truth_runs{6};
+  std::size_t truth_runs{0};
   std::optional<Verdict> fail_on;
   std::optional<std::uint64_t> seed;  ///< Wins over the manifest's.
   int processes{2};

@@ -112,7 +112,7 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   add_processes(command, figures.processes);
   add_language(command, figures.language);
   command.footer(
-      "\n--truth-runs 6 adds the figure of the known-truth check, as in a report.\nSVG and PDF "
+      "\n--check adds the figure of the known-truth check, as in a report.\nSVG and PDF "
       "keep text as text and embed the glyphs they use. Charts in them need no\ngraphics stack; "
       "the solid parts of the robot's drawings are a picture below the lines.\n--style paper "
       "leaves the title to the caption; letters are 7 to 8 pt in print.");

@@ -198,11 +198,18 @@ void add_dataset(CLI::App& command, DatasetChoice& dataset) {
 
 void add_truth_runs(CLI::App& command, std::size_t& truth_runs) {
   constexpr std::size_t most = 10'000;
+  constexpr std::size_t usual = 6;
+  CLI::Option* runs =
+      command
+          .add_option("--truth-runs", truth_runs,
+                      "simulations of what was identified, each identified again; 0: no such check")
+          ->check(CLI::Range(std::size_t{0}, most))
+          ->capture_default_str();
   command
-      .add_option("--truth-runs", truth_runs,
-                  "simulations of what was identified, each identified again; 0: no such check")
-      ->check(CLI::Range(std::size_t{0}, most))
-      ->capture_default_str();
+      .add_flag_callback(
+          "--check", [&truth_runs] { truth_runs = usual; },
+          fmt::format("the known-truth check with {} simulations", usual))
+      ->excludes(runs);
 }
 
 void add_threads(CLI::App& command, std::size_t& threads) {

@@ -48,7 +48,7 @@ void add_seed(CLI::App& command, std::optional<std::uint64_t>& seed);
 void add_archiving(CLI::App& command, ArchivingOptions& archiving);
 /// `-j,--processes`
 void add_processes(CLI::App& command, int& processes);
-/// `--truth-runs`
+/// `--truth-runs` and `--check`
 /// DATASET and --joint.
 void add_dataset(CLI::App& command, DatasetChoice& dataset);
 void add_truth_runs(CLI::App& command, std::size_t& truth_runs);

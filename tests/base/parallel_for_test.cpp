@@ -1,6 +1,8 @@
 #include "base/parallel_for.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -39,6 +41,38 @@ TEST(ParallelFor, UsesAsManyThreadsAsAskedFor) {
       },
       2);
   EXPECT_EQ(begun, 2);
+}
+
+// Work within work shares the cores: no more threads than those are at work at any time.
+TEST(ParallelFor, MayBeNested) {
+  std::vector<std::atomic<int>> done(40);
+  std::atomic<int> at_work{0};
+  std::atomic<int> most{0};
+  parallel_for(4, [&](std::size_t i) {
+    parallel_for(10, [&](std::size_t k) {
+      const int now = ++at_work;
+      for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++done[10 * i + k];
+      --at_work;
+    });
+  });
+  for (const std::atomic<int>& one : done) EXPECT_EQ(one, 1);
+  EXPECT_LE(most, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+}
+
+// A thread that is done gives its core back.
+TEST(ParallelFor, UsesAllCoresAgainAfterwards) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core";
+  for (int round = 0; round < 50; ++round) {
+    std::atomic<int> begun{0};
+    parallel_for(2, [&](std::size_t) {
+      ++begun;
+      while (begun < 2) std::this_thread::yield();
+    });
+    ASSERT_EQ(begun, 2);
+  }
 }
 
 TEST(ParallelFor, ThrowsOnWhatAPieceThrows) {

@@ -33,8 +33,8 @@ TEST(MainJob, FromScenarioToReport) {
   EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
   EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
   const std::string html = read_text(out + "/report.html");
-  // Figures 10 to 17 and 22, candidates, loop fit, curve models, directions, masses,
-  // known-truth check.
+  // Figures 10 to 17 and 22, candidates, loop fit, curve models, directions, masses;
+  // not the known-truth check's.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
        ++at) {
@@ -57,7 +57,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 17U) << "all but the known-truth check's, which is made for --truth-runs alone";
+  EXPECT_EQ(files, 17U) << "all but the known-truth check's, which is made for --check alone";
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {

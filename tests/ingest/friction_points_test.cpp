@@ -1,12 +1,16 @@
 // A table of friction over speed, read as points of the curve.
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
+#include "wording/words.h"
 
 namespace tribolog::friction_points_test {
 namespace {
@@ -77,6 +81,31 @@ TEST(FrictionPoints, SingleNumbersThatNoJointHasAreLeftOutWhereTheManifestAllows
   ASSERT_EQ(p.skipped.size(), 1U);
   EXPECT_TRUE(p.skipped[0].reason.is("skipped.impossible"));
   EXPECT_EQ(p.skipped[0].count, 1U);
+}
+
+// A law of friction is a matter of some hundred speeds: a million rows give means of neighbours.
+TEST(FrictionPoints, ManyAreAveragedWithTheirNeighboursInSpeed) {
+  std::string csv = "v,tau,load\n";
+  const int rows = 9000;
+  for (int i = 1; i <= rows; ++i) {
+    const int k = (i * 7919) % rows + 1;  // in no order
+    const bool is_back = k % 3 == 0;
+    csv += fmt::format("{},{},1\n", is_back ? -k : k, (is_back ? -10 : 10) + k * 0.001);
+  }
+  const joint::Dataset d = read(head + points + columns, csv);
+  const joint::FrictionPoints& p = d.friction_points.front();
+  ASSERT_LE(p.size(), 2000U);
+  ASSERT_GE(p.size(), 1900U);
+  EXPECT_EQ(p.load_Nm.size(), p.size());
+  const double rad_s = 50 * std::numbers::pi / 180;  // at the motor, of a degree per second
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double v = p.speed_rad_s[i] / rad_s;
+    const double law = (v < 0 ? -10 : 10) + std::abs(v) * 0.001;
+    EXPECT_NEAR(50 * p.torque_Nm[i], law, 1e-9) << "no mean is over both directions";
+  }
+  EXPECT_EQ(d.inputs.at(1).rows_used, static_cast<std::size_t>(rows)) << "each row counts";
+  ASSERT_FALSE(d.notes.empty());
+  EXPECT_NE(wording::words(d.notes.back()).find("are averaged to"), std::string::npos);
 }
 
 TEST(FrictionPoints, WithoutSpeedTimeOrSignAreRefused) {

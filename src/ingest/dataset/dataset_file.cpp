@@ -153,7 +153,8 @@ void compare_angles(joint::Dataset& dataset) {
 template <class Rows>
 void count_rows(const Rows& read, joint::InputFile& input) {
   input.rows_read = read.rows_read;
-  input.rows_used = read.size();
+  input.rows_used = read.rows_read;
+  for (const joint::SkippedRows& skipped : read.skipped) input.rows_used -= skipped.count;
   input.skipped = read.skipped;
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@ namespace tribolog::ingest::dataset {
 namespace {
 
 constexpr std::size_t fewest_points = 3;
+constexpr std::size_t most_points = 2000;
 
 std::vector<double>& signal_of(joint::FrictionPoints& points, joint::LoggedSignal signal) {
   switch (signal) {
@@ -45,6 +48,40 @@ void refuse_torque_against_speed(const joint::FrictionPoints& points, const log:
                       "friction for both "
                       "directions need the sign of their speed"});
   }
+}
+
+/// Means of as many neighbours in speed, of those of one speed as they follow each other in the
+/// table; no mean is over both directions.
+joint::FrictionPoints averaged(const joint::FrictionPoints& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points.speed_rad_s[a] < points.speed_rad_s[b];
+  });
+  const auto first_forward = std::partition_point(
+      order.begin(), order.end(), [&](std::size_t i) { return points.speed_rad_s[i] < 0; });
+  joint::FrictionPoints means;
+  means.name = points.name;
+  const auto add_means = [&](std::span<const std::size_t> of_direction) {
+    const std::size_t wanted = 1 + of_direction.size() * (most_points - 2) / points.size();
+    for (std::size_t k = 0; k < wanted; ++k) {
+      const std::size_t from = of_direction.size() * k / wanted;
+      const std::size_t to = of_direction.size() * (k + 1) / wanted;
+      const auto mean = [&](const std::vector<double>& of, std::vector<double>& to_add) {
+        if (of.empty()) return;
+        double sum = 0;
+        for (const std::size_t i : of_direction.subspan(from, to - from)) sum += of[i];
+        to_add.push_back(sum / static_cast<double>(to - from));
+      };
+      mean(points.speed_rad_s, means.speed_rad_s);
+      mean(points.torque_Nm, means.torque_Nm);
+      mean(points.temperature_C, means.temperature_C);
+      mean(points.load_Nm, means.load_Nm);
+    }
+  };
+  if (first_forward != order.begin()) add_means({order.begin(), first_forward});
+  if (first_forward != order.end()) add_means({first_forward, order.end()});
+  return means;
 }
 
 }  // namespace
@@ -114,7 +151,12 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
                       "a point at rest, or without a number in each column, is left out"});
   }
   refuse_torque_against_speed(points, table);
-  return points;
+  if (points.size() <= most_points) return points;
+  joint::FrictionPoints means = averaged(points);
+  notes.add({"reading.points_averaged", {{"points", points.size()}, {"means", means.size()}}});
+  means.rows_read = points.rows_read;
+  means.skipped = std::move(points.skipped);
+  return means;
 }
 
 }  // namespace tribolog::ingest::dataset

@@ -143,7 +143,8 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
 
 // Friction points.
 
-/// Points at rest or with a gap in any column are left out and counted.
+/// Points at rest or with a gap in any column are left out and counted. More than 2,000 become as
+/// many means of neighbours in speed, which a note says.
 /// @throw InputError for fewer than three points, and where more than half of a direction's torque
 ///        is against the speed: then it is no friction, or its sign is another.
 joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry,
