@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "api/drawing.h"
+#include "base/enum_text.h"
 #include "base/error.h"
 #include "render/composition/figure_layout.h"
 #include "render/composition/publication.h"
@@ -46,17 +47,7 @@ std::map<std::size_t, render::workers::DrawnFigure> draw_solid_parts(
   return out;
 }
 
-const char* ending_of(FigureFormat format) {
-  switch (format) {
-    case FigureFormat::svg:
-      return "svg";
-    case FigureFormat::pdf:
-      return "pdf";
-    case FigureFormat::png:
-      break;
-  }
-  return "png";
-}
+std::string ending_of(FigureFormat format) { return own_name(format); }
 
 class VectorWriter {
  public:

@@ -1,20 +1,11 @@
 #include "tribolog/values.h"
 
+#include "base/enum_text.h"
 #include "wording/language.h"
 
 namespace tribolog {
 
-std::string code_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::usable:
-      return "usable";
-    case Verdict::doubtful:
-      return "doubtful";
-    case Verdict::not_identifiable:
-      break;
-  }
-  return "not_identifiable";
-}
+std::string code_of(Verdict verdict) { return own_name(verdict); }
 
 std::vector<std::string> languages() {
   std::vector<std::string> codes;

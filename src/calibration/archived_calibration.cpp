@@ -5,18 +5,16 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 #include "joint/dataset.h"
 
 namespace tribolog::calibration {
 
-const char* to_string(Review::Decision decision) {
-  return decision == Review::Decision::approved ? "approved" : "rejected";
-}
+std::string to_string(Review::Decision decision) { return own_name(decision); }
 
 Review::Decision decision_of(const std::string& word) {
-  return word == to_string(Review::Decision::approved) ? Review::Decision::approved
-                                                       : Review::Decision::rejected;
+  return own_names<Review::Decision>.find(word).value_or(Review::Decision::rejected);
 }
 
 // Either side of the gear.

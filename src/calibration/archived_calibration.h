@@ -111,7 +111,7 @@ struct Review {
 };
 
 /// "approved", "rejected"
-const char* to_string(Review::Decision decision);
+std::string to_string(Review::Decision decision);
 
 /// From either of these two words.
 Review::Decision decision_of(const std::string& word);

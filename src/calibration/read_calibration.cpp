@@ -1,6 +1,5 @@
 #include "calibration/read_calibration.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/closest_match.h"
+#include "base/enum_text.h"
 #include "base/error.h"
 #include "calibration/json_values.h"
 #include "ingest/text/fields.h"
@@ -59,10 +59,7 @@ class Members {
     return value.get<double>();
   }
   [[nodiscard]] Verdict verdict(const char* key) const {
-    const std::string word = text(key);
-    for (const Verdict verdict : {Verdict::usable, Verdict::doubtful, Verdict::not_identifiable}) {
-      if (to_string(verdict) == word) return verdict;
-    }
+    if (const auto verdict = own_names<Verdict>.find(text(key))) return *verdict;
     refuse(file_, path_ + "." + key, "usable, doubtful or not_identifiable");
   }
   [[nodiscard]] std::optional<statistics::Estimate> estimate(const char* key) const {

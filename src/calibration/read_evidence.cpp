@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/enum_text.h"
 #include "calibration/json_values.h"
 #include "calibration/read_calibration.h"
 #include "joint/dataset.h"
@@ -98,9 +99,7 @@ std::vector<RecordedLimit> limits_of(const ReadJson& listed) {
     RecordedLimit limit;
     const joint::LimitedQuantity* known = joint::find_limited_quantity(text(one, "quantity"));
     limit.at_joint = known != nullptr && known->at_joint;
-    for (const LimitState state : {LimitState::inside, LimitState::outside, LimitState::crosses}) {
-      if (to_string(state) == text(one, "state")) limit.state = state;
-    }
+    limit.state = own_names<LimitState>.find(text(one, "state")).value_or(limit.state);
     limit.words = text(one, "words");
     limits.push_back(std::move(limit));
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/enum_text.h"
 #include "statistics/distributions.h"
 
 namespace tribolog::calibration {
@@ -17,38 +18,10 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-std::string to_string(Influence influence) {
-  switch (influence) {
-    case Influence::recordings:
-      return "recordings";
-    case Influence::disagreement:
-      return "disagreement";
-    case Influence::torque_constant:
-      return "torque_constant";
-    case Influence::gear_ratio:
-      return "gear_ratio";
-    case Influence::surrogate_distance:
-      return "surrogate_distance";
-    case Influence::gravity:
-      return "gravity";
-    case Influence::angle_zero:
-      return "angle_zero";
-    case Influence::hoses:
-      return "hoses";
-    case Influence::description:
-      break;
-  }
-  return "description";
-}
+std::string to_string(Influence influence) { return own_name(influence); }
 
 std::optional<Influence> influence_of(const std::string& word) {
-  for (const Influence one :
-       {Influence::recordings, Influence::disagreement, Influence::torque_constant,
-        Influence::gear_ratio, Influence::surrogate_distance, Influence::gravity,
-        Influence::angle_zero, Influence::hoses, Influence::description}) {
-    if (to_string(one) == word) return one;
-  }
-  return std::nullopt;
+  return own_names<Influence>.find(word);
 }
 
 double coverage_factor(double freedom) {

@@ -1,12 +1,12 @@
 #include "cli/given_files.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/enum_text.h"
 #include "base/error.h"
 #include "cli/command_tree.h"
 
@@ -69,43 +69,13 @@ std::string hint_for(FileKind kind, const std::string& file, const std::vector<F
 }  // namespace
 
 std::string name_of(FileKind kind) {
-  switch (kind) {
-    case FileKind::manifest:
-      return "a manifest";
-    case FileKind::scenario:
-      return "a scenario";
-    case FileKind::joint:
-      return "the file of a joint to plan for";
-    case FileKind::arm:
-      return "the description of an arm";
-    case FileKind::report:
-      return "a report";
-    case FileKind::robot_page:
-      return "the page of a robot";
-    case FileKind::other_page:
-      return "a page of tribolog, and no report";
-    case FileKind::bare_page:
-      return "a page of tribolog without numbers to read";
-    case FileKind::calibration:
-      return "a calibration";
-    case FileKind::plan:
-      return "the numbers of a plan";
-    case FileKind::truth:
-      return "the true values of a simulation";
-    case FileKind::other_json:
-      return "numbers of tribolog, and no calibration";
-    case FileKind::archive:
-      return "an archive";
-    case FileKind::log:
-      return "a log";
-    case FileKind::missing:
-    case FileKind::folder:
-    case FileKind::empty:
-    case FileKind::unknown:
-    case FileKind::foreign_page:
-      break;
-  }
-  return "";
+  constexpr EnumTexts<FileKind> names(
+      "", "", "", "", "a manifest", "a scenario", "the file of a joint to plan for",
+      "the description of an arm", "a report", "the page of a robot",
+      "a page of tribolog, and no report", "a page of tribolog without numbers to read", "",
+      "a calibration", "the numbers of a plan", "the true values of a simulation",
+      "numbers of tribolog, and no calibration", "an archive", "a log");
+  return std::string(names.of(kind));
 }
 
 std::string command_for(FileKind kind, const std::string& file) {

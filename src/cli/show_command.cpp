@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "archive/store/archive_json.h"
+#include "base/enum_text.h"
 #include "base/error.h"
 #include "base/input_file.h"
 #include "calibration/archived_calibration.h"
@@ -91,11 +92,10 @@ std::string friction_text(const calibration::RecordedCurves& curves) {
 // `tribolog archive show`.
 
 std::string documents_text(const std::vector<archive::store::StoredDocument>& documents) {
-  static const char* const kinds[] = {"calibration", "report", "input"};
   inspect::survey::TextTable table(0);
   table.add({"kept", "bytes", "stored", "SHA-256"});
   for (const archive::store::StoredDocument& d : documents) {
-    const std::string kind = kinds[static_cast<std::size_t>(d.kind)];
+    const std::string kind = own_name(d.kind);
     table.add({d.name.empty() ? kind : printable(d.name), std::to_string(d.bytes),
                std::to_string(d.stored_bytes),
                d.sha256.substr(0, 2 * calibration::shown_digits) + "..."});

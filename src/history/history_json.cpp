@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/enum_text.h"
 #include "base/shown_text.h"
 #include "wording/language.h"
 #include "wording/words.h"
@@ -26,9 +27,9 @@ OrderedJson calibration(const calibration::Entry& e) {
           {"sampling_Hz", json_of(f.sampling_Hz)}};
 }
 
-const char* key_of(ChangeWord word) {
-  static const char* const keys[] = {"no change seen", "changed", "not comparable"};
-  return keys[static_cast<std::size_t>(word)];
+std::string key_of(ChangeWord word) {
+  constexpr EnumTexts<ChangeWord> keys("no change seen", "changed", "not comparable");
+  return std::string(keys.of(word));
 }
 
 OrderedJson quantity(const ComparedQuantity& q) {
@@ -68,25 +69,16 @@ std::string comparison_json(const Comparison& c) {
 
 namespace {
 
-const char* key_of(TrendState state) {
-  static const char* const keys[] = {"too_few", "steady", "apart", "recovered", "warning"};
-  return keys[static_cast<std::size_t>(state)];
+std::string key_of(TrendState state) { return own_name(state); }
+
+std::string key_of(LeftOut why) {
+  constexpr EnumTexts<LeftOut> keys("used", "before the baseline", "verdict not usable",
+                                    "another gear ratio than the latest",
+                                    "another payload than the latest", "temperature not stated");
+  return std::string(keys.of(why));
 }
 
-const char* key_of(LeftOut why) {
-  static const char* const keys[] = {"used",
-                                     "before the baseline",
-                                     "verdict not usable",
-                                     "another gear ratio than the latest",
-                                     "another payload than the latest",
-                                     "temperature not stated"};
-  return keys[static_cast<std::size_t>(why)];
-}
-
-const char* key_of(TemperatureUse use) {
-  static const char* const keys[] = {"corrected", "hardly_felt", "too_even", "not_recorded"};
-  return keys[static_cast<std::size_t>(use)];
-}
+std::string key_of(TemperatureUse use) { return own_name(use); }
 
 OrderedJson point(const HistoryPoint& p) {
   const bool is_charted = p.left_out == LeftOut::none;

@@ -2,28 +2,15 @@
 
 #include <limits>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 #include "base/statement.h"
 
 namespace tribolog::joint {
 
-std::string to_string(EffortKind kind) {
-  switch (kind) {
-    case EffortKind::motor_current:
-      return "motor_current";
-    case EffortKind::motor_torque:
-      return "motor_torque";
-    case EffortKind::joint_torque:
-      return "joint_torque";
-    case EffortKind::target_torque:
-      return "target_torque";
-    case EffortKind::none:
-      return "none";
-  }
-  return "unknown";
-}
+std::string to_string(EffortKind kind) { return own_name(kind); }
 
-std::string to_string(Side side) { return side == Side::motor ? "motor" : "joint"; }
+std::string to_string(Side side) { return own_name(side); }
 
 Drive::Drive(double gear_ratio, EffortKind kind, Side side,
              std::optional<double> torque_constant_Nm_A)
@@ -43,41 +30,9 @@ double Drive::motor_torque_per_effort() const {
   return factor_of(steps_to_motor_torque(*this));
 }
 
-std::string to_string(LoggedSignal signal) {
-  switch (signal) {
-    case LoggedSignal::time:
-      return "time";
-    case LoggedSignal::angle:
-      return "angle";
-    case LoggedSignal::speed:
-      return "speed";
-    case LoggedSignal::effort:
-      return "effort";
-    case LoggedSignal::bristle:
-      return "bristle";
-    case LoggedSignal::bristle_rate:
-      return "bristle_rate";
-    case LoggedSignal::temperature:
-      return "temperature";
-    case LoggedSignal::load:
-      return "load";
-  }
-  return "unknown";
-}
+std::string to_string(LoggedSignal signal) { return own_name(signal); }
 
-std::string to_string(ConversionStep::Reason reason) {
-  switch (reason) {
-    case ConversionStep::Reason::unit:
-      return "unit";
-    case ConversionStep::Reason::sign:
-      return "sign";
-    case ConversionStep::Reason::torque_constant:
-      return "torque_constant";
-    case ConversionStep::Reason::gear:
-      return "gear";
-  }
-  return "unknown";
-}
+std::string to_string(ConversionStep::Reason reason) { return own_name(reason); }
 
 double factor_of(const std::vector<ConversionStep>& steps) {
   double product = 1;

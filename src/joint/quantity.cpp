@@ -1,36 +1,27 @@
 #include "joint/quantity.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 
+#include "base/enum_text.h"
+
 namespace tribolog::joint {
 namespace {
 
-/// In the order of the enumeration.
-constexpr std::array keys{
-    "cog_angle",         "gravity_torque",      "surrogate_mass", "break_away_torque",
-    "bristle_stiffness", "bristle_damping",     "inertia",        "coulomb_torque",
-    "stribeck_speed",    "viscous_coefficient", "viscous_curve"};
-
-/// In the order of the enumeration.
-constexpr std::array units{"rad",   "N·m", "kg",    "N·m",       "N·m/rad", "N·m·s/rad",
-                           "kg·m²", "N·m", "rad/s", "N·m·s/rad", ""};
+constexpr EnumTexts<Quantity> units("rad", "N·m", "kg", "N·m", "N·m/rad", "N·m·s/rad", "kg·m²",
+                                    "N·m", "rad/s", "N·m·s/rad", "");
 
 }  // namespace
 
-std::string to_string(Quantity quantity) { return keys.at(static_cast<std::size_t>(quantity)); }
+std::string to_string(Quantity quantity) { return own_name(quantity); }
 
 std::optional<Quantity> quantity_of(const std::string& key) {
-  const auto* const at = std::find(keys.begin(), keys.end(), key);
-  if (at == keys.end()) return std::nullopt;
-  return static_cast<Quantity>(at - keys.begin());
+  return own_names<Quantity>.find(key);
 }
 
 std::string unit_of(Quantity quantity, TorqueUnit torque) {
-  const std::string unit = units.at(static_cast<std::size_t>(quantity));
+  const std::string unit(units.of(quantity));
   return torque == TorqueUnit::ampere ? in_amperes(unit) : unit;
 }
 

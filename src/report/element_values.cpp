@@ -7,41 +7,20 @@
 #include <fmt/format.h>
 
 #include "base/encodings.h"
+#include "base/enum_text.h"
 #include "report/view_parts.h"
 #include "wording/torques_in.h"
 #include "wording/visible_text.h"
 
 namespace tribolog::report {
 
-const char* class_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::good:
-      return "good";
-    case Outcome::partial:
-      return "partial";
-    case Outcome::bad:
-      return "bad";
-    case Outcome::absent:
-      break;
-  }
-  return "absent";
-}
+std::string class_of(Outcome outcome) { return own_name(outcome); }
 
 namespace {
 
 /// Beside the word and the colour.
-const char* icon_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::good:
-      return "✓";
-    case Outcome::partial:
-      return "!";
-    case Outcome::bad:
-      return "✗";
-    case Outcome::absent:
-      break;
-  }
-  return "–";
+std::string icon_of(Outcome outcome) {
+  return std::string(EnumTexts<Outcome>("✓", "!", "✗", "–").of(outcome));
 }
 
 const char* class_of(const Column& column) {

@@ -10,7 +10,7 @@
 namespace tribolog::report {
 
 /// The word that the style sheet knows the outcome by.
-const char* class_of(Outcome outcome);
+std::string class_of(Outcome outcome);
 
 /// OUTCOME and the section of its icon.
 void fill_outcome(Outcome outcome, TemplateValues& values);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enum_text.h"
 #include "base/shown_text.h"
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
@@ -69,23 +70,7 @@ std::string review_json(const calibration::Calibration& c) {
 
 namespace {
 
-const char* name_of(render::figure::LineStyle line) {
-  switch (line) {
-    case render::figure::LineStyle::none:
-      return "none";
-    case render::figure::LineStyle::dash:
-      return "dash";
-    case render::figure::LineStyle::dot:
-      return "dot";
-    case render::figure::LineStyle::dash_dot:
-      return "dash_dot";
-    case render::figure::LineStyle::dash_dot_dot:
-      return "dash_dot_dot";
-    case render::figure::LineStyle::solid:
-      break;
-  }
-  return "solid";
-}
+std::string name_of(render::figure::LineStyle line) { return own_name(line); }
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/enum_text.h"
+
 namespace tribolog::statistics {
 
 Estimate symmetric_estimate(double value, double half_width, Statement method) {
@@ -16,18 +18,6 @@ Estimate scaled(const Estimate& estimate, double factor) {
   return {estimate.value * factor, std::min(a, b), std::max(a, b), estimate.method};
 }
 
-std::string to_string(StageState state) {
-  switch (state) {
-    case StageState::done:
-      return "done";
-    case StageState::partial:
-      return "partial";
-    case StageState::not_identifiable:
-      return "not_identifiable";
-    case StageState::skipped:
-      return "skipped";
-  }
-  return "unknown";
-}
+std::string to_string(StageState state) { return own_name(state); }
 
 }  // namespace tribolog::statistics

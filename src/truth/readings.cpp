@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "base/enum_text.h"
 #include "calibration/headline.h"
 
 namespace tribolog::truth {
@@ -86,28 +87,9 @@ void read_curve(const calibration::Calibration& c, Reader& out) {
 }  // namespace
 
 std::string unit_of(ReadingKind quantity) {
-  switch (quantity) {
-    case ReadingKind::gravity:
-    case ReadingKind::static_torque:
-    case ReadingKind::sweep_friction:
-    case ReadingKind::coulomb:
-    case ReadingKind::asperity_torque:
-      return "N·m";
-    case ReadingKind::peak_angle:
-      return "rad";
-    case ReadingKind::stiffness:
-      return "N·m/rad";
-    case ReadingKind::viscous:
-      return "N·m·s/rad";
-    case ReadingKind::stribeck_speed:
-      return "rad/s";
-    case ReadingKind::viscous_factor:
-      return "N·m·(s/rad)^(1−δ_v)";
-    case ReadingKind::stribeck_power:
-    case ReadingKind::viscous_power:
-      break;
-  }
-  return "";
+  constexpr EnumTexts<ReadingKind> units("N·m", "rad", "N·m/rad", "N·m", "N·m", "N·m", "N·m·s/rad",
+                                         "N·m", "rad/s", "", "N·m·(s/rad)^(1−δ_v)", "");
+  return std::string(units.of(quantity));
 }
 
 std::vector<Reading> readings_of(const calibration::Calibration& c) {

@@ -1,6 +1,5 @@
 #include "archive/store/entry_rows.h"
 
-#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -8,6 +7,7 @@
 
 #include "archive/sql/sql_connection.h"
 #include "base/encodings.h"
+#include "base/enum_text.h"
 #include "base/error.h"
 
 namespace tribolog::archive::store {
@@ -15,19 +15,13 @@ namespace tribolog::archive::store {
 namespace {
 
 calibration::Verdict verdict_of(const std::string& word) {
-  for (const calibration::Verdict verdict :
-       {calibration::Verdict::usable, calibration::Verdict::doubtful}) {
-    if (calibration::to_string(verdict) == word) return verdict;
-  }
-  return calibration::Verdict::not_identifiable;
+  using enum calibration::Verdict;
+  return own_names<calibration::Verdict>.find(word).value_or(not_identifiable);
 }
 
 calibration::DocumentKind kind_of(const std::string& word) {
-  for (const calibration::DocumentKind kind :
-       {calibration::DocumentKind::calibration, calibration::DocumentKind::report}) {
-    if (to_string(kind) == word) return kind;
-  }
-  return calibration::DocumentKind::input;
+  using enum calibration::DocumentKind;
+  return own_names<calibration::DocumentKind>.find(word).value_or(input);
 }
 
 std::int64_t whole(std::uint64_t number) { return static_cast<std::int64_t>(number); }
@@ -142,10 +136,7 @@ StoredDocument stored_document_of(const sql::Row& row, std::size_t first) {
           static_cast<std::uint64_t>(row[first + 4].integer()), row[first + 3].text()};
 }
 
-std::string to_string(calibration::DocumentKind kind) {
-  static const std::array words{"calibration", "report", "input"};
-  return words[static_cast<std::size_t>(kind)];
-}
+std::string to_string(calibration::DocumentKind kind) { return own_name(kind); }
 
 sql::Row row_of(const calibration::Quantity& q, std::int64_t calibration, std::size_t place) {
   std::optional<double> value;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/enum_text.h"
 #include "ingest/dataset/recording_rows.h"
 
 namespace tribolog::ingest::dataset {
@@ -9,23 +10,10 @@ namespace {
 
 using Reason = joint::ConversionStep::Reason;
 
-const char* si_unit_of(joint::LoggedSignal signal) {
-  switch (signal) {
-    case joint::LoggedSignal::time:
-      return "s";
-    case joint::LoggedSignal::angle:
-    case joint::LoggedSignal::bristle:
-      return "rad";
-    case joint::LoggedSignal::speed:
-    case joint::LoggedSignal::bristle_rate:
-      return "rad/s";
-    case joint::LoggedSignal::effort:
-    case joint::LoggedSignal::load:
-      return "N·m";
-    case joint::LoggedSignal::temperature:
-      return "°C";
-  }
-  return "";
+std::string si_unit_of(joint::LoggedSignal signal) {
+  constexpr EnumTexts<joint::LoggedSignal> units("s", "rad", "rad/s", "N·m", "rad", "rad/s", "°C",
+                                                 "N·m");
+  return std::string(units.of(signal));
 }
 
 void refer_to_joint(joint::ColumnConversion& conversion, joint::Side logged, double gear_ratio) {

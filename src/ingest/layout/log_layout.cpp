@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/enum_text.h"
+
 namespace tribolog::ingest::layout {
 namespace {
 
@@ -34,21 +36,7 @@ constexpr std::array words = {QuantityWord{"time", log::Quantity::time},
                               QuantityWord{"temperature", log::Quantity::temperature}};
 
 std::string_view si_unit(log::Quantity quantity) {
-  switch (quantity) {
-    case log::Quantity::time:
-      return "s";
-    case log::Quantity::angle:
-      return "rad";
-    case log::Quantity::angular_speed:
-      return "rad/s";
-    case log::Quantity::torque:
-      return "Nm";
-    case log::Quantity::current:
-      return "A";
-    case log::Quantity::temperature:
-      return "degC";
-  }
-  return "";
+  return EnumTexts<log::Quantity>("s", "rad", "rad/s", "Nm", "A", "degC").of(quantity);
 }
 
 std::string lower(std::string text) {

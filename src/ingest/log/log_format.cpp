@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "base/enum_text.h"
+
 namespace tribolog::ingest::log {
 namespace {
 
@@ -95,33 +97,11 @@ bool is_json(std::string_view text, const std::string& path) {
 }  // namespace
 
 std::string to_string(LogFormat format) {
-  switch (format) {
-    case LogFormat::text:
-      return "text (CSV or a dialect)";
-    case LogFormat::mat:
-      return "MAT (MATLAB)";
-    case LogFormat::hdf5:
-      return "HDF5";
-    case LogFormat::npz:
-      return "NumPy archive (.npz)";
-    case LogFormat::npy:
-      return "NumPy array (.npy)";
-    case LogFormat::json:
-      return "JSON";
-    case LogFormat::mcap:
-      return "MCAP";
-    case LogFormat::rosbag:
-      return "rosbag (.bag)";
-    case LogFormat::sqlite_bag:
-      return "rosbag2 (.db3)";
-    case LogFormat::mdf:
-      return "ASAM MDF (.mf4)";
-    case LogFormat::tdms:
-      return "TDMS";
-    case LogFormat::parquet:
-      return "Parquet";
-  }
-  return "";
+  constexpr EnumTexts<LogFormat> texts("text (CSV or a dialect)", "MAT (MATLAB)", "HDF5",
+                                       "NumPy archive (.npz)", "NumPy array (.npy)", "JSON", "MCAP",
+                                       "rosbag (.bag)", "rosbag2 (.db3)", "ASAM MDF (.mf4)", "TDMS",
+                                       "Parquet");
+  return std::string(texts.of(format));
 }
 
 bool is_zarr_metadata(std::string_view first_bytes) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/closest_match.h"
+#include "base/enum_text.h"
 #include "joint/degrees.h"
 
 namespace tribolog::ingest::log {
@@ -120,21 +121,9 @@ constexpr std::array temperatures = {
     Unit{"celsius", 1},      Unit{"degreec", 1}, Unit{"degreesc", 1}};
 
 std::span<const Unit> units_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return times;
-    case Quantity::angle:
-      return angles;
-    case Quantity::angular_speed:
-      return angular_speeds;
-    case Quantity::torque:
-      return torques;
-    case Quantity::current:
-      return currents;
-    case Quantity::temperature:
-      return temperatures;
-  }
-  return {};
+  constexpr std::array<std::span<const Unit>, EnumTexts<Quantity>::size> all{
+      times, angles, angular_speeds, torques, currents, temperatures};
+  return all.at(static_cast<std::size_t>(quantity));
 }
 
 /// In front of a unit: as words in any case, as a letter where its case leaves no other prefix.
@@ -239,84 +228,31 @@ std::optional<std::pair<double, std::string_view>> share_of(std::string_view uni
   return std::nullopt;
 }
 
+/// Of readings that are times already.
+constexpr EnumTexts<ColumnReading> units_of_time("", "", "iso8601", "hh:mm:ss", "yyyy-mm-dd", "");
+
 }  // namespace
 
 std::string quantity_word(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return "time";
-    case Quantity::angle:
-      return "angle";
-    case Quantity::angular_speed:
-      return "speed";
-    case Quantity::torque:
-      return "torque";
-    case Quantity::current:
-      return "current";
-    case Quantity::temperature:
-      return "temperature";
-  }
-  return "";
+  return quantity == Quantity::angular_speed ? "speed" : own_name(quantity);
 }
 
 std::string to_string(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return "a time";
-    case Quantity::angle:
-      return "an angle";
-    case Quantity::angular_speed:
-      return "an angular speed";
-    case Quantity::torque:
-      return "a torque";
-    case Quantity::current:
-      return "a current";
-    case Quantity::temperature:
-      return "a temperature";
-  }
-  return "unknown";
+  constexpr EnumTexts<Quantity> texts("a time", "an angle", "an angular speed", "a torque",
+                                      "a current", "a temperature");
+  return std::string(texts.of(quantity));
 }
 
-std::string_view unit_of_time(ColumnReading reading) {
-  switch (reading) {
-    case ColumnReading::iso_time:
-      return "iso8601";
-    case ColumnReading::time_of_day:
-      return "hh:mm:ss";
-    case ColumnReading::date:
-      return "yyyy-mm-dd";
-    case ColumnReading::number:
-    case ColumnReading::clock:
-    case ColumnReading::words:
-      break;
-  }
-  return "";
-}
+std::string_view unit_of_time(ColumnReading reading) { return units_of_time.of(reading); }
 
 std::optional<ColumnReading> reading_of_time(std::string_view unit) {
-  for (const ColumnReading reading :
-       {ColumnReading::iso_time, ColumnReading::time_of_day, ColumnReading::date}) {
-    if (unit_of_time(reading) == unit) return reading;
-  }
-  return std::nullopt;
+  return unit.empty() ? std::nullopt : units_of_time.find(unit);
 }
 
 std::string_view example_of_multiple(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::angle:
-      return "0.018 deg";
-    case Quantity::angular_speed:
-      return "0.1 rpm";
-    case Quantity::torque:
-      return "0.0013 Nm";
-    case Quantity::current:
-      return "0.002 A";
-    case Quantity::time:
-      return "60 s";
-    case Quantity::temperature:
-      return "0.1 degC";
-  }
-  return "";
+  constexpr EnumTexts<Quantity> examples("60 s", "0.018 deg", "0.1 rpm", "0.0013 Nm", "0.002 A",
+                                         "0.1 degC");
+  return examples.of(quantity);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "base/enum_text.h"
 #include "base/input_file.h"
 #include "ingest/log/log_format.h"
 #include "ingest/manifest/manifest_tables.h"
@@ -67,9 +68,8 @@ joint::Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
   const double gear_ratio =
       joint.number("gear_ratio", Sign::positive, "motor angle / joint angle; 1 for a direct drive");
   refuse_voltage_kind(effort);
-  const auto kind = static_cast<joint::EffortKind>(effort.choice(
-      "kind", {"motor_current", "motor_torque", "joint_torque", "target_torque", "none"},
-      effort_hint));
+  const auto kind = static_cast<joint::EffortKind>(
+      effort.choice("kind", own_names<joint::EffortKind>.all(), effort_hint));
   if (kind == joint::EffortKind::none) return {gear_ratio, kind, joint::Side::motor};
   const auto side = static_cast<joint::Side>(effort.choice(
       "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
@@ -246,9 +246,7 @@ RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
   entry.where = table.where();
-  entry.role = static_cast<joint::Role>(
-      table.choice("role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed",
-                            "break_away", "friction_points"}));
+  entry.role = static_cast<joint::Role>(table.choice("role", own_names<joint::Role>.all()));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
   if (entry.file == "-") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/enum_text.h"
 #include "inspect/motion/angle_trace.h"
 #include "inspect/motion/strokes_and_ramps.h"
 #include "method/motion/plateaus.h"
@@ -314,21 +315,9 @@ class MotionCutter {
 }  // namespace
 
 std::string to_string(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::rest:
-      return "rest";
-    case MotionKind::constant_speed:
-      return "constant speed";
-    case MotionKind::slow_sweep:
-      return "slow sweep";
-    case MotionKind::oscillation:
-      return "oscillation";
-    case MotionKind::break_away_ramp:
-      return "break-away ramp";
-    case MotionKind::varying:
-      return "other motion";
-  }
-  return "";
+  constexpr EnumTexts<MotionKind> texts("rest", "constant speed", "slow sweep", "oscillation",
+                                        "break-away ramp", "other motion");
+  return std::string(texts.of(kind));
 }
 
 std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace) {

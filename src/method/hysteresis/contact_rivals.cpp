@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/enum_text.h"
 #include "friction/catalogue.h"
 #include "statistics/linear_systems.h"
 #include "statistics/rival_fits.h"
@@ -333,17 +334,7 @@ class Contest {
 
 }  // namespace
 
-std::string to_string(ContactLaw law) {
-  switch (law) {
-    case ContactLaw::lugre:
-      return "lugre";
-    case ContactLaw::elasto_plastic:
-      return "elasto_plastic";
-    case ContactLaw::maxwell_slip:
-      return "maxwell_slip";
-  }
-  return "";
-}
+std::string to_string(ContactLaw law) { return own_name(law); }
 
 const ContactRival* ContactContest::find(ContactLaw law) const {
   const auto it = std::find_if(rivals.begin(), rivals.end(),

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 
 namespace tribolog::method::hysteresis {
-namespace {
 
-/// In the order of the enumeration.
-constexpr std::array keys{"A",  "B",  "C",       "D",   "E",     "F",     "AB",
-                          "CD", "EF", "midline", "fit", "sweep", "model", "stated"};
-
-}  // namespace
-
-std::string to_string(Estimator estimator) { return keys.at(static_cast<std::size_t>(estimator)); }
+std::string to_string(Estimator estimator) { return own_name(estimator); }
 
 std::string to_string(std::optional<Estimator> estimator) {
   return estimator ? to_string(*estimator) : std::string();
 }
 
 std::optional<Estimator> estimator_of(const std::string& key) {
-  const auto* const at = std::find(keys.begin(), keys.end(), key);
-  if (at == keys.end()) return std::nullopt;
-  return static_cast<Estimator>(at - keys.begin());
+  return own_names<Estimator>.find(key);
 }
 
 std::optional<std::size_t> point_index(Estimator estimator) {

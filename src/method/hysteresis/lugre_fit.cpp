@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/hysteresis/lugre_identifiability.h"
@@ -346,30 +347,13 @@ Statement worst_misfit(const LuGreFit& fit) {
 }  // namespace
 
 std::string to_string(LuGreParameterName name) {
-  switch (name) {
-    case LuGreParameterName::bristle_stiffness:
-      return "bristle_stiffness_Nm_rad";
-    case LuGreParameterName::bristle_damping:
-      return "bristle_damping_Nms_rad";
-    case LuGreParameterName::viscous:
-      return "viscous_Nms_rad";
-    case LuGreParameterName::static_torque:
-      return "static_Nm";
-    case LuGreParameterName::coulomb_torque:
-      return "coulomb_Nm";
-    case LuGreParameterName::stribeck_speed:
-      return "stribeck_speed_rad_s";
-    case LuGreParameterName::speed_weakening:
-      return "speed_weakening_Nms2_rad2";
-    case LuGreParameterName::inertia:
-      return "inertia_kgm2";
-  }
-  return "";
+  constexpr EnumTexts<LuGreParameterName> keys(
+      "bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad", "viscous_Nms_rad", "static_Nm",
+      "coulomb_Nm", "stribeck_speed_rad_s", "speed_weakening_Nms2_rad2", "inertia_kgm2");
+  return std::string(keys.of(name));
 }
 
-std::string to_string(LoopMotion motion) {
-  return motion == LoopMotion::spline ? "spline" : "harmonics";
-}
+std::string to_string(LoopMotion motion) { return own_name(motion); }
 
 const LuGreLoop* LuGreFit::worst_described() const {
   const auto worst =

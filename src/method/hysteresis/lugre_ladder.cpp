@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_text.h"
 #include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
@@ -234,19 +235,7 @@ class Climber {
 
 }  // namespace
 
-std::string to_string(LuGreRung rung) {
-  switch (rung) {
-    case LuGreRung::elastic:
-      return "elastic";
-    case LuGreRung::level:
-      return "level";
-    case LuGreRung::curvature:
-      return "curvature";
-    case LuGreRung::whole:
-      return "whole";
-  }
-  return "";
-}
+std::string to_string(LuGreRung rung) { return own_name(rung); }
 
 Eigen::Index LuGreClimb::column(Shared::Index parameter) const {
   const auto it = std::find(free.shared.begin(), free.shared.end(), parameter);

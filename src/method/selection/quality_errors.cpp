@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/enum_text.h"
 #include "friction/friction_model.h"
 
 namespace tribolog::method::selection {
@@ -62,15 +63,7 @@ double reference_rms_percent(const std::vector<viscous::ConstantSpeedRun>& runs,
 }  // namespace
 
 std::string to_string(CurveReference reference) {
-  switch (reference) {
-    case CurveReference::none:
-      return "";
-    case CurveReference::analytic:
-      return "analytic";
-    case CurveReference::direction_difference:
-      return "direction_difference";
-  }
-  return "";
+  return reference == CurveReference::none ? "" : own_name(reference);
 }
 
 const QualityError* QualityErrorsResult::find(

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 #include "figures/figure_set.h"
 #include "friction/catalogue.h"
@@ -389,19 +390,7 @@ std::string item_name(const PaperItem& item) {
   return item.number == 0 ? tr("The conclusions") : tr("Future work");
 }
 
-const char* key_of(ItemKind kind) {
-  switch (kind) {
-    case ItemKind::figure:
-      return "figure";
-    case ItemKind::table:
-      return "table";
-    case ItemKind::equation:
-      return "equation";
-    case ItemKind::statement:
-      break;
-  }
-  return "statement";
-}
+std::string key_of(ItemKind kind) { return own_name(kind); }
 
 Tally tally_checks(const Checks& checks) {
   return {static_cast<int>(checks.size()),

@@ -13,7 +13,7 @@ namespace tribolog::paper::checks {
 
 enum class ItemKind { figure, table, equation, statement };
 /// "figure", of anchors and for machines.
-const char* key_of(ItemKind kind);
+std::string key_of(ItemKind kind);
 
 struct PaperItem {
   ItemKind kind{};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/enum_text.h"
 #include "paper/page/page_parts.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
@@ -33,14 +34,10 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-const char* name_of(checks::Kind kind) {
-  return kind == checks::Kind::print ? "print" : "independent";
-}
-
 Json list_of(const checks::Checks& checks) {
   Json list = Json::array();
   for (const checks::Check& check : checks) {
-    Json one{{"what", check.what}, {"kind", name_of(check.kind)}};
+    Json one{{"what", check.what}, {"kind", own_name(check.kind)}};
     if (check.is_words()) {
       one["expected"] = check.expected_words;
       one["ours"] = check.ours_words;
