@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "base/enum_text.h"
 #include "base/requirements.h"
 #include "figures/estimator_style.h"
 #include "figures/report_figure.h"
 #include "wording/labels.h"
 #include "wording/number_text.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 
@@ -98,15 +100,7 @@ std::string reference_label(const calibration::Calibration& calibration) {
 }
 
 std::string reference_words(CurveReference reference) {
-  switch (reference) {
-    case CurveReference::none:
-      break;
-    case CurveReference::analytic:
-      return tr("analytic curve");
-    case CurveReference::direction_difference:
-      return tr("half the difference between the directions");
-  }
-  return tr("none");
+  return wording::words_for("curve_reference", own_name(reference));
 }
 
 std::string candidate_words(const calibration::Calibration& calibration,

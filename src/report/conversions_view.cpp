@@ -11,6 +11,7 @@
 #include "wording/rounding.h"
 #include "wording/torques_in.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -23,25 +24,7 @@ constexpr int digits_of_time = 3;
 constexpr std::size_t most_logs_named = 3;
 
 std::string signal_in_words(joint::LoggedSignal signal) {
-  switch (signal) {
-    case joint::LoggedSignal::time:
-      return tr("Time");
-    case joint::LoggedSignal::angle:
-      return tr("Angle of the joint");
-    case joint::LoggedSignal::speed:
-      return tr("Speed of the joint");
-    case joint::LoggedSignal::effort:
-      return tr("Torque at the motor");
-    case joint::LoggedSignal::bristle:
-      return tr("Bristle deflection");
-    case joint::LoggedSignal::bristle_rate:
-      return tr("Bristle rate");
-    case joint::LoggedSignal::temperature:
-      return tr("Temperature");
-    case joint::LoggedSignal::load:
-      return tr("Load of the gear");
-  }
-  return "–";
+  return wording::words_for("signal", to_string(signal));
 }
 
 /// In quotes a name is no symbol with an index.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/enum_text.h"
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -107,17 +109,7 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
 namespace {
 
 std::string reference_in_words(method::selection::CurveReference reference) {
-  switch (reference) {
-    case method::selection::CurveReference::none:
-      break;
-    case method::selection::CurveReference::analytic:
-      return tr("the analytic curve that the simulation was made with");
-    case method::selection::CurveReference::direction_difference:
-      return tr(
-          "half the difference between the two directions at the same angle, which gravity does "
-          "not affect");
-  }
-  return tr("none");
+  return wording::words_for("reference_meaning", own_name(reference));
 }
 
 /// Index of the largest deviation, or the list's size if there is none.

@@ -10,6 +10,7 @@
 #include "wording/labels.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
@@ -25,21 +26,7 @@ constexpr double gap_share = 0.004;  // of the width, between recordings
 
 /// "constant speed": what a part of the log was taken for.
 std::string role_in_words(joint::Role role) {
-  switch (role) {
-    case joint::Role::rough_sweep:
-      return tr("rough sweep");
-    case joint::Role::precise_sweep:
-      return tr("precise sweep");
-    case joint::Role::oscillation:
-      return tr("oscillation");
-    case joint::Role::constant_speed:
-      return tr("constant speed");
-    case joint::Role::break_away:
-      return tr("break-away");
-    case joint::Role::friction_points:
-      break;
-  }
-  return "";
+  return role == joint::Role::friction_points ? "" : wording::words_for("role", to_string(role));
 }
 
 /// No longer than fits beside the strip: a shaft may turn a thousand times.

@@ -56,25 +56,10 @@ void add(Table& table, const std::string& name, const std::string& text) {
 }
 
 std::string effort_in_words(const joint::Drive& drive) {
-  const bool at_motor = drive.side() == joint::Side::motor;
-  switch (drive.kind()) {
-    case joint::EffortKind::motor_current:
-      return at_motor ? tr("motor current in A, torque constant stated for the motor side")
-                      : tr("motor current in A, torque constant stated for the joint side");
-    case joint::EffortKind::motor_torque:
-      return at_motor ? tr("torque made by the motor, motor side")
-                      : tr("torque made by the motor, joint side");
-    case joint::EffortKind::joint_torque:
-      return at_motor ? tr("torque at the joint, motor side")
-                      : tr("torque at the joint, joint side");
-    case joint::EffortKind::target_torque:
-      return at_motor
-                 ? tr("target torque of a controller or its model, not a measurement, motor side")
-                 : tr("target torque of a controller or its model, not a measurement, joint side");
-    case joint::EffortKind::none:
-      return tr("not recorded");
-  }
-  return "–";
+  if (drive.kind() == joint::EffortKind::none) return tr("not recorded");
+  const std::string kind = to_string(drive.kind());
+  return drive.side() == joint::Side::motor ? wording::words_for("effort_at_motor", kind)
+                                            : wording::words_for("effort_at_joint", kind);
 }
 
 std::string effort_in_words(const joint::Manifest& m) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/enum_text.h"
 #include "figures/figure_csv.h"
 #include "report/view_parts.h"
 #include "wording/tr.h"
@@ -37,57 +38,13 @@ const statistics::StageReport& stage_report(const calibration::Calibration& c, S
   return c.friction.stage;
 }
 
-int stage_number(StageId stage) { return static_cast<int>(stage); }
+int stage_number(StageId stage) { return static_cast<int>(stage) + 1; }
 
 std::string section_anchor(StageId stage) { return "stage-" + std::to_string(stage_number(stage)); }
 
-std::string stage_title(StageId stage) {
-  switch (stage) {
-    case StageId::cog_rough:
-      return tr("Centre of gravity, rough sweep");
-    case StageId::cog_precise:
-      return tr("Centre of gravity, precise sweep");
-    case StageId::hysteresis:
-      return tr("Friction hysteresis");
-    case StageId::surrogate_masses:
-      return tr("Surrogate masses");
-    case StageId::viscous_curves:
-      return tr("Viscous friction curves");
-    case StageId::quality_errors:
-      return tr("Quality errors");
-    case StageId::selection:
-      return tr("Selection");
-    case StageId::break_away:
-      return tr("Break-away ramps");
-    case StageId::parameters:
-      break;
-  }
-  return tr("Friction parameters");
-}
+std::string stage_title(StageId stage) { return wording::words_for("stage", own_name(stage)); }
 
-std::string explanation_template(StageId stage) {
-  switch (stage) {
-    case StageId::cog_rough:
-      return "explain_cog_rough.tpl";
-    case StageId::cog_precise:
-      return "explain_cog_precise.tpl";
-    case StageId::hysteresis:
-      return "explain_hysteresis.tpl";
-    case StageId::surrogate_masses:
-      return "explain_surrogate_masses.tpl";
-    case StageId::viscous_curves:
-      return "explain_viscous_curves.tpl";
-    case StageId::quality_errors:
-      return "explain_quality_errors.tpl";
-    case StageId::selection:
-      return "explain_selection.tpl";
-    case StageId::break_away:
-      return "explain_break_away.tpl";
-    case StageId::parameters:
-      break;
-  }
-  return "explain_parameters.tpl";
-}
+std::string explanation_template(StageId stage) { return "explain_" + own_name(stage) + ".tpl"; }
 
 std::string helpful_experiment(StageId stage) {
   switch (stage) {
@@ -151,17 +108,7 @@ Outcome outcome_of(statistics::StageState state) {
 }
 
 std::string status_in_words(statistics::StageState state) {
-  switch (state) {
-    case statistics::StageState::done:
-      return tr("done");
-    case statistics::StageState::partial:
-      return tr("partial");
-    case statistics::StageState::not_identifiable:
-      return tr("not identifiable");
-    case statistics::StageState::skipped:
-      break;
-  }
-  return tr("no data");
+  return wording::words_for("stage_state", to_string(state));
 }
 
 // Figures and their pictures, paired by id.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/enum_text.h"
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
 #include "history/reference_line.h"
@@ -52,54 +53,34 @@ std::string name_of(const history::QuantityTrend& q) {
   return wording::words_for("quantity", q.name, q.words);
 }
 
-std::string drift_words(const history::QuantityTrend& q, const history::FoundChange& c) {
-  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
-                                                  {"change", size_of(c, q.unit)},
-                                                  {"first_date", date_of(c.from)},
-                                                  {"visible_date", date_of(c.alarm)}};
-  return c.direction > 0
-             ? tr("{quantity} has slowly risen by {change} since {first_date}, visible "
-                  "from {visible_date}",
-                  values)
-             : tr("{quantity} has slowly fallen by {change} since {first_date}, visible "
-                  "from {visible_date}",
-                  values);
-}
-
-/// Of one that is over.
-std::string past_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
-  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
-                                                  {"change", size_of(c, q.unit)},
-                                                  {"visible_date", date_of(c.from)},
-                                                  {"alarm_date", date_of(c.alarm)},
-                                                  {"back_date", date_of(c.back)}};
-  return c.direction > 0
-             ? tr("{quantity} had risen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date}), and came back to where it was on {back_date}",
-                  values)
-             : tr("{quantity} had fallen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date}), and came back to where it was on {back_date}",
-                  values);
-}
-
-std::string standing_change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
-  const std::initializer_list<StatedValue> values{{"quantity", name_of(q)},
-                                                  {"change", size_of(c, q.unit)},
-                                                  {"visible_date", date_of(c.from)},
-                                                  {"alarm_date", date_of(c.alarm)}};
-  return c.direction > 0
-             ? tr("{quantity} has risen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date})",
-                  values)
-             : tr("{quantity} has fallen by {change}, visible from {visible_date} (alarm "
-                  "on {alarm_date})",
-                  values);
-}
-
-std::string change_sentence(const history::QuantityTrend& q, const history::FoundChange& c) {
-  return as_sentence(c.is_slow        ? drift_words(q, c)
-                     : c.back.empty() ? standing_change_words(q, c)
-                                      : past_change_words(q, c));
+std::string change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
+  const bool has_risen = c.direction > 0;
+  const std::initializer_list<StatedValue> values{
+      {"quantity", name_of(q)},         {"change", size_of(c, q.unit)},
+      {"first_date", date_of(c.from)},  {"visible_date", date_of(c.is_slow ? c.alarm : c.from)},
+      {"alarm_date", date_of(c.alarm)}, {"back_date", date_of(c.back)}};
+  if (c.is_slow) {
+    return has_risen ? tr("{quantity} has slowly risen by {change} since {first_date}, visible "
+                          "from {visible_date}",
+                          values)
+                     : tr("{quantity} has slowly fallen by {change} since {first_date}, visible "
+                          "from {visible_date}",
+                          values);
+  }
+  if (c.back.empty()) {
+    return has_risen ? tr("{quantity} has risen by {change}, visible from {visible_date} (alarm "
+                          "on {alarm_date})",
+                          values)
+                     : tr("{quantity} has fallen by {change}, visible from {visible_date} (alarm "
+                          "on {alarm_date})",
+                          values);
+  }
+  return has_risen ? tr("{quantity} had risen by {change}, visible from {visible_date} (alarm "
+                        "on {alarm_date}), and came back to where it was on {back_date}",
+                        values)
+                   : tr("{quantity} had fallen by {change}, visible from {visible_date} (alarm "
+                        "on {alarm_date}), and came back to where it was on {back_date}",
+                        values);
 }
 
 std::string level_text(const history::QuantityTrend& q) {
@@ -173,30 +154,13 @@ std::string state_text(const history::QuantityTrend& q) {
   return tr("changed from {first_date}", {{"first_date", date_of(last.from)}});
 }
 
-/// "3 (before the baseline)"
-std::string left_out_words(history::LeftOut why, std::size_t calibrations) {
-  const std::initializer_list<StatedValue> values{{"calibrations", calibrations}};
-  switch (why) {
-    case history::LeftOut::none:
-      break;
-    case history::LeftOut::before_baseline:
-      return tr("{calibrations} (before the baseline)", values);
-    case history::LeftOut::not_usable:
-      return tr("{calibrations} (verdict not usable)", values);
-    case history::LeftOut::other_gear:
-      return tr("{calibrations} (another gear ratio than the latest)", values);
-    case history::LeftOut::other_payload:
-      return tr("{calibrations} (another payload than the latest)", values);
-    case history::LeftOut::no_temperature:
-      return tr("{calibrations} (temperature not stated)", values);
-  }
-  return {};
-}
-
 void add_left_out(const history::QuantityTrend& q, std::vector<std::string>& notes) {
   std::vector<std::string> parts;
   for (const history::LeftOut why : all_left_out) {
-    if (const std::size_t n = q.count(why); n > 0) parts.push_back(left_out_words(why, n));
+    const std::size_t count = q.count(why);
+    if (count == 0) continue;
+    parts.push_back(wording::words(
+        Statement::with(Code::of("left_out." + own_name(why)), {{"calibrations", count}})));
   }
   if (q.without_estimate > 0) {
     parts.push_back(
@@ -247,24 +211,9 @@ void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& n
 
 /// Of the quantities whose temperature was treated in that way.
 std::string temperature_note(history::TemperatureUse use, const std::string& quantities) {
-  switch (use) {
-    case history::TemperatureUse::corrected:
-      return tr("{quantities}: temperature is taken into account by a straight line",
-                {{"quantities", quantities}});
-    case history::TemperatureUse::too_even:
-      return tr(
-          "{quantities}: temperature varied by less than {span_K:.3g} K, too little to determine "
-          "its effect; nothing is corrected",
-          {{"quantities", quantities}, {"span_K", history::least_temperature_span_K}});
-    case history::TemperatureUse::not_recorded:
-      return tr(
-          "{quantities}: temperature is stated for fewer than half of the calibrations: a change "
-          "may be due to temperature",
-          {{"quantities", quantities}});
-    case history::TemperatureUse::hardly_felt:
-      break;
-  }
-  return {};
+  return wording::words(
+      Statement::with(Code::of("temperature_use." + own_name(use)),
+                      {{"quantities", quantities}, {"span_K", history::least_temperature_span_K}}));
 }
 
 /// "R1 S1"
@@ -303,7 +252,9 @@ std::vector<std::string> change_sentences(const history::JointTrend& t) {
     return percent(a) > percent(b);
   });
   std::vector<std::string> sentences;
-  for (const Told& told : all) sentences.push_back(change_sentence(*told.quantity, *told.change));
+  for (const Told& told : all) {
+    sentences.push_back(as_sentence(change_words(*told.quantity, *told.change)));
+  }
   std::vector<const history::QuantityTrend*> apart;
   for (const history::QuantityTrend& q : t.quantities) {
     if (!q.apart.empty()) apart.push_back(&q);

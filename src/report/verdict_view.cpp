@@ -100,27 +100,11 @@ Outcome outcome_of(calibration::Verdict verdict) {
 }
 
 std::string verdict_heading(calibration::Verdict verdict) {
-  switch (verdict) {
-    case calibration::Verdict::usable:
-      return tr("USABLE");
-    case calibration::Verdict::doubtful:
-      return tr("DOUBTFUL");
-    case calibration::Verdict::not_identifiable:
-      break;
-  }
-  return tr("NOT IDENTIFIABLE");
+  return wording::words_for("verdict_heading", to_string(verdict));
 }
 
 std::string verdict_in_words(calibration::Verdict verdict) {
-  switch (verdict) {
-    case calibration::Verdict::usable:
-      return tr("usable");
-    case calibration::Verdict::doubtful:
-      return tr("doubtful");
-    case calibration::Verdict::not_identifiable:
-      break;
-  }
-  return tr("not identifiable");
+  return wording::words_for("verdict_word", to_string(verdict));
 }
 
 bool is_merely_absent(const calibration::QuantityVerdict& q) {
@@ -229,17 +213,7 @@ Outcome outcome_of(method::checks::CheckState state) {
 }
 
 std::string word_of(method::checks::CheckState state) {
-  switch (state) {
-    case method::checks::CheckState::passed:
-      return tr("passed");
-    case method::checks::CheckState::warns:
-      return tr("warns");
-    case method::checks::CheckState::fails:
-      return tr("fails");
-    case method::checks::CheckState::not_applicable:
-      break;
-  }
-  return tr("not applicable");
+  return wording::words_for("check_state", to_string(state));
 }
 
 std::string with_the_unit(double value, const std::string& unit, int digits) {

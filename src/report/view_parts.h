@@ -13,7 +13,7 @@ namespace tribolog::report {
 
 /// The method's eight stages, in its order, and what was recorded beyond them.
 enum class StageId {
-  cog_rough = 1,
+  cog_rough,
   cog_precise,
   hysteresis,
   surrogate_masses,

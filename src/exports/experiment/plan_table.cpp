@@ -36,20 +36,7 @@ std::string with_minus(std::string text) {
 }  // namespace
 
 std::string part_title(joint::Role role) {
-  switch (role) {
-    case joint::Role::rough_sweep:
-      return tr("rough sweep");
-    case joint::Role::precise_sweep:
-      return tr("precise sweep");
-    case joint::Role::oscillation:
-      return tr("micro-oscillations");
-    case joint::Role::constant_speed:
-      return tr("runs at constant speed");
-    case joint::Role::break_away:
-    case joint::Role::friction_points:  // no part of a plan
-      break;
-  }
-  return tr("break-away ramps");
+  return wording::words_for("plan_part", to_string(role));
 }
 
 std::string duration_text(double seconds) {
