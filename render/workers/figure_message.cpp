@@ -1,4 +1,4 @@
-#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,182 +8,61 @@
 #include "render/workers/messages.h"
 
 namespace tribolog::render::workers {
+
+/// Stands for a value of any type where a structure is counted, and is never made.
+struct AnyValue {
+  template <class Type>
+  operator Type() const;  // NOLINT
+};
+
 namespace {
 
-template <class Item, class Type>
-concept Is = std::same_as<std::remove_const_t<Item>, Type>;
-
-// One list of fields for both directions: `Visitor` is Writer or Reader.
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Colour> auto& item) {
-  visit(item.red, item.green, item.blue, item.alpha);
+template <class Item, class... Values>
+consteval std::size_t count_of_fields() {
+  if constexpr (requires { Item{Values{}..., AnyValue{}}; }) {
+    return count_of_fields<Item, Values..., AnyValue>();
+  } else {
+    return sizeof...(Values);
+  }
 }
 
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Series> auto& item) {
-  visit(item.label, item.x, item.y, item.colour, item.width_px, item.style, item.marker,
-        item.marker_size_px, item.direction_arrows_at, item.is_marked_at_edge);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Band> auto& item) {
-  visit(item.label, item.x, item.low, item.high, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::ErrorBar> auto& item) {
-  visit(item.x, item.low, item.high, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::PointLabel> auto& item) {
-  visit(item.x, item.y, item.text, item.colour, item.marker);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::ReferenceLine> auto& item) {
-  visit(item.direction, item.at, item.text, item.colour, item.style);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::AxisName> auto& item) {
-  visit(item.at, item.text);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Axis> auto& item) {
-  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates, item.counts,
-        item.names);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Panel> auto& item) {
-  visit(item.title, item.x, item.y, item.bands, item.series, item.error_bars, item.point_labels,
-        item.reference_lines, item.show_legend, item.notice);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::DiagramPoint> auto& item) {
-  visit(item.x, item.y);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::PortSign> auto& item) {
-  visit(item.side, item.offset, item.text);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Block> auto& item) {
-  visit(item.kind, item.lines, item.centre, item.width, item.height, item.faces, item.signs,
-        item.colour, item.fill);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::DiagramText> auto& item) {
-  visit(item.text, item.at, item.place, item.bold, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Wire> auto& item) {
-  visit(item.points, item.arrow, item.branch_dots, item.label, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Stroke> auto& item) {
-  visit(item.points, item.colour, item.width_px, item.style, item.arrow_at_start,
-        item.arrow_at_end);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Area> auto& item) {
-  visit(item.outline, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Arc> auto& item) {
-  visit(item.centre, item.radius, item.from_deg, item.to_deg, item.colour, item.width_px,
-        item.arrow_at_end, item.fill);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Dimension> auto& item) {
-  visit(item.from, item.to, item.text, item.place, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Diagram> auto& item) {
-  visit(item.width, item.height, item.areas, item.blocks, item.wires, item.strokes, item.arcs,
-        item.dimensions, item.texts);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Point3> auto& item) {
-  visit(item.x, item.y, item.z);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneBody> auto& item) {
-  visit(item.label, item.from, item.to, item.from_radius_m, item.to_radius_m, item.colour,
-        item.thickness_m, item.normal);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneDrum> auto& item) {
-  visit(item.label, item.centre, item.axis, item.radius_m, item.length_m, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneArrow> auto& item) {
-  visit(item.label, item.from, item.to, item.radius_m, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneBall> auto& item) {
-  visit(item.label, item.centre, item.radius_m, item.colour, item.inside);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneSector> auto& item) {
-  visit(item.label, item.centre, item.normal, item.zero, item.radius_m, item.from_rad, item.to_rad,
-        item.colour, item.filled, item.fill, item.ends);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneDimension> auto& item) {
-  visit(item.label, item.from, item.to, item.shift, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneLine> auto& item) {
-  visit(item.label, item.points, item.colour, item.width_px, item.style);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneText> auto& item) {
-  visit(item.text, item.at, item.colour);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneGround> auto& item) {
-  visit(item.centre, item.half_size_m, item.spacing_m);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::SceneCamera> auto& item) {
-  visit(item.towards, item.up, item.opening_deg, item.margin, item.fit);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Scene> auto& item) {
-  visit(item.camera, item.ground, item.bodies, item.drums, item.arrows, item.balls, item.sectors,
-        item.dimensions, item.lines, item.texts);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Is<figure::Figure> auto& item) {
-  visit(item.id, item.title, item.panels, item.diagram, item.scene, item.width_px, item.height_px,
-        item.panels_share_x, item.width_mm, item.look);
+/// All fields of a structure of figure.h, in their order: `Visitor` is Writer or Reader.
+template <class Visitor, class Item>
+void visit_fields(Visitor& visit, Item& item) {
+  static_assert(std::is_aggregate_v<Item>);
+  constexpr std::size_t count = count_of_fields<std::remove_const_t<Item>>();
+  static_assert(count > 1 && count < 12);
+  if constexpr (count == 2) {
+    auto& [a, b] = item;
+    visit(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c] = item;
+    visit(a, b, c);
+  } else if constexpr (count == 4) {
+    auto& [a, b, c, d] = item;
+    visit(a, b, c, d);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = item;
+    visit(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = item;
+    visit(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = item;
+    visit(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = item;
+    visit(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = item;
+    visit(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (count == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = item;
+    visit(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (count == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = item;
+    visit(a, b, c, d, e, f, g, h, i, j, k);
+  }
 }
 
 template <class Value>
