@@ -45,8 +45,6 @@ WordsIn::WordsIn(const Language& language) : before_(translator) {
 
 WordsIn::~WordsIn() { translator = before_; }
 
-bool words_are_english() { return translator == nullptr; }
-
 std::string translated(std::string_view message) {
   std::string text(message);
   if (translator == nullptr) return text;

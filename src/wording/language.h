@@ -29,7 +29,4 @@ class WordsIn {
   const class Translator* before_;
 };
 
-/// Whether the words of this thread are English.
-bool words_are_english();
-
 }  // namespace tribolog::wording

@@ -202,7 +202,6 @@ Scale stiffness_scale(double size_Nm_rad) { return quantity_scale("N·m/rad", si
 Scale inertia_scale(double size_kgm2) { return quantity_scale("kg·m²", size_kgm2); }
 
 Scale degree_scale() { return {joint::degrees_per_rad, "°"}; }
-Scale degree_per_second_scale() { return {joint::degrees_per_rad, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, shown_units(std::move(unit))}; }
 
 Scale quantity_scale(const std::string& unit, double size) {

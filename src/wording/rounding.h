@@ -90,7 +90,6 @@ Scale stiffness_scale(double size_Nm_rad);
 Scale inertia_scale(double size_kgm2);
 
 Scale degree_scale();                 ///< rad -> °
-Scale degree_per_second_scale();      ///< rad/s -> °/s
 Scale plain_scale(std::string unit);  ///< SI as it is.
 
 /// By the unit of a quantity of the verdict, for a value of about this size; torques of N·m may be
