@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "render/png/png_encoder.h"
 
@@ -142,38 +143,68 @@ class PaletteChoice {
   std::vector<int> stands_for_within_;
 };
 
+Key key_at(const figure::Picture& picture, std::size_t pixel) {
+  const std::uint8_t* const rgb = picture.rgb.data() + 3 * pixel;
+  return rgb[0] | (static_cast<Key>(rgb[1]) << 8U) | (static_cast<Key>(rgb[2]) << 16U);
+}
+
+/// To one of 9 levels a channel.
+Key rounded(Key key) {
+  constexpr Key step = 32;
+  Key out = 0;
+  for (const unsigned shift : {0U, 8U, 16U}) {
+    const Key level = (((key >> shift) & 0xFFU) + step / 2) / step * step;
+    out |= std::min<Key>(level, 0xFF) << shift;
+  }
+  return out;
+}
+
+struct CountedColours {
+  std::vector<std::uint16_t> numbers;  ///< Of the colour of each pixel.
+  std::vector<Occurrence> colours;
+};
+
+/// Nothing where they are too many.
+/// @param round_single_pixels those that differ from both neighbours in their row: of fading
+/// edges, where fewer levels do not show.
+std::optional<CountedColours> count_colours(const figure::Picture& picture,
+                                            bool round_single_pixels) {
+  ColourTable table;
+  CountedColours out;
+  out.numbers.resize(picture.rgb.size() / 3);
+  constexpr Key none = 0xFFFFFFFF;
+  Key last = none;
+  Key key = out.numbers.empty() ? none : key_at(picture, 0);
+  for (std::size_t i = 0; i < out.numbers.size(); ++i) {
+    const Key next = i + 1 < out.numbers.size() ? key_at(picture, i + 1) : none;
+    if (key == last) {
+      out.numbers[i] = out.numbers[i - 1];
+    } else {
+      const bool is_rounded = round_single_pixels && key != next;
+      const auto found = table.number(is_rounded ? rounded(key) : key);
+      if (!found) return std::nullopt;
+      out.numbers[i] = *found;
+    }
+    ++table.colours()[out.numbers[i]].count;
+    last = key;
+    key = next;
+  }
+  out.colours = std::move(table.colours());
+  return out;
+}
+
 }  // namespace
 
 std::optional<IndexedPicture> indexed(const figure::Picture& picture) {
-  ColourTable table;
-  std::vector<std::uint16_t> numbers(picture.rgb.size() / 3);
-  constexpr Key none = 0xFFFFFFFF;
-  Key last = none;
-  std::uint16_t last_number = 0;
-  std::size_t run_start = 0;
-  const std::uint8_t* rgb = picture.rgb.data();
-  for (std::size_t i = 0; i < numbers.size(); ++i, rgb += 3) {
-    const Key key = rgb[0] | (static_cast<Key>(rgb[1]) << 8U) | (static_cast<Key>(rgb[2]) << 16U);
-    if (key != last) {
-      if (i > 0) table.colours()[last_number].count += static_cast<std::uint32_t>(i - run_start);
-      const auto found = table.number(key);
-      if (!found) return std::nullopt;
-      last = key;
-      last_number = *found;
-      run_start = i;
-    }
-    numbers[i] = last_number;
-  }
-  if (!numbers.empty()) {
-    table.colours()[last_number].count += static_cast<std::uint32_t>(numbers.size() - run_start);
-  }
-
-  const PaletteChoice choice(table.colours());
+  std::optional<CountedColours> counted = count_colours(picture, false);
+  if (!counted) counted = count_colours(picture, true);
+  if (!counted) return std::nullopt;
+  const PaletteChoice choice(counted->colours);
   if (choice.largest_error() > largest_colour_error) return std::nullopt;
   const std::vector<std::uint8_t> places = choice.places();
   IndexedPicture out{choice.palette(), {}};
-  out.indices.resize(numbers.size());
-  std::transform(numbers.begin(), numbers.end(), out.indices.begin(),
+  out.indices.resize(counted->numbers.size());
+  std::transform(counted->numbers.begin(), counted->numbers.end(), out.indices.begin(),
                  [&](std::uint16_t number) { return places[number]; });
   return out;
 }

@@ -30,7 +30,8 @@ inline constexpr int largest_colour_error = 8;
 
 /// Exact where the picture has at most 256 colours. A chart has some more, mixed at the edges of
 /// lines and letters: those that differ least from another one take its place. Nothing if one would
-/// be off by more than largest_colour_error, or if there are more than 1024 colours.
+/// be off by more than largest_colour_error, or if there are more than 1024 colours even where each
+/// pixel that differs from both neighbours in its row has one of 9 levels a channel.
 std::optional<IndexedPicture> indexed(const figure::Picture& picture);
 
 }  // namespace tribolog::render::png
