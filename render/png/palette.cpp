@@ -195,9 +195,9 @@ std::optional<CountedColours> count_colours(const figure::Picture& picture,
 
 }  // namespace
 
-std::optional<IndexedPicture> indexed(const figure::Picture& picture) {
+std::optional<IndexedPicture> indexed(const figure::Picture& picture, SinglePixels single) {
   std::optional<CountedColours> counted = count_colours(picture, false);
-  if (!counted) counted = count_colours(picture, true);
+  if (!counted && single == SinglePixels::may_be_rounded) counted = count_colours(picture, true);
   if (!counted) return std::nullopt;
   const PaletteChoice choice(counted->colours);
   if (choice.largest_error() > largest_colour_error) return std::nullopt;

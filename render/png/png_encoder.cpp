@@ -76,8 +76,8 @@ Bytes filtered(const Bytes& pixels, std::size_t row, std::uint8_t filter) {
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const figure::Picture& picture) {
-  const auto palette = indexed(picture);
+std::vector<std::byte> encode_png(const figure::Picture& picture, SinglePixels single) {
+  const auto palette = indexed(picture, single);
   Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   Bytes header;
   put_u32(header, static_cast<std::uint32_t>(picture.width));

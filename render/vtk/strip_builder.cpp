@@ -97,7 +97,9 @@ void StripBuilder::end_part(StripPoint at) { pair(at, at); }
 void StripBuilder::add(const std::vector<Section>& sections) {
   const auto inside = [](const Section& s, figure::PixelPoint edge, figure::PixelPoint out) {
     const double width = distance(s.left, s.right);
-    return StripPoint{moved(edge, out, -std::min(fade, width / 2)), s.cover * std::min(1.0, width)};
+    // A line thinner than a pixel fades from its middle on, and keeps its ink.
+    const double most = width < 1 ? 2 * width / (1 + width) : 1;
+    return StripPoint{moved(edge, out, -std::min(fade, width / 2)), s.cover * most};
   };
   const auto left = [&](const Section& s) { return inside(s, s.left, s.out_left); };
   const auto right = [&](const Section& s) { return inside(s, s.right, s.out_right); };

@@ -200,7 +200,10 @@ DrawnFigure DrawingWorker::draw(const figure::Figure& figure, bool solid_parts_o
           {"drawing.other_driver", {{"renderer", drawn.drawn_by.gl_renderer}}});
     }
     drawn.error = std::move(findings.error);
-    if (drawn.error.empty()) drawn.png = png::encode_png(picture);
+    if (drawn.error.empty()) {
+      drawn.png = png::encode_png(
+          picture, list.scene ? png::SinglePixels::stay : png::SinglePixels::may_be_rounded);
+    }
   } catch (const std::exception& problem) {
     drawn.error = stated_by(problem);
   }

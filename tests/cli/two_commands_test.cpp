@@ -40,7 +40,7 @@ TEST(MainJob, FromScenarioToReport) {
        ++at) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 14U);
+  EXPECT_EQ(pictures, 13U);
   EXPECT_EQ(html.find("Other figures"), std::string::npos) << "each has its section";
   const std::size_t precise = html.find("id=\"stage-2\"");
   for (const char* id : {"fig-10-phenomenological-model", "fig-11-rough-motion",

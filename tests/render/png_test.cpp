@@ -66,6 +66,26 @@ TEST(Png, GivesColoursTooManyTheNearestOfThePalette) {
   }
 }
 
+// A chart's edges fade through any number of colours; its areas, and what is a pixel thin, stay.
+TEST(Png, RoundsSinglePixelsWhereThatGivesAPalette) {
+  figure::Picture picture{400, 40, {}};
+  for (int i = 0; i < picture.width * picture.height; ++i) {
+    const bool is_edge = i % 4 == 3;
+    const int k = i / 4;
+    for (const int c : {k % 251, k % 241, k % 239}) {
+      picture.rgb.push_back(static_cast<std::uint8_t>(is_edge ? c : 200));
+    }
+  }
+  EXPECT_EQ(png::encode_png(picture)[colour_type], std::byte{2});
+  const auto bytes = png::encode_png(picture, png::SinglePixels::may_be_rounded);
+  EXPECT_EQ(bytes[colour_type], std::byte{3});
+  const figure::Picture back = read_png(bytes);
+  for (std::size_t i = 0; i < back.rgb.size(); ++i) {
+    const bool is_edge = i / 3 % 4 == 3;
+    EXPECT_LE(std::abs(back.rgb[i] - picture.rgb[i]), is_edge ? 16 + png::largest_colour_error : 0);
+  }
+}
+
 TEST(Png, StatesItsPrintedSize) {
   const auto bytes = png::encode_png(pattern(1600, 10, 4));
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
