@@ -148,10 +148,11 @@ TEST(Commands, AStudyRefusesWhatCannotBe) {
   EXPECT_FALSE(std::filesystem::exists(directory.file("study.html")));
 }
 
-TEST(Commands, TheKnownTruthCheckCanBeLeftOut) {
+TEST(Commands, TheKnownTruthCheckIsMadeWhereItIsAskedFor) {
   const SmallDataset dataset;
-  EXPECT_EQ(dataset.run("identify", "with.json").status, 0);
-  EXPECT_EQ(dataset.run("identify --truth-runs 0", "without.json").status, 0);
+  EXPECT_EQ(dataset.run("identify --check", "with.json").status, 0);
+  EXPECT_EQ(dataset.run("identify", "without.json").status, 0);
+  EXPECT_EQ(dataset.run("identify --check --truth-runs 2", "both.json").status, 2);
   EXPECT_NE(read_text(dataset.file("with.json")).find("\"came_back\""), std::string::npos);
   EXPECT_NE(read_text(dataset.file("without.json")).find("\"truth_check\": null"),
             std::string::npos);
