@@ -18,9 +18,9 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   /// The same list gives the same bytes, whatever was painted before.
-  /// @param strip_rows how much is painted at once, which bounds memory: the multisampled buffers
-  /// of a whole picture would take a few hundred megabytes, and clearing their pages a quarter of
-  /// the time
+  /// @param strip_rows how much of a scene is painted at once, which bounds memory: the
+  /// multisampled buffers of a whole picture would take a few hundred megabytes, and clearing their
+  /// pages a quarter of the time. Of a chart, which has one sample a pixel, four times as much.
   /// @throw tribolog::FigureError if VTK reports an error.
   virtual figure::Picture paint(const figure::DrawList& list, int strip_rows) = 0;
   figure::Picture paint(const figure::DrawList& list) { return paint(list, usual_strip_rows); }

@@ -28,7 +28,6 @@ bool has_no_area(figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint 
 }  // namespace
 
 vtkStandardNewMacro(DrawListItem);
-vtkStandardNewMacro(TriangleDevice);
 
 void DrawListItem::show(const figure::DrawList* list, const text::Font* font, int top,
                         int window_height) {
@@ -88,21 +87,21 @@ void DrawListItem::fill(vtkContext2D* context) {
   auto* const device = TriangleDevice::SafeDownCast(context->GetDevice());
   std::vector<float> corners;
   std::vector<unsigned char> colours;
+  const auto draw = [&] {
+    if (!colours.empty()) device->draw_triangles(corners, colours);
+    corners.clear();
+    colours.clear();
+  };
   for (std::size_t i = 2; i < points.size(); ++i) {
-    if (!has_no_area(points[i - 2].at, points[i - 1].at, points[i].at)) {
-      for (const std::size_t k : {i - 2, i - 1, i}) {
-        const auto& [at, cover, colour] = points[k];
-        corners.insert(corners.end(), {vtk_x(at.x), vtk_y(at.y)});
-        colours.insert(colours.end(), {colour.red, colour.green, colour.blue, colour.alpha});
-      }
+    if (has_no_area(points[i - 2].at, points[i - 1].at, points[i].at)) continue;
+    for (const std::size_t k : {i - 2, i - 1, i}) {
+      const auto& [at, cover, colour] = points[k];
+      corners.insert(corners.end(), {vtk_x(at.x), vtk_y(at.y)});
+      colours.insert(colours.end(), {colour.red, colour.green, colour.blue, colour.alpha});
     }
-    const bool is_last = i + 1 == points.size();
-    if (colours.size() >= colours_at_once || (is_last && !colours.empty())) {
-      device->draw_triangles(corners, colours);
-      corners.clear();
-      colours.clear();
-    }
+    if (colours.size() >= colours_at_once) draw();
   }
+  draw();
   strip_.clear();
 }
 

@@ -11,7 +11,7 @@ namespace tribolog::render::vtk {
 
 class TriangleDevice : public vtkOpenGLContextDevice2D {
  public:
-  static TriangleDevice* New();
+  static TriangleDevice* New() { VTK_STANDARD_NEW_BODY(TriangleDevice); }
   vtkTypeMacro(TriangleDevice, vtkOpenGLContextDevice2D)
 
       /// @param corners x and y of each, three to a triangle

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tribolog {
@@ -26,13 +27,29 @@ std::size_t take_cores(std::size_t wanted) {
   return std::min(spare, wanted);
 }
 
+/// Whether this thread does a piece of a call that states its threads.
+thread_local bool is_limited = false;
+
+class Limit {
+ public:
+  explicit Limit(bool limits) : before_(std::exchange(is_limited, is_limited || limits)) {}
+  ~Limit() { is_limited = before_; }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+
+ private:
+  bool before_;
+};
+
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   std::size_t threads) {
+  if (is_limited) threads = 1;
   const std::size_t most = std::min(threads == 0 ? count : threads, count);
   const std::size_t taken = most <= 1 ? 0 : threads == 0 ? take_cores(most - 1) : most - 1;
   if (taken == 0) {
+    const Limit limit(threads != 0);
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
@@ -40,6 +57,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
   std::exception_ptr failure;
   std::mutex guard;
   const auto run = [&] {
+    const Limit limit(threads != 0);
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i);

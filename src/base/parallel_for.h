@@ -13,7 +13,8 @@ namespace tribolog {
 /// returns when all are done. The first exception of a piece is thrown on; pieces not yet begun
 /// are then left out.
 /// @param threads 0: as many as the machine has cores that no other call uses, so that calls may be
-/// nested. With 1 all is done in the calling thread.
+/// nested. With 1 all is done in the calling thread. Calls within one that states a number start no
+/// further threads.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   std::size_t threads = 0);
 

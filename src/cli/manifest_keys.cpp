@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/enum_text.h"
 #include "friction/catalogue.h"
 #include "ingest/log/register.h"
 #include "ingest/log/units.h"
@@ -60,11 +61,8 @@ std::string number_between(const char* lowest, const char* highest, const char* 
   return fmt::format("number, {} to {}{}{}", lowest, highest, *unit == 0 ? "" : " ", unit);
 }
 
-std::string one_of(std::initializer_list<const char*> words) {
-  std::string text;
-  for (const char* const word : words)
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", word);
-  return text;
+std::string any_word_of(const std::vector<std::string>& words) {
+  return fmt::format("`{}`", fmt::join(words, "`, `"));
 }
 
 std::string units_of(Quantity quantity) {
@@ -135,12 +133,11 @@ ManifestTable effort_table() {
       {"effort"},
       false,
       "The same column is ampere on one robot and newton metre on another, so it has to be stated.",
-      {{"kind", one_of({"motor_current", "motor_torque", "joint_torque", "target_torque", "none"}),
-        required,
+      {{"kind", any_word_of(own_names<joint::EffortKind>.all()), required,
         "`target_torque`: a controller's value, no measurement, and no number from it is usable; "
         "`none`: the log "
         "has no torque, and its motion alone is checked"},
-       {"side", one_of({"motor", "joint"}), required,
+       {"side", any_word_of({"motor", "joint"}), required,
         "the side of the gear on which the torque acts; not with kind `none`"},
        {"torque_constant_Nm_A", number("torque_constant_Nm_A") + "; or `\"unknown\"`",
         "required for `motor_current`",
@@ -156,7 +153,7 @@ std::vector<ManifestTable> column_tables() {
   const ManifestKey name{"name", "text", required,
                          "the column's name in the log; `#3` is the third column"};
   const ManifestKey sign{"sign", "1 or -1", "1", "-1: the column counts the other way round"};
-  const ManifestKey side{"side", one_of({"motor", "joint"}), "`joint`",
+  const ManifestKey side{"side", any_word_of({"motor", "joint"}), "`joint`",
                          "the side of the gear that was measured"};
   const ManifestKey confirmed{
       "confirmed", "true or false", "true",
@@ -234,9 +231,9 @@ ManifestTable log_table() {
           false,
           "Separators and most dialects are detected.",
           {{"decimal_comma", "true or false", "false", "numbers are written as 3,14"},
-           {"delimiter", one_of({"comma", "semicolon", "tab", "spaces"}), "detected",
+           {"delimiter", any_word_of({"comma", "semicolon", "tab", "spaces"}), "detected",
             "what separates columns"},
-           {"encoding", one_of({"utf8", "latin1"}), "`utf8`", "of the columns' names"},
+           {"encoding", any_word_of({"utf8", "latin1"}), "`utf8`", "of the columns' names"},
            {"header_line", "whole number from 1", "detected", "the line of the columns' names"},
            {"skip_bad_rows", "true or false", "false",
             "leave out and count unusable rows and impossible numbers, up to 1 % of all"}}};
@@ -246,10 +243,7 @@ ManifestTable recording_table() {
   return {{"recording"},
           true,
           "Any number of each role; each role is optional.",
-          {{"role",
-            one_of({"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away",
-                    "friction_points"}),
-            required, "what was run"},
+          {{"role", any_word_of(own_names<joint::Role>.all()), required, "what was run"},
            {"file", "name of a file", required, "the log, relative to the manifest"},
            {"from_s", number("from_s", true), "the log's beginning",
             "begin of the part that is meant, on the log's clock"},
@@ -259,14 +253,15 @@ ManifestTable recording_table() {
 }
 
 ManifestTable limit_table() {
-  std::string quantities;
+  std::vector<std::string> quantities;
   for (const joint::LimitedQuantity& one : joint::limited_quantities()) {
-    quantities += fmt::format("{}`{}`", quantities.empty() ? "" : ", ", one.key);
+    quantities.emplace_back(one.key);
   }
   return {{"limit"},
           true,
           "One or more of the four numbers. A limit is met only if the whole interval keeps it.",
-          {{"quantity", quantities, required, "what is limited, with side and unit in its name"},
+          {{"quantity", any_word_of(quantities), required,
+            "what is limited, with side and unit in its name"},
            {"min", "number, in that unit", none, "no less"},
            {"max", "number, in that unit", none, "no more"},
            {"half_width", "number above 0, in that unit", none,
@@ -356,7 +351,8 @@ std::vector<ManifestTable> circumstances_tables() {
        {{"name", "text", required, "the column's name"},
         {"unit", "text", required, units_of(Quantity::angle)},
         {"sign", "1 or -1", "1", "-1: the column counts the other way round"},
-        {"side", one_of({"motor", "joint"}), "`joint`", "the side of the gear that was measured"}}},
+        {"side", any_word_of({"motor", "joint"}), "`joint`",
+         "the side of the gear that was measured"}}},
       {{"payload"},
        false,
        "With mass and distance the gravity torque found is checked.",

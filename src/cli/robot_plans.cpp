@@ -114,11 +114,10 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
   for (const std::string& file : {page, manifest}) check_output_can_be_written(file, inputs);
   render::workers::FigureRenderer renderer(options.processes);  // starts while plans are simulated
 
-  PlanCommandOptions each = options;
-  each.threads = std::min<std::size_t>(options.threads, 1);  // joints are spread over them
   JointProgress progress(joints, console);
   parallel_for(
-      all.size(), [&](std::size_t k) { plan_one(each, text, provenance, progress.of(k), all[k]); },
+      all.size(),
+      [&](std::size_t k) { plan_one(options, text, provenance, progress.of(k), all[k]); },
       options.threads);
   console.finish();
 

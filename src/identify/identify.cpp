@@ -251,10 +251,13 @@ method::hysteresis::KnownEffects known_effects(const Progress& p) {
 void clean(Progress& p) {
   const std::vector<joint::Recording>& recordings = p.dataset.recordings;
   std::vector<char> is_damaged(recordings.size());
-  parallel_for(recordings.size(), [&](std::size_t i) {
-    is_damaged[i] = method::motion::has_false_stamps(recordings[i]) ||
-                    !method::motion::torque_outliers(recordings[i]).empty();
-  });
+  parallel_for(
+      recordings.size(),
+      [&](std::size_t i) {
+        is_damaged[i] = method::motion::has_false_stamps(recordings[i]) ||
+                        !method::motion::torque_outliers(recordings[i]).empty();
+      },
+      p.options.threads);
   if (std::count(is_damaged.begin(), is_damaged.end(), 1) == 0) return;
   p.cleaned = p.dataset;
   p.c.false_stamps = method::motion::replace_false_stamps(p.cleaned.recordings);
@@ -285,7 +288,7 @@ void check_recordings(Progress& p) { p.c.data_checks = method::checks::check_rec
 void look_at_recordings(Progress& p) {
   constexpr void (*pieces[])(Progress&) = {identify_model, identify_rough_sweep, check_recordings};
   const std::size_t count = std::size(pieces) - (p.are_numbers_enough ? 1 : 0);
-  parallel_for(count, [&](std::size_t k) { pieces[k](p); });
+  parallel_for(count, [&](std::size_t k) { pieces[k](p); }, p.options.threads);
 }
 
 /// The paper's chain, from the sweeps to the friction parameters: every number that can be compared

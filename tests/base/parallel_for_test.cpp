@@ -62,6 +62,20 @@ TEST(ParallelFor, MayBeNested) {
   EXPECT_LE(most, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
 }
 
+// Who states a number of threads gets no more of them by what the work calls.
+TEST(ParallelFor, StartsNoThreadsWithinACallThatStatesThem) {
+  std::set<std::thread::id> seen;
+  parallel_for(
+      3,
+      [&](std::size_t) {
+        for (const std::size_t threads : {0U, 2U}) {
+          parallel_for(10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); }, threads);
+        }
+      },
+      1);
+  EXPECT_EQ(seen, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
 // A thread that is done gives its core back.
 TEST(ParallelFor, UsesAllCoresAgainAfterwards) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core";

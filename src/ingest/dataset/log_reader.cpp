@@ -345,22 +345,28 @@ bool KeptLogs::holds_several(const std::string& file) const {
   return rows != rows_of_.end() && rows->second.size() > 1;
 }
 
+std::string KeptLogs::path_of(const manifest::RecordingEntry& entry) const {
+  return (directory_ / entry.file).string();
+}
+
 void KeptLogs::read_ahead(std::span<const manifest::RecordingEntry> coming,
                           const std::vector<joint::KnownLoad>& loads,
                           const std::vector<std::string>& others) {
   constexpr std::uintmax_t small_bytes = std::uintmax_t{1} << 22;  // larger ones are read in parts
   constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 24;
-  if (coming.empty() || ahead_.contains(coming.front().file)) return;
+  const auto is_known = [&](const std::string& file) {
+    return kept_.contains(file) || ahead_.contains(file);
+  };
+  if (coming.empty() || is_known(coming.front().file)) return;
   std::vector<std::pair<manifest::RecordingEntry, Ahead*>> logs;
   std::uintmax_t bytes = 0;
   for (const manifest::RecordingEntry& entry : coming) {
-    const bool is_known = kept_.contains(entry.file) || ahead_.contains(entry.file);
-    if (is_known || entry.role == joint::Role::friction_points) continue;
+    if (is_known(entry.file)) continue;
+    if (entry.role == joint::Role::friction_points) break;
     std::error_code failure;
-    const std::uintmax_t size = std::filesystem::file_size(directory_ / entry.file, failure);
-    if (failure || size > small_bytes) continue;
+    const std::uintmax_t size = std::filesystem::file_size(path_of(entry), failure);
     bytes += size;
-    if (bytes > most_bytes) break;
+    if (failure || size > small_bytes || bytes > most_bytes) break;
     Ahead& ahead = ahead_[entry.file];
     const manifest::RecordingEntry own = without_companions(entry);
     ahead.columns = columns_wanted(own, loads, others);
@@ -369,8 +375,8 @@ void KeptLogs::read_ahead(std::span<const manifest::RecordingEntry> coming,
   parallel_for(logs.size(), [&](std::size_t k) {
     const auto& [entry, ahead] = logs[k];
     try {
-      ahead->log = std::make_unique<ReadLog>(read_log(
-          entry, (directory_ / entry.file).string(), ahead->columns, others, rules_, ahead->notes));
+      ahead->log = std::make_unique<ReadLog>(
+          read_log(entry, path_of(entry), ahead->columns, others, rules_, ahead->notes));
     } catch (...) {
       ahead->failure = std::current_exception();
     }
@@ -382,14 +388,15 @@ std::unique_ptr<ReadLog> KeptLogs::log_of(const manifest::RecordingEntry& entry,
                                           const std::vector<std::string>& others,
                                           std::vector<Statement>& notes) {
   const auto found = ahead_.find(entry.file);
-  const bool is_read = found != ahead_.end() && found->second.columns == columns;
-  if (!is_read) {
-    if (found != ahead_.end()) ahead_.erase(found);
-    return std::make_unique<ReadLog>(
-        read_log(entry, (directory_ / entry.file).string(), columns, others, rules_, notes));
+  Ahead ahead;
+  if (found != ahead_.end()) {
+    ahead = std::move(found->second);
+    ahead_.erase(found);
   }
-  Ahead ahead = std::move(found->second);
-  ahead_.erase(found);
+  if (ahead.columns != columns) {
+    return std::make_unique<ReadLog>(
+        read_log(entry, path_of(entry), columns, others, rules_, notes));
+  }
   if (ahead.failure) std::rethrow_exception(ahead.failure);
   std::move(ahead.notes.begin(), ahead.notes.end(), std::back_inserter(notes));
   return std::move(ahead.log);
@@ -403,7 +410,7 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& en
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
-  const std::string path = (directory_ / entry.file).string();
+  const std::string path = path_of(entry);
   std::vector<log::WantedColumn> columns = columns_wanted(entry, loads, others);
   Kept& kept = kept_[entry.file];
   const std::optional<double> rate_Hz =

@@ -66,8 +66,8 @@ class KeptLogs {
                                       std::vector<Statement>& notes,
                                       const std::vector<std::string>& others = {});
 
-  /// Reads the logs of the recordings that come next, several at once, if the first of them is not
-  /// known yet and they are small; read() then finds them read.
+  /// Reads the logs of the recordings that come next, several at once, up to the first large one;
+  /// read() then finds them read. Nothing where the first of them is known already.
   /// @param loads, others as read() will get them.
   /// @throw Nothing: read() throws what went wrong.
   void read_ahead(std::span<const manifest::RecordingEntry> coming,
@@ -88,6 +88,7 @@ class KeptLogs {
     std::unique_ptr<ReadLog> whole{};  ///< With all rows, where recordings take some of them.
     std::shared_ptr<const ReadLog> log;
   };
+  [[nodiscard]] std::string path_of(const manifest::RecordingEntry& entry) const;
   /// As it was read ahead, or now.
   std::unique_ptr<ReadLog> log_of(const manifest::RecordingEntry& entry,
                                   const std::vector<log::WantedColumn>& columns,
