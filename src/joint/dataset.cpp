@@ -1,6 +1,8 @@
 #include "joint/dataset.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "joint/degrees.h"
 
@@ -48,19 +50,20 @@ std::vector<const Recording*> Dataset::with_role(Role role) const {
 
 std::vector<SharedConversion> shared_conversions(const std::vector<InputFile>& inputs) {
   std::vector<SharedConversion> all;
-  std::vector<std::string> logs;
-  const auto add_once = [](std::vector<std::string>& names, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
+  std::vector<std::set<std::string_view>> files;  // of each
+  std::set<std::string_view> logs;
   for (const InputFile& input : inputs) {
-    if (input.conversions.empty()) continue;
-    add_once(logs, input.name);
+    if (!input.conversions.empty()) logs.insert(input.name);
     for (const ColumnConversion& conversion : input.conversions) {
-      auto known = std::find_if(all.begin(), all.end(), [&](const SharedConversion& s) {
+      const auto known = std::find_if(all.begin(), all.end(), [&](const SharedConversion& s) {
         return s.conversion == conversion;
       });
-      if (known == all.end()) known = all.insert(all.end(), {conversion, {}, false});
-      add_once(known->files, input.name);
+      const auto place = static_cast<std::size_t>(known - all.begin());
+      if (known == all.end()) {
+        all.push_back({conversion, {}, false});
+        files.emplace_back();
+      }
+      if (files[place].insert(input.name).second) all[place].files.push_back(input.name);
     }
   }
   for (SharedConversion& shared : all) shared.is_of_all = shared.files.size() == logs.size();

@@ -7,12 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
-#include "base/input_file.h"
 #include "base/requirements.h"
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/units.h"
-#include "ingest/text/csv_reader.h"
 
 namespace tribolog::ingest::dataset {
 
@@ -20,18 +17,6 @@ std::vector<log::ColumnHeader> headers_of(const log::LogTable& table) {
   std::vector<log::ColumnHeader> headers;
   for (const log::LogColumn& column : table.columns) headers.push_back(column.header);
   return headers;
-}
-
-std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
-                                               const text::TextLogRules& rules) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 16;
-  std::string start = read_start(path, most_bytes);
-  start.resize(start.rfind('\n') + 1);  // whole rows; none: no such log
-  try {
-    return headers_of(text::read_csv(start, path, {}, rules));
-  } catch (const InputError&) {
-    return {};  // told of the whole log, where the columns that are stated are read
-  }
 }
 
 std::vector<joint::OtherJoint> joints_in_columns(const std::vector<log::ColumnHeader>& header,

@@ -7,18 +7,12 @@
 #include "ingest/dataset/log_reader.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
-#include "ingest/text/csv_dialect.h"
 #include "joint/other_joints.h"
 
 namespace tribolog::ingest::dataset {
 
 /// The names of all columns of a table.
 std::vector<log::ColumnHeader> headers_of(const log::LogTable& table);
-
-/// Those of a text log, by its first rows; none where these do not tell.
-/// @throw InputError as read_start() does.
-std::vector<log::ColumnHeader> headers_of_text(const std::string& path,
-                                               const text::TextLogRules& rules);
 
 /// By the names of a log's columns: measured angles of joints other than that of the entry's angle,
 /// the first of each, in the unit of that.

@@ -235,11 +235,14 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
     std::vector<log::LogTable> tables = read_tables(path, format);
     want_others(headers_of_tables(tables, columns), entry, columns, others, read);
     read.table = take_columns(std::move(tables), columns);
-  } else if (auto tables = read_long_text(path, columns, rules)) {
-    read.table = take_columns(std::move(*tables), columns);
   } else {
-    want_others(headers_of_text(path, rules), entry, columns, others, read);
-    read.table = text::read_csv(bytes, path, columns, rules);
+    const std::optional<text::CsvTable> first_rows = first_rows_of_text(path, rules);
+    if (auto tables = read_long_text(path, first_rows, columns, rules)) {
+      read.table = take_columns(std::move(*tables), columns);
+    } else {
+      if (first_rows) want_others(headers_of(*first_rows), entry, columns, others, read);
+      read.table = text::read_csv(bytes, path, columns, rules);
+    }
   }
   set_others_apart(columns, others, read);
   read_to_the_end(bytes);

@@ -52,14 +52,10 @@ bool has_all(const text::CsvTable& table, const std::vector<log::WantedColumn>& 
   return !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), is_there);
 }
 
-bool shows_long_format(const std::string& path, const std::vector<log::WantedColumn>& wanted,
-                       const text::TextLogRules& rules) {
-  constexpr std::size_t enough_bytes = std::size_t{1} << 15;
+bool shows_long_format(const text::CsvTable& first_rows,
+                       const std::vector<log::WantedColumn>& wanted) {
   try {
-    const std::string start = read_start(path, enough_bytes);
-    text::CsvTable table = text::read_csv(std::string_view(start), path, {}, rules);
-    const bool stands_alone = has_all(table, wanted);
-    return !stands_alone && spread(std::move(table)).has_value();
+    return !has_all(first_rows, wanted) && spread(first_rows).has_value();
   } catch (const InputError&) {
     return false;
   }
@@ -67,10 +63,23 @@ bool shows_long_format(const std::string& path, const std::vector<log::WantedCol
 
 }  // namespace
 
+std::optional<text::CsvTable> first_rows_of_text(const std::string& path,
+                                                 const text::TextLogRules& rules) {
+  constexpr std::size_t enough_bytes = std::size_t{1} << 16;
+  try {
+    std::string start = read_start(path, enough_bytes);
+    // Whole rows; none: no such log.
+    if (start.size() == enough_bytes) start.resize(start.find_last_of("\r\n") + 1);
+    return text::read_csv(std::string_view(start), path, {}, rules);
+  } catch (const InputError&) {
+    return std::nullopt;  // told of the whole log, where the columns that are stated are read
+  }
+}
+
 std::optional<std::vector<log::LogTable>> read_long_text(
-    const std::string& path, const std::vector<log::WantedColumn>& wanted,
-    const text::TextLogRules& rules) {
-  if (!shows_long_format(path, wanted, rules)) return std::nullopt;
+    const std::string& path, const std::optional<text::CsvTable>& first_rows,
+    const std::vector<log::WantedColumn>& wanted, const text::TextLogRules& rules) {
+  if (!first_rows || !shows_long_format(*first_rows, wanted)) return std::nullopt;
   InputFileSource bytes(path);
   text::CsvTable table = text::read_csv(bytes, path, {}, rules);
   std::vector<Statement> notes = std::move(table.notes);

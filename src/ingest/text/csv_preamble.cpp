@@ -25,20 +25,42 @@ struct Row {
   long line{};
 };
 
-std::vector<Row> rows_of(RowCursor cursor, Delimiter delimiter, const std::string& file) {
-  std::vector<Row> rows;
-  while (rows.size() < looked_at_rows && cursor.next() &&
-         cursor.row().size() <= longest_line_bytes) {
-    Row& row = rows.emplace_back();
-    row.line = cursor.line();
-    try {
-      row.fields = split_row(cursor.row(), delimiter, {file, cursor.line(), 0});
-    } catch (const InputError&) {
-      continue;  // a row without fields is in no table
+/// The first rows of a log, each split where it is first looked at: a table mostly begins at once.
+class FirstRows {
+ public:
+  FirstRows(RowCursor cursor, Delimiter delimiter, const std::string& file)
+      : cursor_(std::move(cursor)), delimiter_(delimiter), file_(file) {}
+
+  /// Whether there is one in that place.
+  bool has(std::size_t place) {
+    while (rows_.size() <= place && read_one()) {
     }
+    return place < rows_.size();
   }
-  return rows;
-}
+  /// As far as has() was asked.
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  bool read_one() {
+    if (rows_.size() == looked_at_rows || !cursor_.next() ||
+        cursor_.row().size() > longest_line_bytes) {
+      return false;
+    }
+    Row& row = rows_.emplace_back();
+    row.line = cursor_.line();
+    try {
+      row.fields = split_row(cursor_.row(), delimiter_, {file_, cursor_.line(), 0});
+    } catch (const InputError&) {
+      // a row without fields is in no table
+    }
+    return true;
+  }
+
+  RowCursor cursor_;
+  Delimiter delimiter_;
+  const std::string& file_;
+  std::vector<Row> rows_;
+};
 
 /// But for a delimiter at the end.
 std::size_t columns_of(const std::vector<Field>& fields) {
@@ -53,17 +75,16 @@ bool are_alike(const std::vector<Field>& a, const std::vector<Field>& b) {
 }
 
 /// The first row of a table of numbers; nothing where there is none.
-std::optional<std::size_t> first_of_table(const std::vector<Row>& rows, DecimalMark mark) {
+std::optional<std::size_t> first_of_table(FirstRows& first, DecimalMark mark) {
   std::size_t alike = 0;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::vector<Field>& fields = rows[k].fields;
+  for (std::size_t k = 0; first.has(k); ++k) {
+    const std::vector<Field>& fields = first.rows()[k].fields;
     const bool is_of_numbers = fields.size() > 1 && holds_numbers_only(fields, mark);
-    const bool goes_on = alike > 0 && are_alike(fields, rows[k - 1].fields);
+    const bool goes_on = alike > 0 && are_alike(fields, first.rows()[k - 1].fields);
     alike = !is_of_numbers ? 0 : goes_on ? alike + 1 : 1;
-    const bool is_end = k + 1 == rows.size() && rows.size() < looked_at_rows;
-    if (alike == rows_of_a_table || (is_end && alike >= fewest_rows_of_a_table)) {
-      return k + 1 - alike;
-    }
+    if (alike < fewest_rows_of_a_table) continue;
+    const bool is_end = k + 1 < looked_at_rows && !first.has(k + 1);
+    if (alike == rows_of_a_table || is_end) return k + 1 - alike;
   }
   return std::nullopt;
 }
@@ -184,11 +205,16 @@ std::optional<Preamble> find_preamble(const RowCursor& start, const std::string&
   for (const Delimiter delimiter :
        {Delimiter::tab, Delimiter::semicolon, Delimiter::comma, Delimiter::spaces}) {
     if (stated && *stated != delimiter) continue;
-    const std::vector<Row> rows = rows_of(start, delimiter, file);
+    // Without one, no row has two fields.
+    const bool is_there = delimiter == Delimiter::spaces ||
+                          start.rest().find(static_cast<char>(delimiter)) != std::string_view::npos;
+    if (!is_there) continue;
+    FirstRows first_rows(start, delimiter, file);
     for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
       if (mark == DecimalMark::comma && delimiter == Delimiter::comma) continue;
-      const auto first = first_of_table(rows, mark);
+      const auto first = first_of_table(first_rows, mark);
       if (!first) continue;
+      const std::vector<Row>& rows = first_rows.rows();
       if (is_plain(rows, *first, mark)) return std::nullopt;
       if (best && best->line <= rows[*first].line) continue;
       Preamble found;

@@ -96,6 +96,7 @@ std::optional<EchoedJointStates> joint_states_in(RowCursor cursor, const TextLog
     } catch (const InputError&) {
       return std::nullopt;  // which reading the rows tells
     }
+    if (rows.size() == 1 && !EchoedJointStates::may_begin_with(rows.front())) return std::nullopt;
   }
   return EchoedJointStates::in(rows);
 }

@@ -41,6 +41,8 @@ class EchoedJointStates {
   /// @param rows the first ones of a log. @return nothing for rows that are none. The joints are
   /// those that most rows have.
   static std::optional<EchoedJointStates> in(const std::vector<std::vector<Field>>& rows);
+  /// Whether the first row may be one; if not, in() finds none.
+  static bool may_begin_with(const std::vector<Field>& row);
 
   /// "sec", "nanosec", "frame_id", "name_0" and so on, then "NAME.position", "NAME.velocity" and
   /// "NAME.effort"; or else, where all rows lack cells and do not show of which array, "#7" and so

@@ -64,6 +64,10 @@ std::optional<std::array<std::optional<std::size_t>, joint_arrays.size()>> array
 
 }  // namespace
 
+bool EchoedJointStates::may_begin_with(const std::vector<Field>& row) {
+  return !joints_of(row).empty();
+}
+
 std::optional<EchoedJointStates> EchoedJointStates::in(
     const std::vector<std::vector<Field>>& rows) {
   std::map<std::vector<std::string>, std::size_t> rows_of_joints;
@@ -74,7 +78,7 @@ std::optional<EchoedJointStates> EchoedJointStates::in(
     ++messages;
     ++rows_of_joints[joints];
   }
-  if (rows.empty() || joints_of(rows.front()).empty() || 2 * messages <= rows.size()) {
+  if (rows.empty() || !may_begin_with(rows.front()) || 2 * messages <= rows.size()) {
     return std::nullopt;
   }
   const auto most =

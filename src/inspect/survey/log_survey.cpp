@@ -75,7 +75,10 @@ namespace {
 std::vector<ingest::log::LogTable> tables_of(const std::string& path, ingest::log::LogFormat format,
                                              const ingest::text::TextLogRules& rules) {
   if (format != ingest::log::LogFormat::text) return ingest::dataset::read_tables(path, format);
-  if (auto tables = ingest::dataset::read_long_text(path, {}, rules)) return std::move(*tables);
+  const auto first_rows = ingest::dataset::first_rows_of_text(path, rules);
+  if (auto tables = ingest::dataset::read_long_text(path, first_rows, {}, rules)) {
+    return std::move(*tables);
+  }
   InputFileSource bytes(path);
   return {ingest::text::read_csv(bytes, path, {}, rules)};
 }
