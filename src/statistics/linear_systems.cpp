@@ -16,9 +16,10 @@ double mahalanobis_square(const Eigen::MatrixXd& covariance, const Eigen::Vector
   return v.dot(solve_normal(covariance, v).col(0));
 }
 
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) { return matrix.inverse(); }
+
 Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& columns) {
-  const Eigen::MatrixXd normal = columns.transpose() * columns;
-  return normal.inverse();
+  return inverse(columns.transpose() * columns);
 }
 
 Eigen::MatrixXd solve_transposed_triangle(const Eigen::MatrixXd& upper,
@@ -48,6 +49,20 @@ Eigen::MatrixXd OrthogonalColumns::triangle() const {
 
 Eigen::MatrixXd OrthogonalColumns::basis() const {
   return qr_.householderQ() * Eigen::MatrixXd::Identity(qr_.rows(), qr_.cols());
+}
+
+CholeskyFactor::CholeskyFactor(const Eigen::MatrixXd& matrix) : factor_(matrix) {}
+
+Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right) const {
+  return factor_.solve(right);
+}
+
+Eigen::MatrixXd CholeskyFactor::solve_half(const Eigen::MatrixXd& right) const {
+  return factor_.matrixL().solve(right);
+}
+
+double CholeskyFactor::half_log_determinant() const {
+  return factor_.matrixLLT().diagonal().array().log().sum();
 }
 
 Eigen::MatrixXd least_squares_in_place(Eigen::Ref<Eigen::MatrixXd> columns,

@@ -3,6 +3,7 @@
 // costs a compiler seconds wherever it is named. Sizes that do not fit are a programming error
 // (Eigen's assertions).
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/QR>
 
@@ -17,6 +18,9 @@ Eigen::MatrixXd solve_normal(const Eigen::MatrixXd& symmetric, const Eigen::Matr
 
 /// v' S^-1 v: the square of how many standard deviations v is from 0, S its covariance.
 double mahalanobis_square(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& v);
+
+/// Of a square matrix that has one (LU with partial pivoting).
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
 /// Inverse of (columns' columns).
 Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& columns);
@@ -54,6 +58,22 @@ class OrthogonalColumns {
 
  private:
   Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
+};
+
+/// Cholesky factor L of a symmetric positive definite matrix, of which the lower triangle is read.
+class CholeskyFactor {
+ public:
+  explicit CholeskyFactor(const Eigen::MatrixXd& matrix);
+
+  /// X of matrix * X = right.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  /// X of L * X = right.
+  [[nodiscard]] Eigen::MatrixXd solve_half(const Eigen::MatrixXd& right) const;
+  /// NaN where the matrix is not positive definite.
+  [[nodiscard]] double half_log_determinant() const;
+
+ private:
+  Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
 /// Least squares by Householder QR of independent columns, which are overwritten; `triangle`

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "statistics/distributions.h"
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -234,10 +235,10 @@ Conditional RampModel::given(double scatter_Nm, double turn_Nm) const {
   products /= noise;
   MatrixXd precision = products.topLeftCorner(width, width);
   precision.diagonal() += prior_precision_;
-  const Eigen::LLT<MatrixXd> factor(precision);
+  const statistics::CholeskyFactor factor(precision);
   const VectorXd right = products.col(width).head(width);
   const VectorXd found = factor.solve(right);
-  log_determinant += 2 * factor.matrixLLT().diagonal().array().log().sum();
+  log_determinant += 2 * factor.half_log_determinant();
   const MatrixXd covariance = factor.solve(MatrixXd::Identity(width, directions_));
   Conditional out;
   out.scatter_Nm = scatter_Nm;

@@ -8,7 +8,9 @@
 #include <set>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "statistics/linear_systems.h"
 
 namespace tribolog::method::model {
 namespace {
@@ -91,7 +93,8 @@ Point first_point(const Cells& cells, bool has_gravity) {
   MatrixXd gram = x.transpose() * count.asDiagonal() * x;
   gram.diagonal().array() += 1e-4 * count.sum();
   const VectorXd theta =
-      gram.ldlt().solve(x.transpose() * (count.array() * torque).matrix()).cwiseQuotient(size);
+      statistics::solve_normal(gram, x.transpose() * (count.array() * torque).matrix())
+          .cwiseQuotient(size);
   Point p;
   p.top_Nm = value_at_share(torque.abs(), 0.98);
   p.friction_Nm =
@@ -122,7 +125,7 @@ LawHats law_hats(const Cells& cells, const Point& point) {
   const ArrayXd root = cells.of(&Cell::count).sqrt();
   const MatrixXd line = beside(root, root * v / point.fastest_rad_s);
   all.array().colwise() *= root;
-  hats.on_line = line.colPivHouseholderQr().solve(all);
+  hats.on_line = statistics::least_squares(line, all);
   return hats;
 }
 

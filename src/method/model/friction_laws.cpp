@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace tribolog::method::model {
 namespace {

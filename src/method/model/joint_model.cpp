@@ -8,12 +8,13 @@
 #include <set>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "method/model/dip_search.h"
 #include "method/model/unlike_recordings.h"
 #include "statistics/distributions.h"
 #include "statistics/evidence.h"
+#include "statistics/linear_systems.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::method::model {
@@ -103,18 +104,18 @@ class Solve {
         gram(model.first[e] + k, model.first[e] + k) += alpha / (effect.scale[k] * effect.scale[k]);
       }
     }
-    const Eigen::LLT<MatrixXd> factor(gram.selfadjointView<Eigen::Lower>());
+    const statistics::CholeskyFactor factor(gram);
     b_ = xw.transpose() * yw;
     cross_ = xw.transpose() * lw;
-    const MatrixXd half = factor.matrixL().solve(cross_);
-    const VectorXd half_b = factor.matrixL().solve(b_);
+    const MatrixXd half = factor.solve_half(cross_);
+    const VectorXd half_b = factor.solve_half(b_);
     const Index plain = model.laws.dips_from;
     plain_ = lw.leftCols(plain).transpose() * lw - half.leftCols(plain).transpose() * half;
     own_ = (lw.colwise().squaredNorm() - half.colwise().squaredNorm()).transpose();
     right_ = lw.transpose() * yw - half.transpose() * half_b;
     inverse_ = factor.solve(MatrixXd::Identity(p, p));
-    const double common = -factor.matrixLLT().diagonal().array().log().sum() +
-                          0.5 * half_b.squaredNorm() + log_prior_of_sizes(model);
+    const double common =
+        -factor.half_log_determinant() + 0.5 * half_b.squaredNorm() + log_prior_of_sizes(model);
     evidence_.reserve(model.laws.laws.size());
     for (const FrictionLaw& law : model.laws.laws) evidence_.push_back(common + evidence_of(law));
   }
@@ -131,7 +132,7 @@ class Solve {
     const Index p = inverse_.rows();
     MatrixXd b(p, count);
     for (Index k = 0; k < count; ++k) b.col(k) = cross_.col(law.index[static_cast<std::size_t>(k)]);
-    const MatrixXd own = block_of(law).inverse();
+    const MatrixXd own = statistics::inverse(block_of(law));
     LawPosterior found;
     found.law = law;
     const VectorXd friction = own * right_of(law);
@@ -165,12 +166,12 @@ class Solve {
 
   [[nodiscard]] double evidence_of(const FrictionLaw& law) const {
     const MatrixXd block = block_of(law);
-    const Eigen::LLT<MatrixXd> factor(block);
+    const statistics::CholeskyFactor factor(block);
     const VectorXd right = right_of(law);
     const MatrixXd own = factor.solve(MatrixXd::Identity(block.rows(), block.cols()));
     const VectorXd mean = own * right;
-    double sum = law.log_prior - law.scale.array().log().sum() -
-                 factor.matrixLLT().diagonal().array().log().sum() + 0.5 * right.dot(mean);
+    double sum = law.log_prior - law.scale.array().log().sum() - factor.half_log_determinant() +
+                 0.5 * right.dot(mean);
     for (Index k = 0; k < mean.size(); ++k) {
       if (!law.is_positive[static_cast<std::size_t>(k)]) continue;
       sum += statistics::log_normal_probability(mean[k] / std::sqrt(own(k, k)));
@@ -360,8 +361,7 @@ class Fit {
     const ArrayXd law_scale = found.law.scale.array();
     sum += found.law.log_prior -
            (law_scale.log() + 0.5 * (found.friction().array() / law_scale).square()).sum();
-    const Eigen::LLT<MatrixXd> volume(found.covariance);
-    sum += volume.matrixLLT().diagonal().array().log().sum();
+    sum += statistics::CholeskyFactor(found.covariance).half_log_determinant();
     return out;
   }
 

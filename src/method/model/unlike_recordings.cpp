@@ -5,8 +5,9 @@
 #include <map>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "statistics/linear_systems.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::method::model {
@@ -14,6 +15,7 @@ namespace tribolog::method::model {
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 std::vector<int> foreign_recordings(const Cells& cells) {
   std::map<int, std::vector<Index>> rows;
@@ -39,7 +41,8 @@ std::vector<int> foreign_recordings(const Cells& cells) {
   for (int k = 0; k < steps; ++k) {
     MatrixXd gram = x.transpose() * weight.matrix().asDiagonal() * x;
     gram.diagonal().array() += 1e-6 * weight.sum();
-    const ArrayXd r = y - (x * gram.ldlt().solve(x.transpose() * (weight * y).matrix())).array();
+    const VectorXd theta = statistics::solve_normal(gram, x.transpose() * (weight * y).matrix());
+    const ArrayXd r = y - (x * theta).array();
     for (const auto& [key, of] : rows) {
       misfit[key] = std::sqrt((by_recording(of) * r(of).square()).sum());
       weight(of) = by_recording(of) / (misfit[key] + some);
