@@ -116,7 +116,9 @@ void check_outputs_differ(const std::vector<std::string>& paths) {
 }
 
 bool is_standard_output(const std::string& path) {
-  return !path.empty() && output_target(path).descriptor == STDOUT_FILENO;
+  std::error_code error;
+  return !path.empty() && !fs::is_directory(path, error) &&
+         output_target(path).descriptor == STDOUT_FILENO;
 }
 
 bool is_file_output(const std::string& path) { return output_target(path).kind == Kind::file; }

@@ -118,6 +118,8 @@ TEST(WholeRobot, IsReportedInOneGoAndKeptInOneArchive) {
     EXPECT_EQ(robot.read(fmt::format("out/{}.calibration.json", name))["verdict"],
               robot.read("alone.json")["verdict"]);
   }
+  // A second report takes the place of the first.
+  EXPECT_EQ(robot.report("robot.toml").status, 0);
   // The page says each joint's verdict and numbers by itself.
   const ProgramRun shown = Robot::run("show '" + robot.file("out") + "'");
   EXPECT_EQ(shown.status, 0) << shown.err;
