@@ -12,8 +12,7 @@ out=${2:-$root/build-fuzz}
 targets=("${@:3}")
 [[ ${#targets[@]} -gt 0 ]] || targets=(csv manifest json npz mcap bag db3 mf4 tdms mat hdf5 parquet)
 
-cmake -S "$root" -B "$out" -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_FUZZ=ON \
-  -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ >"$out.log" 2>&1 ||
+cmake -S "$root" --preset fuzz -B "$out" >"$out.log" 2>&1 ||
   { cat "$out.log" >&2; exit 1; }
 status=0
 for target in "${targets[@]}"; do
