@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/temporary_directory.h"
+
 namespace tribolog::paper::schematic_test {
 namespace {
 
@@ -45,12 +47,8 @@ std::vector<drawings::WireRoute> sum_routes() {
 std::string refusal(const drawings::SignalGraph& graph,
                     const std::map<std::string, drawings::NodePlace>& places,
                     const std::vector<drawings::WireRoute>& routes) {
-  try {
-    drawings::draw_schematic(graph, places, routes);
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
+  return test::refusal_of<std::invalid_argument>(
+      [&] { return drawings::draw_schematic(graph, places, routes); });
 }
 
 TEST(Schematic, EveryNodeIsABlockAndEveryEdgeAWire) {

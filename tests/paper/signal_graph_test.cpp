@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/temporary_directory.h"
+
 namespace tribolog::paper::signal_graph_test {
 namespace {
 
@@ -32,12 +34,8 @@ drawings::SignalGraph two_inputs(drawings::Operation operation, char first, char
 
 std::string refusal(const drawings::SignalGraph& graph, const drawings::SignalValues& inputs,
                     const drawings::SignalValues& states = {}) {
-  try {
-    drawings::evaluate(graph, inputs, states);
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
+  return test::refusal_of<std::invalid_argument>(
+      [&] { return drawings::evaluate(graph, inputs, states); });
 }
 
 TEST(SignalGraph, ALoopThroughAnIntegratorHasAValue) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/temporary_directory.h"
+
 namespace tribolog::message_table_test {
 namespace {
 
@@ -26,12 +28,8 @@ TEST(MessageTable, HasTheFormsOfEachCode) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    wording::read_messages({{"a.messages", text}});
-  } catch (const std::logic_error& error) {
-    return error.what();
-  }
-  return "nothing";
+  return test::refusal_of<std::logic_error>(
+      [&] { return wording::read_messages({{"a.messages", text}}); });
 }
 
 TEST(MessageTable, ALineThatIsNoMessageIsNamed) {

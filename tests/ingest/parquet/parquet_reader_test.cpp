@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/temporary_directory.h"
 #include "support/parquet_writer.h"
 #include "wording/words.h"
 
@@ -39,12 +40,8 @@ ingest::log::LogTable read(const WrittenParquet& file) {
 }
 
 std::string refusal(const std::string& file) {
-  try {
-    ingest::parquet::parse_parquet(file, "a.parquet");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<InputError>(
+      [&] { return ingest::parquet::parse_parquet(file, "a.parquet"); });
 }
 
 std::string refusal(const WrittenParquet& file) { return refusal(test::write_parquet(file)); }
