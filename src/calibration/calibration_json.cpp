@@ -13,67 +13,84 @@ namespace tribolog::calibration {
 
 // What was measured, on which files, and by what program.
 
-Json robot(const joint::Manifest& m) {
-  return {{"name", text_or_null(m.robot)},
-          {"serial", text_or_null(m.serial)},
-          {"joint", text_or_null(m.joint)},
-          {"operator", text_or_null(m.operator_name)},
-          {"measured_on", text_or_null(m.measured_on)},
-          {"note", text_or_null(m.note)},
-          {"payload", text_or_null(m.payload)},
-          {"payload_kg", number(m.payload_kg)},
-          {"payload_distance_m", number(m.payload_distance_m)},
-          {"temperature_C", number(m.temperature_C)}};
+namespace {
+
+void state_robot(Fields& f, const joint::Manifest& m) {
+  f.text_or_null("name", m.robot);
+  f.text_or_null("serial", m.serial);
+  f.text_or_null("joint", m.joint);
+  f.text_or_null("operator", m.operator_name);
+  f.text_or_null("measured_on", m.measured_on);
+  f.text_or_null("note", m.note);
+  f.text_or_null("payload", m.payload);
+  f.number("payload_kg", m.payload_kg);
+  f.number("payload_distance_m", m.payload_distance_m,
+           "Of its centre of gravity from the joint's axis [m].");
+  f.number("temperature_C", m.temperature_C);
 }
 
-Json certificate(const joint::Certificate& c) {
-  Json instruments = Json::array();
-  for (const joint::Instrument& one : c.instruments) {
-    instruments.push_back({{"name", one.name},
-                           {"identification", text_or_null(one.identification)},
-                           {"traceability", text_or_null(one.traceability)},
-                           {"used_for", text_or_null(one.used_for)}});
-  }
-  return {{"number", text_or_null(c.number)},
-          {"replaces", text_or_null(c.replaces)},
-          {"laboratory", text_or_null(c.laboratory)},
-          {"laboratory_address", text_or_null(c.laboratory_address)},
-          {"country", text_or_null(c.country)},
-          {"customer", text_or_null(c.customer)},
-          {"customer_address", text_or_null(c.customer_address)},
-          {"place", text_or_null(c.place)},
-          {"received_on", text_or_null(c.received_on)},
-          {"procedure", text_or_null(c.procedure)},
-          {"conditions", text_or_null(c.conditions)},
-          {"humidity_percent", number(c.humidity_percent)},
-          {"adjustment", text_or_null(c.adjustment)},
-          {"decision_rule", text_or_null(c.decision_rule)},
-          {"responsible", text_or_null(c.responsible)},
-          {"instruments", std::move(instruments)}};
+void state_certificate(Fields& f, const joint::Certificate& c) {
+  f.text_or_null("number", c.number, "The laboratory's own.");
+  f.text_or_null("replaces", c.replaces, "Number of the certificate that this one replaces.");
+  f.text_or_null("laboratory", c.laboratory);
+  f.text_or_null("laboratory_address", c.laboratory_address);
+  f.put("country", text_or_null(c.country),
+        R"({"type": ["string", "null"], "pattern": "^[A-Z]{2}$"})",
+        "Of the laboratory, ISO 3166-1 alpha-2.");
+  f.text_or_null("customer", c.customer);
+  f.text_or_null("customer_address", c.customer_address);
+  f.text_or_null("place", c.place, "Where it was measured.");
+  f.text_or_null("received_on", c.received_on);
+  f.text_or_null("procedure", c.procedure, "The laboratory's own, beside the method's.");
+  f.text_or_null("conditions", c.conditions);
+  f.put("humidity_percent", number(c.humidity_percent),
+        R"({"type": ["number", "null"], "minimum": 0, "maximum": 100})");
+  f.text_or_null("adjustment", c.adjustment);
+  f.text_or_null("decision_rule", c.decision_rule);
+  f.text_or_null("responsible", c.responsible, "Who authorises the certificate.");
+  f.list("instruments", c.instruments, "", [](Fields& one, const joint::Instrument& instrument) {
+    one.text("name", instrument.name);
+    one.text_or_null("identification", instrument.identification);
+    one.text_or_null("traceability", instrument.traceability,
+                     "Number of its certificate, or a statement.");
+    one.text_or_null("used_for", instrument.used_for);
+  });
 }
 
-Json drive(const joint::Manifest& m) {
+void state_drive(Fields& f, const joint::Manifest& m) {
   const joint::Drive& d = m.drive;
-  return {{"gear_ratio", number(d.gear_ratio())},
-          {"effort_kind", joint::to_string(d.kind())},
-          {"effort_side", joint::to_string(d.side())},
-          {"effort_confirmed", m.effort_is_confirmed},
-          {"gravity_removed", m.gravity_is_removed},
-          {"torque_constant_Nm_A",
-           m.torque_is_in_amperes ? Json(nullptr) : number(d.torque_constant_Nm_A())},
-          {"torque_is_in_amperes", m.torque_is_in_amperes},
-          {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
+  f.put("gear_ratio", number(d.gear_ratio()), R"({"type": "number", "exclusiveMinimum": 0})",
+        "n = motor angle / joint angle.");
+  f.choice("effort_kind", d.kind(), "target_torque: of a controller or its model, no measurement.");
+  f.choice("effort_side", d.side());
+  f.flag("effort_confirmed", m.effort_is_confirmed,
+         "false: kind and side were proposed, and nobody confirmed them.");
+  f.flag("gravity_removed", m.gravity_is_removed,
+         "true: the controller had taken gravity off the effort.");
+  f.number("torque_constant_Nm_A", m.torque_is_in_amperes ? std::nullopt : d.torque_constant_Nm_A(),
+           "On the effort's side; only for motor_current.");
+  f.flag("torque_is_in_amperes", m.torque_is_in_amperes,
+         "true: the torque constant is not known. Every torque is a number of amperes; units say "
+         "so, and keys that end in Nm or kgm2 do not.");
+  f.number("motor_torque_per_effort", d.motor_torque_per_effort(),
+           "Factor from the effort column to torque at the motor [N·m].");
 }
 
-Json stated_uncertainty(const joint::StatedUncertainty& u) {
-  return {{"torque_constant_percent", number(u.torque_constant_percent)},
-          {"gear_ratio_percent", number(u.gear_ratio_percent)},
-          {"surrogate_distance_percent", number(u.surrogate_distance_percent)},
-          {"gravity_percent", number(u.gravity_percent)},
-          {"angle_zero_deg", number(u.angle_zero_deg)},
-          {"hoses_percent", number(u.hoses_percent)},
-          {"description_percent", number(u.description_percent)},
-          {"id", u.id.empty() ? Json::object() : Json(u.id)}};
+void state_uncertainty(Fields& f, const joint::StatedUncertainty& u) {
+  f.newer().number("torque_constant_percent", u.torque_constant_percent);
+  f.newer().number("gear_ratio_percent", u.gear_ratio_percent);
+  f.newer().number("surrogate_distance_percent", u.surrogate_distance_percent);
+  f.newer().number("gravity_percent", u.gravity_percent);
+  f.newer().number("angle_zero_deg", u.angle_zero_deg);
+  f.newer().number(
+      "hoses_percent", u.hoses_percent,
+      "Torque of hoses and cables: its change over one radian, of the gravity torque.");
+  f.newer().number("description_percent", u.description_percent,
+                   "Of the masses in a description of the arm.");
+  f.newer().put(
+      "id", u.id.empty() ? Json::object() : Json(u.id),
+      R"({"type": "object", "additionalProperties": {"type": "string"}})",
+      "What an error comes from, by the keys above without their unit, as far as it is stated.");
 }
 
 Json stated_effects(const joint::EffectSizes& sizes) {
@@ -84,153 +101,201 @@ Json stated_effects(const joint::EffectSizes& sizes) {
   return all;
 }
 
-Json inputs(const std::vector<joint::InputFile>& files) {
-  Json list = Json::array();
-  for (const joint::InputFile& file : files) {
-    Json skipped = Json::array();
-    for (const joint::SkippedRows& rows : file.skipped) {
-      skipped.push_back({{"reason", wording::words(rows.reason)}, {"rows", rows.count}});
-    }
-    list.push_back({{"name", file.name},
-                    {"role", file.role},
-                    {"bytes", file.bytes},
-                    {"sha256", file.sha256},
-                    {"rows_read", file.rows_read},
-                    {"rows_used", file.rows_used},
-                    {"skipped", std::move(skipped)}});
-  }
-  return list;
+void state_input(Fields& f, const joint::InputFile& file) {
+  f.text("name", file.name);
+  f.text("role", file.role);
+  f.count("bytes", file.bytes);
+  f.put("sha256", file.sha256, R"({"type": "string", "pattern": "^[0-9a-f]{64}$"})");
+  f.count("rows_read", file.rows_read);
+  f.count("rows_used", file.rows_used);
+  f.list(
+      "skipped", file.skipped, "Why rows were skipped.",
+      [](Fields& one, const joint::SkippedRows& rows) {
+        one.text("reason", wording::words(rows.reason));
+        one.count("rows", rows.count);
+      },
+      "Rows that are not among the samples.");
 }
 
-Json provenance_json(const Provenance& p) {
-  Json drawing = nullptr;
-  if (p.drawing) {
-    drawing = {{"vtk", p.drawing->vtk_version}, {"back_end", p.drawing->back_end},
-               {"gl", p.drawing->gl_version},   {"renderer", p.drawing->gl_renderer},
-               {"font", p.drawing->font},       {"freetype", p.drawing->freetype_version}};
-  }
-  Json configuration = Json::array();
-  for (const Setting& setting : p.configuration) {
-    configuration.push_back(
-        {{"name", wording::words(setting.name)}, {"text", wording::words(setting.text)}});
-  }
-  return {{"tool", "tribolog"},
-          {"version", p.tool_version},
-          {"git_revision", p.git_revision},
-          {"compiler", p.compiler},
-          {"eigen", p.eigen_version},
-          {"drawing", std::move(drawing)},
-          {"created_utc", p.created_utc},
-          {"command_line", p.command_line},
-          {"configuration", std::move(configuration)}};
+void state_provenance(Fields& f, const Provenance& p) {
+  f.put("tool", "tribolog", R"({"const": "tribolog"})");
+  f.text("version", p.tool_version);
+  f.text("git_revision", p.git_revision);
+  f.text("compiler", p.compiler);
+  f.text("eigen", p.eigen_version);
+  f.object_or_null("drawing", p.drawing, "The graphics stack. Null where no figure was drawn.",
+                   [](Fields& of, const auto& drawing) {
+                     of.text("vtk", drawing.vtk_version);
+                     of.text("back_end", drawing.back_end);
+                     of.text("gl", drawing.gl_version);
+                     of.text("renderer", drawing.gl_renderer);
+                     of.text("font", drawing.font);
+                     of.text("freetype", drawing.freetype_version);
+                   });
+  f.put(
+      "created_utc", p.created_utc,
+      R"({"type": "string", "pattern": "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z$"})");
+  f.text("command_line", p.command_line);
+  f.list(
+      "configuration", p.configuration, "Settings in force.",
+      [](Fields& one, const Setting& setting) {
+        one.text("name", wording::words(setting.name));
+        one.text("text", wording::words(setting.text));
+      },
+      "A setting.");
 }
 
 // From the columns of the logs to signals, and where speeds come from.
 
-Json conversions(const std::vector<joint::InputFile>& inputs) {
-  Json list = Json::array();
-  for (const joint::SharedConversion& shared : joint::shared_conversions(inputs)) {
-    const joint::ColumnConversion& c = shared.conversion;
-    Json steps = Json::array();
-    for (const joint::ConversionStep& step : c.steps) {
-      steps.push_back({{"reason", joint::to_string(step.reason)},
-                       {"number", number(step.number)},
-                       {"divides", step.divides}});
-    }
-    list.push_back({{"signal", joint::to_string(c.signal)},
-                    {"column", c.column},
-                    {"unit", c.unit},
-                    {"unit_confirmed", !c.is_proposed},
-                    {"steps", std::move(steps)},
-                    {"factor", number(c.factor())},
-                    {"si_unit", wording::shown_units(c.si_unit)},
-                    {"side", c.side ? Json(joint::to_string(*c.side)) : Json(nullptr)},
-                    {"files", shared.files}});
-  }
-  return list;
+void state_conversion(Fields& f, const joint::SharedConversion& shared) {
+  const joint::ColumnConversion& c = shared.conversion;
+  f.choice("signal", c.signal);
+  f.text("column", c.column);
+  f.text("unit", c.unit, "In the log.");
+  f.flag("unit_confirmed", !c.is_proposed,
+         "false: the unit was proposed from the log, and nobody confirmed it.");
+  f.list(
+      "steps", c.steps, "In their order.",
+      [](Fields& one, const joint::ConversionStep& step) {
+        one.choice("reason", step.reason);
+        one.known_number("number", step.number);
+        one.flag("divides", step.divides, "Divided by the number, not multiplied.");
+      },
+      "One factor; those of 1 are left out.");
+  f.known_number("factor", c.factor(), "Product of the steps.");
+  f.text("si_unit", wording::shown_units(c.si_unit));
+  f.choice("side", c.side, "To which the signal is referred.");
+  f.texts("files", shared.files, "Logs, as the manifest names them.");
 }
 
-Json speeds(const std::vector<method::motion::SpeedSource>& sources) {
-  Json list = Json::array();
-  for (const method::motion::SpeedSource& s : sources) {
-    list.push_back({{"recording", s.recording},
-                    {"role", joint::to_string(s.role)},
-                    {"is_logged", s.is_logged},
-                    {"window_samples", s.window},
-                    {"window_s", number(s.window_s)},
-                    {"cut_off_Hz", number(s.cut_off_Hz)}});
-  }
-  return list;
+void state_speed(Fields& f, const method::motion::SpeedSource& s) {
+  f.text("recording", s.recording);
+  f.text("role", std::string(to_string(s.role)));
+  f.flag("is_logged", s.is_logged, "A speed is logged too; it is used for the checks alone.");
+  f.count("window_samples", s.window);
+  f.known_number("window_s", s.window_s, "Duration of the window [s].");
+  f.known_number("cut_off_Hz", s.cut_off_Hz, "-3 dB of the derivative [Hz].");
+}
+
+void state_stage(Fields& f, const statistics::StageReport& s) {
+  f.put("name", s.name, R"({"type": "string", "minLength": 1})");
+  f.choice("status", s.state);
+  f.words_or_null("reason", s.reason, "Null only if done.");
 }
 
 // The whole.
 
-namespace {
-
-Json stage_list(const Calibration& c) {
-  Json list = Json::array();
-  for (const statistics::StageReport& s : c.stages()) {
-    list.push_back({{"name", s.name},
-                    {"status", statistics::to_string(s.state)},
-                    {"reason", words_or_null(s.reason)},
-                    {"reason_code", code_of(s.reason)}});
-  }
-  return list;
-}
-
 const char* const units =
     "SI: rad, rad/s, N·m, kg, s. Joint angles q are on the arm's side. Torques, bristle "
     "deflections z and motor speeds are on the motor's side of the gear unless the key says joint.";
+
+void state_whole(Fields& f, const Calibration& c, const Provenance& provenance) {
+  const double n = c.manifest.drive.gear_ratio();
+  f.put("schema", "tribolog-calibration-1", R"({"const": "tribolog-calibration-1"})");
+  f.text("units", wording::shown_units(units), "Units and sides in words.");
+  f.object("robot", "What the manifest states; null where not stated.",
+           [&](Fields& of) { state_robot(of, c.manifest); });
+  f.newer().object("certificate",
+                   "What the manifest states for a calibration certificate; null where not stated. "
+                   "Nothing is computed from it.",
+                   [&](Fields& of) { state_certificate(of, c.manifest.certificate); });
+  f.object("drive", "Gear and effort sensing.", [&](Fields& of) { state_drive(of, c.manifest); });
+  f.object("verdict", "What the result is worth.",
+           [&](Fields& of) { state_verdict(of, c.judgement); });
+  state_friction_at_speed(f, c.judgement);
+  f.object("model", "One model of all sweeps, runs and friction points.",
+           [&](Fields& of) { state_model(of, c.model); });
+  state_data_checks(f, c.data_checks);
+  f.list("inputs", c.inputs, "The manifest first.", state_input, "A file as it was read.");
+  f.list(
+      "conversions", joint::shared_conversions(c.inputs),
+      "How columns of logs became signals: each conversion once, with the logs it was applied to.",
+      state_conversion, "Signal = factor times the number in the log.");
+  f.list("speeds", c.speed_sources,
+         "Where speeds come from: the derivative of the angle, whether a speed is logged or not.",
+         state_speed, "Difference of the means over half a window behind and before each sample.");
+  f.texts("notes", wording::words(c.notes), "What the reader noticed.");
+  f.list("stages", c.stages(), "In the order of the method.", state_stage, "How far a stage came.");
+  f.object("cog", "Stages 1 and 2.", [&](Fields& of) {
+    constexpr const char* meaning =
+        "Angle of the centre of gravity from a slow sweep. With found = false the values are null.";
+    of.object("rough", meaning, [&](Fields& sweep) { state_cog(sweep, c.rough, n); });
+    of.object("precise", meaning, [&](Fields& sweep) { state_cog(sweep, c.precise, n); });
+    of.interval(
+        "q_peak_rad", c.q_peak_rad,
+        "Of the sweeps the one with the narrower interval; without a sweep that of the runs.");
+    of.choice("q_peak_source", c.q_peak_source);
+  });
+  f.object("hysteresis", "Stage 3.",
+           [&](Fields& of) { state_hysteresis(of, c.hysteresis, c.curves); });
+  f.object("surrogate", "What the surrogate masses are for.", [&](Fields& of) {
+    of.known_number("distance_m", c.manifest.surrogate_distance_m, "r_REPL, freely chosen.");
+    of.known_number("gravity_m_s2", c.manifest.gravity_m_s2);
+  });
+  f.newer().object("uncertainty",
+                   "What the manifest states of errors that no recording shows: half widths at 95 "
+                   "%; null: not stated.",
+                   [&](Fields& of) { state_uncertainty(of, c.manifest.uncertainty); });
+  f.put("stated_effects", stated_effects(c.manifest.effects),
+        R"({"type": "object", "additionalProperties": {"type": "number", "minimum": 0}})",
+        "Sizes of effects on the torque that the manifest states, [effects], by their keys; what "
+        "is not there is as typical.");
+  state_surrogate_masses(f, c.masses);
+  f.object("viscous", "Stage 5.", [&](Fields& of) { state_viscous(of, c.viscous); });
+  f.object("quality", "Stage 6: 100 (Tf,candidate - Tf,reference) / T.",
+           [&](Fields& of) { state_quality(of, c.quality); });
+  f.object("selection", "Stage 7.", [&](Fields& of) { state_selection(of, c.selection); });
+  f.object("friction",
+           "Stage 8. Joint side: torques times n, speeds divided by n, viscous coefficients and "
+           "stiffnesses times n^2.",
+           [&](Fields& of) { state_friction(of, c, n); });
+  state_known_loads(f, c.manifest.known_loads);
+  state_known_gravity(f, c.manifest.known_gravity);
+  state_other_joints(f, c.manifest.other_joints);
+  state_arm_gravity(f, c.manifest.arm_gravity);
+  state_loop_shapes(f, c.loop_shapes);
+  f.object("break_away", "Break-away ramps.",
+           [&](Fields& of) { state_break_away(of, c.break_away, n); });
+  f.object("cross_checks",
+           "Gravity torque and mass by every estimator, against the recommended one.",
+           [&](Fields& of) { state_cross_checks(of, c.cross_checks); });
+  f.object("ripple", "Torque ripple that the rough sweep shows, motor side.",
+           [&](Fields& of) { state_ripple(of, c.rough.ripple); });
+  f.object("friction_of_angle",
+           "Friction that changes with the angle, as the rough sweep shows it: of a rising joint "
+           "angle, motor side.",
+           [&](Fields& of) { state_ripple(of, c.rough.friction_of_angle); });
+  state_position_plan(f, c.position_plan);
+  state_truth_check(f, c.truth_check);
+  f.object("provenance", "What the result was made with.",
+           [&](Fields& of) { state_provenance(of, provenance); });
+}
 
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const Provenance& provenance) {
   const wording::WordsIn english({});
   const wording::TorquesIn unit(c.manifest.torque_unit());
-  const double n = c.manifest.drive.gear_ratio();
-  Json all;
-  all["schema"] = "tribolog-calibration-1";
-  all["units"] = wording::shown_units(units);
-  all["robot"] = robot(c.manifest);
-  all["certificate"] = certificate(c.manifest.certificate);
-  all["drive"] = drive(c.manifest);
-  all["verdict"] = verdict(c.judgement);
-  all["friction_at_speed"] = friction_at_speed(c.judgement);
-  all["model"] = model(c.model);
-  all["data_checks"] = data_checks(c.data_checks);
-  all["inputs"] = inputs(c.inputs);
-  all["conversions"] = conversions(c.inputs);
-  all["speeds"] = speeds(c.speed_sources);
-  all["notes"] = wording::words(c.notes);
-  all["stages"] = stage_list(c);
-  all["cog"] = {
-      {"rough", cog(c.rough, n)},
-      {"precise", cog(c.precise, n)},
-      {"q_peak_rad", interval(c.q_peak_rad)},
-      {"q_peak_source", c.q_peak_source ? Json(to_string(*c.q_peak_source)) : Json(nullptr)}};
-  all["hysteresis"] = hysteresis(c.hysteresis, c.curves);
-  all["surrogate"] = {{"distance_m", number(c.manifest.surrogate_distance_m)},
-                      {"gravity_m_s2", number(c.manifest.gravity_m_s2)}};
-  all["uncertainty"] = stated_uncertainty(c.manifest.uncertainty);
-  all["stated_effects"] = stated_effects(c.manifest.effects);
-  all["surrogate_masses"] = surrogate_masses(c.masses);
-  all["viscous"] = viscous(c.viscous);
-  all["quality"] = quality(c.quality);
-  all["selection"] = selection(c.selection);
-  all["friction"] = friction(c, n);
-  all["known_loads"] = known_loads(c.manifest.known_loads);
-  all["known_gravity"] = known_gravity(c.manifest.known_gravity);
-  all["other_joints"] = other_joints(c.manifest.other_joints);
-  all["arm_gravity"] = arm_gravity(c.manifest.arm_gravity);
-  all["loop_shapes"] = loop_shapes(c.loop_shapes);
-  all["break_away"] = break_away(c.break_away, n);
-  all["cross_checks"] = cross_checks(c.cross_checks);
-  all["ripple"] = ripple(c.rough.ripple);
-  all["friction_of_angle"] = ripple(c.rough.friction_of_angle);
-  all["position_plan"] = position_plan(c.position_plan);
-  all["truth_check"] = truth_check(c.truth_check);
-  all["provenance"] = provenance_json(provenance);
+  Fields f(Fields::Purpose::file);
+  state_whole(f, c, provenance);
+  const Json all = std::move(f).take();
   return json_without_hidden(all.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+std::string calibration_schema() {
+  const wording::WordsIn english({});
+  Fields f(Fields::Purpose::schema);
+  state_whole(f, Calibration(), Provenance());
+  Json all{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+           {"$id", "urn:tribolog:calibration:1"},
+           {"title", "tribolog calibration"}};
+  all["$defs"] = common_definitions();
+  all.update(std::move(f).take(
+      "Identification result of one robot joint. SI units; joint angles on the arm's side, torques "
+      "on the motor's side of the gear unless the key says joint. Every key is present, but for "
+      "those that end in _code where an older program wrote the file; what a stage could not give "
+      "is null, and the stage's reason says why."));
+  return all.dump(1) + "\n";
 }
 
 }  // namespace tribolog::calibration

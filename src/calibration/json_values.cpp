@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "wording/torques_in.h"
 #include "wording/words.h"
 
 namespace tribolog::calibration {
@@ -35,10 +34,6 @@ Json short_numbers(const std::vector<double>& values) {
 }
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
-Json unit_or_null(const std::string& unit) { return text_or_null(wording::shown_units(unit)); }
-
-Json words_or_null(const Statement& statement) { return text_or_null(wording::words(statement)); }
 
 Json code_of(const Statement& statement) {
   if (statement.empty()) return nullptr;
@@ -75,10 +70,6 @@ Json interval(const statistics::Estimate& e) {
 
 Json interval(const std::optional<statistics::Estimate>& e) {
   return e ? interval(*e) : Json(nullptr);
-}
-
-Json interval_if(bool is_known, const statistics::Estimate& e) {
-  return is_known ? interval(e) : Json(nullptr);
 }
 
 /// The same on both sides of the gear.

@@ -20,9 +20,6 @@ Json numbers(const std::vector<double>& values);
 /// Rounded to six significant digits: for long lists that are drawn, not computed with.
 Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
-/// As this thread's texts have it: torques may be numbers of amperes (wording/torques_in.h).
-Json unit_or_null(const std::string& unit);
-Json words_or_null(const Statement& statement);
 /// The machine-readable form beside the words: "topic.code", or {"code", "values"} where it has
 /// some.
 Json code_of(const Statement& statement);
@@ -30,7 +27,6 @@ Json code_of(const std::vector<Statement>& statements);
 /// {"estimate", "low", "high", "method"}
 Json interval(const statistics::Estimate& e);
 Json interval(const std::optional<statistics::Estimate>& e);
-Json interval_if(bool is_known, const statistics::Estimate& e);
 /// The same on both sides of the gear.
 Json both_sides(const statistics::Estimate& motor, double motor_to_joint);
 

@@ -153,6 +153,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   const auto chosen_review = add_review(app);
   const auto chosen_export = add_export_of_file(app);
   const auto chosen_manifest = add_manifest(app);
+  const auto chosen_schema = add_schema(app);
   const auto chosen_help = add_help(app);
   const CLI::App& version_command =
       *app.add_subcommand("version", "the versions of the program and of the libraries it uses");
@@ -177,7 +178,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (const Run run = chosen_of_archive()) return run({arguments, console});
   if (const Run run = chosen_review()) return run({arguments, console});
   if (const Run run = chosen_export()) return run({arguments, console});
-  for (const auto& chosen : {chosen_manifest, chosen_help, chosen_completion, chosen_manual}) {
+  for (const auto& chosen :
+       {chosen_manifest, chosen_schema, chosen_help, chosen_completion, chosen_manual}) {
     if (const Run run = chosen()) return run({arguments, console});
   }
   if (study_command) return run_study_command(study, arguments, console);

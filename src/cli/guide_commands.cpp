@@ -11,6 +11,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "base/standard_output.h"
+#include "calibration/calibration_json.h"
 #include "calibration/provenance.h"
 #include "cli/command_tree.h"
 #include "cli/completion.h"
@@ -41,6 +42,17 @@ std::function<Run()> add_help(CLI::App& app) {
         return ExitStatus::done;
       }
       print(of.get_formatter()->make_help(&of, typed(of), CLI::AppFormatMode::Normal));
+      return ExitStatus::done;
+    };
+  };
+}
+
+std::function<Run()> add_schema(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("schema", "the JSON schema of calibrations");
+  return [&command]() -> Run {
+    if (!command) return {};
+    return [](const Invocation&) {
+      print(calibration::calibration_schema());
       return ExitStatus::done;
     };
   };

@@ -7,13 +7,13 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTER
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS
         PATTERN run.sh EXCLUDE)  # which builds
-install(FILES templates/calibration.schema.json templates/export.schema.json
+install(FILES templates/export.schema.json ${PROJECT_BINARY_DIR}/guides/calibration.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/tribolog)
 
-# Manual and completion are made from the program's own options, and are never older than they are.
+# Manual, completion and schema are made by the program, and are never older than it is.
 set(guides ${PROJECT_BINARY_DIR}/guides)
 set(guide_files ${guides}/man1/tribolog.1 ${guides}/tribolog.bash ${guides}/_tribolog
-    ${guides}/tribolog.fish)
+    ${guides}/tribolog.fish ${guides}/calibration.schema.json)
 add_custom_command(
   OUTPUT ${guide_files}
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${guides}
@@ -22,8 +22,9 @@ add_custom_command(
   COMMAND tribolog completion bash >${guides}/tribolog.bash
   COMMAND tribolog completion zsh >${guides}/_tribolog
   COMMAND tribolog completion fish >${guides}/tribolog.fish
+  COMMAND tribolog schema >${guides}/calibration.schema.json
   DEPENDS tribolog
-  COMMENT "Writing manual and completion")
+  COMMENT "Writing manual, completion and schema")
 add_custom_target(guides ALL DEPENDS ${guide_files})
 install(DIRECTORY ${guides}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(FILES ${guides}/tribolog.bash

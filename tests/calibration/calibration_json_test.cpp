@@ -26,17 +26,17 @@ void expect_valid(const calibration::Calibration& c) {
   if (!has_python_module("jsonschema")) GTEST_SKIP() << "python3-jsonschema is not installed";
   const std::string program =
       "import json, sys, jsonschema\n"
-      "schema = json.load(open('" TRIBOLOG_SOURCE_DIR
-      "/templates/calibration.schema.json'))\n"
+      "schema, calibration = json.load(open(sys.argv[1]))\n"
       // Before version 4 it knows drafts up to 7, and finds no place in what a urn names.
       "newest = getattr(jsonschema, 'Draft202012Validator', jsonschema.Draft7Validator)\n"
       "if newest is jsonschema.Draft7Validator: del schema['$id']\n"
       "validator = newest(schema)\n"
       "validator.check_schema(schema)\n"
-      "faults = list(validator.iter_errors(json.load(open(sys.argv[1]))))\n"
+      "faults = list(validator.iter_errors(calibration))\n"
       "for f in faults: print(list(f.path), f.message[:300])\n"
       "sys.exit(1 if faults else 0)\n";
-  EXPECT_TRUE(run_python(program, calibration::calibration_json(c, sample_provenance())));
+  EXPECT_TRUE(run_python(program, "[" + calibration::calibration_schema() + "," +
+                                      calibration::calibration_json(c, sample_provenance()) + "]"));
 }
 
 TEST(CalibrationJson, FollowsTheSchemaWhenComplete) { expect_valid(complete_calibration()); }

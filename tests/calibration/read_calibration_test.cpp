@@ -1,7 +1,6 @@
 #include "calibration/read_calibration.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -137,8 +136,7 @@ void collect(const json& schema, const json& document, const json& root,
 }
 
 TEST(ReadCalibration, TakesWhateverTheSchemaLetsBeNull) {
-  std::ifstream file(TRIBOLOG_SOURCE_DIR "/templates/calibration.schema.json");
-  const json schema = json::parse(file);
+  const json schema = json::parse(calibration_schema());
   const json document = json::parse(written());
   std::vector<json::json_pointer> places;
   collect(schema, document, schema, json::json_pointer(), places);
