@@ -22,10 +22,11 @@ needed=(cmake ninja-build g++ pkg-config git
 case $goal in
   package) needed+=(dpkg-dev file) ;;
   tests | lint | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-venv python3-jsonschema python3-markdown python3-numpy poppler-utils qpdf librsvg2-bin
+    python3-minimal python3-venv python3-jsonschema python3-markdown python3-numpy python3-scipy
+    python3-matplotlib poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
   nightly) needed+=(valgrind) ;;
-  bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;
+  bench) needed+=(libbenchmark-dev python3-pandas) ;;
 esac
 
 # Of each line the first that the distribution has: Ubuntu 22.04 has no toml++; newer Mesa has no
@@ -129,20 +130,16 @@ install_missing() {
 }
 
 install_missing
-tests=OFF
-bench=OFF
+preset=program
 case $goal in
-  tests | lint | nightly) tests=ON ;;
-  bench) tests=ON bench=ON ;;
+  tests | lint | nightly) preset=tests ;;
+  bench) preset=bench ;;
 esac
-# A build directory made for the tests keeps them: switching goals would rebuild for nothing.
-[ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_TESTS:BOOL=ON' "$build/CMakeCache.txt" && tests=ON
-[ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_BENCH:BOOL=ON' "$build/CMakeCache.txt" && bench=ON
-# Sources of a room are compiled together: in half the time.
+# A build directory made for more keeps it: switching goals would rebuild for nothing.
+has() { grep -q "^$1:.*=ON" "$build/CMakeCache.txt" 2>/dev/null; }
+if has TRIBOLOG_BENCH; then preset=bench; elif has TRIBOLOG_TESTS && [ $preset = program ]; then preset=tests; fi
 # shellcheck disable=SC2086
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 -DTRIBOLOG_TESTS=$tests \
-  -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
+cmake --preset $preset -B "$build" ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 rm -f "$build.log"
 targets=(all)

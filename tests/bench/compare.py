@@ -1,24 +1,19 @@
 """Runs ours and the peers in turn and prints ratios. usage: compare.py BUILD [--rounds N]"""
 
 import argparse
+import importlib
 import json
 import os
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
+from measure import peak_memory_mb, timed
 from model_ratios import print_model_ratios
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-
-
-def timed(command, **kwargs):
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **kwargs)
-    return time.perf_counter() - start
 
 
 def pair(name, ours, peer, rounds):
@@ -31,35 +26,6 @@ def pair(name, ours, peer, rounds):
           f"(lowest {ratios[0]:.1f}, highest {ratios[-1]:.1f} of {rounds} rounds; medians "
           f"{statistics.median(a for a, _ in pairs):.2f} s and "
           f"{statistics.median(b for _, b in pairs):.2f} s)")
-
-
-def family(pid):
-    """The process and all below it."""
-    try:
-        with open(f"/proc/{pid}/task/{pid}/children") as children:
-            below = children.read().split()
-    except OSError:
-        return [pid]
-    return [pid] + [p for child in below for p in family(child)]
-
-
-def proportional_kb(pid):
-    """Resident memory, where pages shared by n processes count as one n-th each."""
-    try:
-        with open(f"/proc/{pid}/smaps_rollup") as rollup:
-            return sum(int(line.split()[1]) for line in rollup if line.startswith("Pss:"))
-    except OSError:
-        return 0
-
-
-def peak_memory_mb(command):
-    """Largest sum over the processes of a command, sampled every few milliseconds."""
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    peak = 0
-    while process.poll() is None:
-        peak = max(peak, sum(proportional_kb(pid) for pid in family(process.pid)))
-        time.sleep(0.002)
-    return peak / 1024
 
 
 def integrator(build):
@@ -108,25 +74,46 @@ def loop_fit(build, scratch, rounds):
 
 
 def csv_reader(build, scratch, rounds, rows=5_000_000):
-    """A long log, all columns into memory: ours against pandas' C reader, one process each."""
+    """A long log, all columns into memory: ours against others' readers, a process each and in turn."""
     log = f"{scratch}/log.csv"
     subprocess.run([f"{build}/tests/bench/csv_bench", "write", log, str(rows)], check=True)
+    one_core = dict(os.environ, POLARS_MAX_THREADS="1", OMP_NUM_THREADS="1")
+    peers = {}
+    for name in ("pandas", "polars", "pyarrow"):
+        try:
+            importlib.import_module(name)
+        except ImportError as reason:
+            print(f"{name} is left out: {reason}")
+            continue
+        command = [sys.executable, f"{HERE}/peer/read_csv.py", name, log]
+        peers[name] = command, None
+        if name != "pandas":  # which has one thread
+            peers[f"{name} on one core"] = command, one_core
 
-    def row(command):
-        out = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        return [float(x) for x in out.split()]
+    def row(command, environment=None):
+        pinned = ["taskset", "-c", "0"] if environment else []
+        out = subprocess.run(pinned + command, check=True, capture_output=True, text=True, env=environment)
+        return [float(x) for x in out.stdout.split()]
 
-    pairs = [(row([f"{build}/tests/bench/csv_bench", "read", log]),
-              row([sys.executable, f"{HERE}/peer/read_csv.py", log])) for _ in range(rounds)]
+    ours = [f"{build}/tests/bench/csv_bench", "read", log]
+    read = {"ours": [], "ours on one core": [], **{name: [] for name in peers}}
+    for _ in range(rounds):
+        read["ours"].append(row(ours))
+        read["ours on one core"].append(row(ours, one_core))
+        for name, peer in peers.items():
+            read[name].append(row(*peer))
     os.remove(log)
-    ratios = sorted(peer[0] / ours[0] for ours, peer in pairs)
-    ours, peer = pairs[-1]
-    print(f"CSV of {rows:,} rows and 4 columns, {ours[4]:.0f} MB: {statistics.median(ratios):.1f} times "
-          f"faster than pandas' C reader (lowest {ratios[0]:.1f}, highest {ratios[-1]:.1f}; "
-          f"{ours[4] / ours[0]:.0f} MB/s against {ours[4] / peer[0]:.0f}); peak memory {ours[3]:.0f} MB, "
-          f"peer {peer[3]:.0f} MB")
-    if ours[1] != peer[1] or abs(ours[2] - peer[2]) > 1e-9 * abs(peer[2]):
-        sys.exit("the two did not read the same")
+    megabytes = read["ours"][0][4]
+    print(f"CSV of {rows:,} rows and 4 columns, {megabytes:.0f} MB, all into memory:")
+    for name, runs in read.items():
+        seconds = sorted(r[0] for r in runs)
+        basis = read["ours on one core" if name.endswith("one core") else "ours"]
+        ratio = statistics.median(r[0] for r in runs) / statistics.median(r[0] for r in basis)
+        print(f"  {name}: {megabytes / statistics.median(seconds):.0f} MB/s ({seconds[0]:.2f} to "
+              f"{seconds[-1]:.2f} s), peak memory {runs[0][3]:.0f} MB"
+              + ("" if name.startswith("ours") else f"; ours is {ratio:.1f} times faster"))
+        if runs[0][1] != read["ours"][0][1] or abs(runs[0][2] / read["ours"][0][2] - 1) > 1e-9:
+            sys.exit(f"{name} did not read the same")
 
 
 def without_drawings(scenario, scratch):
@@ -154,21 +141,15 @@ def main():
         loop_fit(build, scratch, options.rounds)
         scenario = without_drawings(f"{ROOT}/examples/paper/scenario.toml", scratch)
 
-        def ours_whole(*options):
+        def ours_whole():
             a = timed([program, "simulate", scenario, "-o", f"{scratch}/ours"])
             return a + timed([program, "report", f"{scratch}/ours/dataset.toml", "-o",
-                              f"{scratch}/ours/report.html", *options])
-
-        def ours_as_the_peer():
-            # The peer checks itself on no simulation.
-            return ours_whole("--truth-runs", "0")
+                              f"{scratch}/ours/report.html"])
 
         def peer_whole():
             return timed(peer + [f"{scratch}/peer"], cwd=f"{HERE}/peer")
 
-        pair("whole run, simulate to report", ours_as_the_peer, peer_whole, options.rounds)
-        whole = statistics.median(ours_whole() for _ in range(options.rounds))
-        print(f"  with the known-truth check, which the peer has not: {whole:.2f} s")
+        pair("whole run, simulate to report", ours_whole, peer_whole, options.rounds)
         pair("22 figures", lambda: timed([f"{build}/tests/bench/figures_bench"]),
              lambda: timed([sys.executable, "draw_22.py", f"{scratch}/peer"], cwd=f"{HERE}/peer"),
              options.rounds)
