@@ -80,7 +80,7 @@ const std::vector<Call>& calls() {
       {"nonsense", 2,
        "'nonsense' is no command of tribolog; commands: inspect, init, simulate, identify, "
        "figures, report, show, models, paper, plan, study, archive, review, export, manifest, "
-       "help, version; "
+       "schema, help, version; "
        "see tribolog --help"},
       {"figures dataset.toml extra -o f", 2,
        "'extra' is one argument too many: tribolog figures takes DATASET; see tribolog figures "
