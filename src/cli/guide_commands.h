@@ -1,6 +1,7 @@
 #pragma once
-// Commands that say what the program can do: `tribolog help`, `tribolog manifest`, `tribolog schema`, and two that
-// help does not list and that packages are made with, `completion SHELL` and `manual DIRECTORY`.
+// Commands that say what the program can do: `tribolog help`, `tribolog manifest`, `tribolog
+// schema`, and two that help does not list and that packages are made with, `completion SHELL` and
+// `manual DIRECTORY`.
 
 #include <functional>
 
