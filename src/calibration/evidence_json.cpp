@@ -55,7 +55,7 @@ void state_truth_check(Fields& f, const TruthCheckResult& t) {
                    "The known-truth check: what was identified, simulated at the noise found and "
                    "identified again. Null where it was not made.",
                    [](Fields& of, const TruthCheckResult& made) {
-                     of.count("runs", made.runs);
+                     of.put("runs", Json(made.runs), R"({"type": "integer", "minimum": 1})");
                      of.count("seed", made.seed);
                      of.object("noise",
                                "Found in the recordings, motor side: white noise and ripple as "
@@ -128,7 +128,8 @@ void state_effect(Fields& f, const BudgetEffect& one) {
   f.known_number("share", one.share);
   f.number("size", one.unit.empty() ? std::nullopt : std::optional(one.size),
            "As stated, or as is typical, in `unit`; null: it has none.");
-  f.text_or_null("unit", wording::shown_units(one.unit));
+  f.put("unit", text_or_null(wording::shown_units(one.unit)),
+        R"({"enum": ["percent", "ms", "mrad", null]})");
   f.flag("is_stated", one.is_stated);
 }
 
@@ -147,7 +148,7 @@ void state_budget(Fields& f, const UncertaintyBudget& b) {
   f.number("degrees_of_freedom", freedom(b.freedom),
            "Effective (Welch-Satterthwaite); null: infinite.");
   f.known_number("coverage_factor", b.coverage_factor, "Student's t at 95 %.");
-  f.interval("expanded", b.expanded);
+  f.put("expanded", interval(b.expanded), R"({"$ref": "#/$defs/estimate"})");
 }
 
 void state_quantity(Fields& f, const QuantityVerdict& q) {

@@ -143,14 +143,17 @@ void state_quality(Fields& f, const method::selection::QualityErrorsResult& q) {
 }
 
 void state_selection(Fields& f, const method::selection::SelectionResult& s) {
-  f.choice("paper_rule", s.paper_rule, "Of A to F the one of smallest error.");
+  f.put("paper_rule", text_or_null(to_string(s.paper_rule)),
+        R"({"enum": ["A", "B", "C", "D", "E", "F", null]})",
+        "Of A to F the one of smallest error.");
   std::vector<std::string> rivals;
   for (const method::hysteresis::Estimator rival : s.paper_rule_rivals) {
     rivals.emplace_back(to_string(rival));
   }
-  f.texts("paper_rule_rivals", rivals,
-          "Those of A to F that the paper's rule could have chosen instead, within the intervals "
-          "of their masses.");
+  f.put("paper_rule_rivals", Json(rivals),
+        R"({"type": "array", "items": {"enum": ["A", "B", "C", "D", "E", "F"]}})",
+        "Those of A to F that the paper's rule could have chosen instead, within the intervals "
+        "of their masses.");
   f.choice("recommended", s.recommended);
   f.words_or_null("why", s.why);
   f.number("q_c_corrected_rad", s.q_c_corrected_rad, "Eq. (14) for the paper's choice.");

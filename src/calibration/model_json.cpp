@@ -74,7 +74,8 @@ void state_model_effect(Fields& f, const method::model::ModelEffect& e) {
   f.count("coefficients", static_cast<int>(e.freedom));
   f.number("chi2", e.chi2, "Of its coefficients against none; null where it is not asked.");
   f.number("torque_Nm", e.torque_Nm, "Root mean square over the cells.");
-  f.interval("largest_Nm", e.largest_Nm, "Its torque where that is largest.");
+  f.put("largest_Nm", interval(e.largest_Nm), R"({"$ref": "#/$defs/estimate"})",
+        "Its torque where that is largest.");
   f.number("size_of_cap", e.size_of_cap, "Its size over the largest that the catalogue knows.");
   f.interval("coefficient", e.coefficient,
              "Of an effect with one coefficient, SI, motor side; of the lag in seconds, positive "
