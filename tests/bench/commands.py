@@ -13,9 +13,8 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
-from measure import peak_memory_mb
+from measure import measured, peak_memory_mb
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -122,15 +121,12 @@ def rows_of(at, out):
     }
 
 
-def measured(command):
+def seconds_of(command):
     """Seconds and processor seconds of a command and of the processes it starts."""
-    start = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        sys.exit(f"status {process.returncode}: {' '.join(command)}")
-    return time.perf_counter() - start, usage.ru_utime + usage.ru_stime
+    wall, usage, status = measured(command)
+    if status != 0:
+        sys.exit(f"status {status}: {' '.join(command)}")
+    return wall, usage.ru_utime + usage.ru_stime
 
 
 def shown(seconds):
@@ -161,10 +157,10 @@ def main():
         rows = rows_of(at, f"{at}/out")
         for name in options.rows.split(";") if options.rows else rows:
             commands = [[program, *rows[name]] for program in programs]
-            first = [measured(command) for command in commands]
+            first = [seconds_of(command) for command in commands]
             # A row of half a minute tells enough in three rounds.
             rounds = options.rounds if first[-1][0] < 15 else min(3, options.rounds)
-            runs = [[measured(command) for command in commands] for _ in range(rounds)]
+            runs = [[seconds_of(command) for command in commands] for _ in range(rounds)]
             row = [c for k, command in enumerate(commands) for c in cells([r[k] for r in runs], command)]
             print(f"| {name} | " + " | ".join(row) + " |", flush=True)
 

@@ -1,5 +1,6 @@
 """Time and memory of commands, for everything that is measured here."""
 
+import os
 import subprocess
 import time
 
@@ -8,6 +9,15 @@ def timed(command, **kwargs):
     start = time.perf_counter()
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **kwargs)
     return time.perf_counter() - start
+
+
+def measured(command):
+    """Seconds, what it and its processes used (resource usage), and its exit status."""
+    start = time.perf_counter()
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return time.perf_counter() - start, usage, process.returncode
 
 
 def family(pid):

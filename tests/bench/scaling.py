@@ -14,7 +14,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
+
+from measure import measured
 
 JOINT = """schema = "tribolog-scenario-1"
 name = "scaling"
@@ -214,16 +215,6 @@ KINDS = {
 }
 
 
-def measured(command):
-    """Wall and user seconds, peak resident MB, status."""
-    start = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return (time.perf_counter() - start, usage.ru_utime, usage.ru_maxrss / 1024,
-            process.returncode)
-
-
 def log_megabytes(directory):
     logs = (f for f in os.listdir(directory) if f.endswith(".csv"))
     return sum(os.path.getsize(f"{directory}/{f}") for f in logs) / 1e6
@@ -255,7 +246,8 @@ def main():
                 if command[0] == "identify":
                     command += further
                 size = log_megabytes(directory)
-                wall, user, peak, status = measured([program, *command])
+                wall, usage, status = measured([program, *command])
+                user, peak = usage.ru_utime, usage.ru_maxrss / 1024
             finally:
                 shutil.rmtree(directory)
             growth = f"{user / before:.1f}" if before else ""
