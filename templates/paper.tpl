@@ -25,8 +25,7 @@
 <li><a href="#tick-off">Checklist</a></li>
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}} {{TITLE}}</a></li>
 {{/CONTENTS_ENTRY}}
-{{#WRONG_JOINTS}}<li><a href="#wrong-joints">Wrong joints</a></li>
-{{/WRONG_JOINTS}}<li><a href="#errata">Errata of the paper</a></li>
+<li><a href="#errata">Errata of the paper</a></li>
 <li><a href="#scenario">The joint that is simulated</a></li>
 <li><a href="#provenance">Provenance</a></li>
 </ol>
@@ -54,12 +53,6 @@
 </details>{{/SELECTION}}
 </section>
 {{/PAPER_SECTION}}
-{{#WRONG_JOINTS}}<section id="wrong-joints" class="stage" aria-labelledby="wrong-joints-title">
-<h2 id="wrong-joints-title">Wrong joints <a class="self" href="#wrong-joints" aria-label="Link to this section">#</a></h2>
-<p>Each check of print was made again on joints that are grossly not the paper's, with one thing wrong in each. A check that fails on none of them says nothing about the joint.</p>
-{{>TABLE}}
-</section>
-{{/WRONG_JOINTS}}
 <details class="folded"><summary>Errata of the paper</summary>
 {{>ERRATA}}
 </details>

@@ -88,7 +88,6 @@ struct PlanCommandOptions {
 struct PaperOptions {
   std::string scenario;      ///< Empty: the paper's joint, which is built in.
   std::string output;        ///< The page (HTML).
-  bool wrong_joints{false};  ///< List which wrong joints the checks of print fail.
   int processes{2};
   wording::Language language;
 };

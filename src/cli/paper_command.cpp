@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "api/drawing.h"
 #include "base/atomic_file.h"
@@ -33,12 +31,9 @@ paper::page::PaperSource source(const char* name) {
 }
 
 /// Figures and items, in words of that language.
-void describe(const paper::checks::PapersJoint& joint, const paper::checks::FailedByPlace& failed,
-              const wording::Language& language, paper::page::RegeneratedPaper& paper) {
+void describe(const paper::checks::PapersJoint& joint, const wording::Language& language,
+              paper::page::RegeneratedPaper& paper) {
   const wording::WordsIn words(language);
-  if (!failed.empty()) {
-    paper.wrong_joints = paper::checks::in_words(joint, paper::checks::wrong_joints(joint), failed);
-  }
   paper.figures = paper::checks::paper_figures(joint);
   paper.sections = paper::checks::paper_items(joint, paper.figures);
 }
@@ -69,19 +64,6 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
                   paper::checks::count_told(paper.sections)));
 }
 
-void tell_wrong_joints(const paper::checks::WrongJointsResult& tried, Console& console) {
-  for (const paper::checks::FailedBy& one : tried.checks) {
-    console.say(fmt::format("  {}: {}\n    {}", one.item, one.check,
-                            one.joints.empty()
-                                ? "fails with none of the wrong joints"
-                                : fmt::format("fails with {}", fmt::join(one.joints, "; "))));
-  }
-  if (!tried.unnoticed.empty()) {
-    console.say(fmt::format("  print cannot tell from the paper's joint: {}",
-                            fmt::join(tried.unnoticed, "; ")));
-  }
-}
-
 }  // namespace
 
 CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
@@ -92,10 +74,6 @@ CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
   command.add_option("-o,--output", paper.output, "page (HTML) to write")
       ->required()
       ->check(page_file());
-  command
-      .add_flag("--wrong-joints", paper.wrong_joints,
-                "make the checks of print on wrong joints as well, and list which fail them")
-      ->excludes("SCENARIO");
   add_processes(command, paper.processes);
   add_language(command, paper.language);
   command.footer(
@@ -185,19 +163,11 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
       ingest::manifest::parse_robot(paper.sources[1].text, paper.sources[1].name));
   paper.presliding = joint.presliding;
   console.progress("checking it", 0, 1);
-  paper::checks::FailedByPlace failed;
-  if (options.wrong_joints) {
-    failed = paper::checks::try_wrong_joints(joint, paper::checks::wrong_joints(joint),
-                                             [&](std::size_t done, std::size_t all) {
-                                               console.progress("checking wrong joints", done, all);
-                                             });
-  }
-  describe(joint, failed, wording::Language{}, paper);
+  describe(joint, wording::Language{}, paper);
   const std::string json = paper::page::paper_json(paper);
-  const std::optional<paper::checks::WrongJointsResult> tried = paper.wrong_joints;  // in English
   if (!options.language.is_english()) {
     const std::vector<figures::ReportFigure> english = std::move(paper.figures);
-    describe(joint, failed, options.language, paper);
+    describe(joint, options.language, paper);
     figures::take_english_data(english, paper.figures);
   }
 
@@ -208,7 +178,6 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   write_file_atomically(options.output,
                         page_in(options.language, paper, joint.calibration, drawn, json));
   tell_outcome(paper, tallies, console);
-  if (tried) tell_wrong_joints(*tried, console);
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
   return paper::page::is_all_well(paper, tallies) ? ExitStatus::done : ExitStatus::verdict_failed;

@@ -102,7 +102,6 @@ TEST(Commands, ThePapersClaimsArePutToAnotherJoint) {
   EXPECT_EQ(text.find("is missing"), std::string::npos);
   EXPECT_EQ(text.find("://"), std::string::npos);
   EXPECT_EQ(run_shell(program + "paper none.toml -o '" + page + "'").status, 3);
-  EXPECT_EQ(run_shell(program + "paper none.toml --wrong-joints -o '" + page + "'").status, 2);
   EXPECT_EQ(read_text(page), text);
 }
 

@@ -9,8 +9,8 @@
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/paper_items.h"
-#include "paper/checks/wrong_joints.h"
 #include "paper/drawings/printed_paper.h"
+#include "paper/wrong_joints.h"
 #include "support/breadth.h"
 
 namespace tribolog::paper::paper_checks_test {
@@ -58,7 +58,7 @@ TEST_F(PaperChecks, AllHold) {
 // A check of print that nothing fails shows nothing. These joints are enough to fail each; each
 // night all are tried.
 TEST_F(PaperChecks, EachOfPrintFailsForAWrongJoint) {
-  std::vector<checks::WrongJoint> wrong = checks::wrong_joints(*joint_);
+  std::vector<WrongJoint> wrong = wrong_joints(*joint_);
   const std::set<std::string> enough{"σ₁ × 3",
                                      "T_s × 1.3",
                                      "n = 80",
@@ -69,13 +69,12 @@ TEST_F(PaperChecks, EachOfPrintFailsForAWrongJoint) {
                                      "figure 2 with a decay 1000 times as fast",
                                      "figure 5 with T_s = T_c = 0.9 N"};
   if (!test::every_case()) {
-    std::erase_if(wrong, [&](const checks::WrongJoint& one) { return !enough.contains(one.name); });
+    std::erase_if(wrong, [&](const WrongJoint& one) { return !enough.contains(one.name); });
     ASSERT_EQ(wrong.size(), enough.size());
   }
-  const checks::WrongJointsResult tried =
-      checks::in_words(*joint_, wrong, checks::try_wrong_joints(*joint_, wrong));
+  const WrongJointsResult tried = try_wrong_joints(*joint_, wrong);
   EXPECT_EQ(tried.checks.size(), checks::print_checks(*sections_).size());
-  for (const checks::FailedBy& check : tried.checks) {
+  for (const FailedBy& check : tried.checks) {
     EXPECT_FALSE(check.joints.empty()) << check.item << ": " << check.check;
   }
   // The paper prints nothing that hangs on these.

@@ -72,19 +72,6 @@ TEST(PaperPage, CountsWhatIsThereAgainstWhatThePaperHas) {
   EXPECT_NE(page.find("2 of 2 independent computations"), std::string::npos);
   EXPECT_NE(page.find("1 definitions and values"), std::string::npos);
   EXPECT_NE(page.find("<li>by definition</li>"), std::string::npos);
-  EXPECT_EQ(page.find("wrong-joints-title"), std::string::npos);
-}
-
-TEST(PaperPage, ListsTheWrongJointsThatFailAndThoseThatNobodyNotices) {
-  SmallPaper small;
-  small.paper.wrong_joints = paper::checks::WrongJointsResult{
-      {{"Table 2", "T at A", {"n = 80", "m × 2"}}, {"Figure 14", "angle", {}}}, {"σ₂ × 100"}};
-  const std::string page = small.page();
-  EXPECT_NE(page.find("wrong-joints-title"), std::string::npos);
-  EXPECT_NE(page.find("n = 80 and m × 2"), std::string::npos);
-  EXPECT_NE(page.find("none: this check says nothing about the joint"), std::string::npos);
-  EXPECT_NE(page.find("the paper&#39;s joint: σ₂ × 100."), std::string::npos);
-  EXPECT_NE(page.find("\"unnoticed\":[\"σ₂ × 100\"]"), std::string::npos);
 }
 
 TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {

@@ -36,7 +36,6 @@ for language in en pl; do
     cp plan.$language/plan.html plan.$language.html
     $tribolog models --compare --language $language -o models.$language.html
     $tribolog study --runs 2 --factor torque_noise --language $language -o study.$language.html
-    $tribolog paper --wrong-joints --language $language -o wrong.$language.html
     $tribolog paper "$examples/paper/scenario_ripple.toml" --language $language \
       -o claims.$language.html
   fi

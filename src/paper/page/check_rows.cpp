@@ -106,28 +106,4 @@ void fill_checks(const checks::Checks& checks, const std::string& id, const std:
   }
 }
 
-void fill_wrong_joints(const std::optional<checks::WrongJointsResult>& tried,
-                       report::TemplateValues& values) {
-  if (!tried) return;
-  report::TemplateValues& section = values.add_section("WRONG_JOINTS");
-  report::Table table;
-  table.id = "table-wrong-joints";
-  table.caption = tr("Checks of print, and the wrong joints that fail them");
-  table.columns = {{tr("In the paper"), "", false},
-                   {tr("Check"), "", false},
-                   {tr("Joints"), "", true},
-                   {tr("Fails with"), "", false}};
-  for (const checks::FailedBy& one : tried->checks) {
-    table.rows.push_back({{one.item, one.check, std::to_string(one.joints.size()),
-                           one.joints.empty() ? tr("none: this check says nothing about the joint")
-                                              : wording::listed(one.joints)},
-                          false});
-  }
-  if (!tried->unnoticed.empty()) {
-    table.note = tr("Print cannot tell from the paper's joint: {joints}.",
-                    {{"joints", wording::listed(tried->unnoticed)}});
-  }
-  report::fill_table(table, "TABLE", section);
-}
-
 }  // namespace tribolog::paper::page

@@ -7,7 +7,6 @@
 #include "calibration/calibration.h"
 #include "paper/charts/paper_charts.h"
 #include "paper/checks/check.h"
-#include "paper/checks/wrong_joints.h"
 #include "paper/page/paper_page.h"
 #include "report/report_view.h"
 #include "report/template_engine.h"
@@ -34,10 +33,6 @@ void fill_checks(const checks::Checks& checks, const std::string& id, const std:
 
 /// ✓ or ✗
 std::string tick(bool is_well);
-
-/// The section WRONG_JOINTS: the print checks that each wrong joint fails.
-void fill_wrong_joints(const std::optional<checks::WrongJointsResult>& tried,
-                       report::TemplateValues& values);
 
 // The paper's misprints, and what shows them: computed from its own numbers and laws.
 

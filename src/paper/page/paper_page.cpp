@@ -71,13 +71,6 @@ std::string paper_json(const RegeneratedPaper& paper) {
   Json whole{{"schema", "tribolog-paper-2"},
              {"tool", paper.provenance.tool_version},
              {"items", std::move(items)}};
-  if (paper.wrong_joints) {
-    for (const checks::FailedBy& one : paper.wrong_joints->checks) {
-      whole["wrong_joints"].push_back(
-          {{"item", one.item}, {"check", one.check}, {"failed_by", one.joints}});
-    }
-    whole["unnoticed"] = paper.wrong_joints->unnoticed;
-  }
   return whole.dump();
 }
 
@@ -191,7 +184,6 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
         });
     if (is_selection) fill_selection(calibration, out.add_section("SELECTION"));
   }
-  fill_wrong_joints(paper.wrong_joints, values);
   fill_errata(paper.presliding, values);
   for (const PaperSource& source : paper.sources) {
     report::TemplateValues& file = values.add_section("SOURCE_FILE");

@@ -1,7 +1,6 @@
 #pragma once
 // The paper regenerated, as one HTML file that needs nothing else.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "figures/report_figure.h"
 #include "paper/charts/paper_charts.h"
 #include "paper/checks/paper_items.h"
-#include "paper/checks/wrong_joints.h"
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
@@ -25,9 +23,8 @@ struct PaperSource {
 /// What the page shows.
 struct RegeneratedPaper {
   std::vector<checks::PaperSection> sections;
-  charts::PreslidingLoops presliding;                     ///< Figure 5, for the errata.
-  std::optional<checks::WrongJointsResult> wrong_joints;  ///< Where asked for.
-  std::vector<figures::ReportFigure> figures;             ///< By the paper's numbers.
+  charts::PreslidingLoops presliding;          ///< Figure 5, for the errata.
+  std::vector<figures::ReportFigure> figures;  ///< By the paper's numbers.
   std::vector<PaperSource> sources;
   calibration::Provenance provenance;
 };
@@ -54,9 +51,8 @@ bool is_all_well(const RegeneratedPaper& paper, const std::vector<PaperTally>& t
 
 /// The checks for machines:
 /// {"schema": "tribolog-paper-2", "tool", "items": [{kind, number, section, title, checks: [{what,
-/// kind, expected, ours, difference, allowed, unit, holds}], told: [...]}], "wrong_joints":
-/// [{item, check, failed_by: [...]}], "unnoticed": [...]}; the last two only if asked for. A number
-/// that is not finite is null; words stand where words are compared.
+/// kind, expected, ours, difference, allowed, unit, holds}], told: [...]}]}. A number that is not
+/// finite is null; words stand where words are compared.
 std::string paper_json(const RegeneratedPaper& paper);
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.

@@ -1,19 +1,25 @@
-#include "paper/checks/wrong_joints.h"
+#include "paper/wrong_joints.h"
 
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/requirements.h"
 #include "friction/static_laws.h"
 #include "joint/degrees.h"
-#include "wording/tr.h"
+#include "paper/checks/check.h"
+#include "paper/checks/paper_items.h"
 
-namespace tribolog::paper::checks {
+namespace tribolog::paper::paper_checks_test {
 
 namespace {
 
-using wording::tr;
+using checks::Check;
+using checks::Kind;
+using checks::PaperItem;
+using checks::PapersJoint;
 
 /// The paper's joint with changes, each from the joint as it is.
 class WrongJoints {
@@ -30,7 +36,7 @@ class WrongJoints {
   template <class Change>
   void add_bristles(std::string name, const Change& change) {
     add(std::move(name), [&](WrongJoint& one) {
-      friction::LuGreFriction::Parameters p = bristles_of(one.scenario).parameters();
+      friction::LuGreFriction::Parameters p = checks::bristles_of(one.scenario).parameters();
       change(p);
       one.scenario.presliding = std::make_shared<friction::LuGreFriction>(p);
     });
@@ -39,7 +45,7 @@ class WrongJoints {
   template <class Change>
   void add_sliding(std::string name, const Change& change) {
     add(std::move(name), [&](WrongJoint& one) {
-      friction::WaiboerFriction::Parameters p = sliding_of(one.scenario).parameters();
+      friction::WaiboerFriction::Parameters p = checks::sliding_of(one.scenario).parameters();
       change(p);
       one.scenario.sliding = std::make_shared<friction::WaiboerFriction>(p);
     });
@@ -57,7 +63,7 @@ joint::GravityLoad load_with(const joint::GravityLoad& load, double mass_factor,
 }
 
 std::string times(const char* symbol, const char* factor) {
-  return tr("{symbol} × {factor}", {{"symbol", symbol}, {"factor", factor}});
+  return fmt::format("{} × {}", symbol, factor);
 }
 
 void add_of_bristles(WrongJoints& out) {
@@ -77,27 +83,27 @@ void add_of_arm(WrongJoints& out) {
           [](WrongJoint& one) { one.scenario.load = load_with(one.scenario.load, 1.2, 1, 0); });
   out.add(times("r", "0.9"),
           [](WrongJoint& one) { one.scenario.load = load_with(one.scenario.load, 1, 0.9, 0); });
-  out.add(tr("q_peak + 2°"), [](WrongJoint& one) {
+  out.add("q_peak + 2°", [](WrongJoint& one) {
     one.scenario.load = load_with(one.scenario.load, 1, 1, 2 * joint::rad_per_degree);
   });
-  out.add(tr("r_REPL = 0.6 m"), [](WrongJoint& one) { one.scenario.surrogate_distance_m = 0.6; });
+  out.add("r_REPL = 0.6 m", [](WrongJoint& one) { one.scenario.surrogate_distance_m = 0.6; });
   out.add(times("J", "1000"), [](WrongJoint& one) { one.scenario.motor_inertia_kgm2 *= 1000; });
   out.add(times("I", "100"), [](WrongJoint& one) { one.scenario.arm_inertia_kgm2 *= 100; });
-  out.add(tr("friction that grows by 5 % of the load"),
+  out.add("friction that grows by 5 % of the load",
           [](WrongJoint& one) { one.scenario.effects.load_friction = 0.05; });
 }
 
 void add_of_motion(WrongJoints& out) {
-  out.add(tr("oscillation at 3 Hz"),
+  out.add("oscillation at 3 Hz",
           [](WrongJoint& one) { present(one.scenario.oscillation).frequency_Hz = 3; });
-  out.add(tr("amplitude × 0.3"),
+  out.add("amplitude × 0.3",
           [](WrongJoint& one) { present(one.scenario.oscillation).amplitude_rad *= 0.3; });
-  out.add(tr("amplitude × 3"),
+  out.add("amplitude × 3",
           [](WrongJoint& one) { present(one.scenario.oscillation).amplitude_rad *= 3; });
-  out.add(tr("oscillation 5° off"), [](WrongJoint& one) {
+  out.add("oscillation 5° off", [](WrongJoint& one) {
     present(one.scenario.oscillation).centre_rad += 5 * joint::rad_per_degree;
   });
-  out.add(tr("angle counted the other way round"),
+  out.add("angle counted the other way round",
           [](WrongJoint& one) { one.scenario.noise.effects.mirrored_angle = true; });
 }
 
@@ -108,14 +114,13 @@ void add_of_sliding(WrongJoints& out) {
 }
 
 void add_of_laws(WrongJoints& out) {
-  out.add(tr("figure 2 with a decay 1000 times as fast"), [](WrongJoint& one) {
+  out.add("figure 2 with a decay 1000 times as fast", [](WrongJoint& one) {
     friction::ThresholdSpeedFriction::Parameters p = one.laws.continuous.parameters();
     p.stribeck_decay_s_rad *= 1000;
     one.laws.continuous = friction::ThresholdSpeedFriction(p);
   });
-  out.add(tr("figure 5 with σ₀ × 2"),
-          [](WrongJoint& one) { one.laws.contact.stiffness_Nm_rad *= 2; });
-  out.add(tr("figure 5 with T_s = T_c = 0.9 N"), [](WrongJoint& one) {
+  out.add("figure 5 with σ₀ × 2", [](WrongJoint& one) { one.laws.contact.stiffness_Nm_rad *= 2; });
+  out.add("figure 5 with T_s = T_c = 0.9 N", [](WrongJoint& one) {
     one.laws.contact.static_Nm = 0.9;
     one.laws.contact.coulomb_Nm = 0.9;
   });
@@ -147,41 +152,25 @@ void for_each_of_print(const std::vector<PaperItem>& items, Use use) {
 
 }  // namespace
 
-FailedByPlace try_wrong_joints(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
-                               const std::function<void(std::size_t, std::size_t)>& progress) {
-  FailedByPlace failed;
-  for_each_of_print(items_of_print(joint),
-                    [&](const PaperItem&, const Check&) { failed.emplace_back(); });
-  for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (progress) progress(i, wrong.size());
-    const PapersJoint other(wrong[i].scenario, joint.robot, wrong[i].laws);
+WrongJointsResult try_wrong_joints(const PapersJoint& joint, const std::vector<WrongJoint>& wrong) {
+  WrongJointsResult out;
+  for_each_of_print(checks::items_of_print(joint), [&](const PaperItem& item, const Check& check) {
+    out.checks.push_back({checks::item_name(item), check.what, {}});
+  });
+  for (const WrongJoint& one : wrong) {
+    const PapersJoint other(one.scenario, joint.robot, one.laws);
     std::size_t k = 0;
-    for_each_of_print(items_of_print(other), [&](const PaperItem&, const Check& check) {
-      if (k == failed.size()) throw std::logic_error("a wrong joint has more checks of print");
-      if (!check.holds()) failed[k].push_back(i);
+    bool is_noticed = false;
+    for_each_of_print(checks::items_of_print(other), [&](const PaperItem&, const Check& check) {
+      if (k == out.checks.size()) throw std::logic_error("a wrong joint has more checks of print");
+      if (!check.holds()) out.checks[k].joints.push_back(one.name);
+      is_noticed = is_noticed || !check.holds();
       ++k;
     });
-    if (k != failed.size()) throw std::logic_error("a wrong joint has fewer checks of print");
-  }
-  return failed;
-}
-
-WrongJointsResult in_words(const PapersJoint& joint, const std::vector<WrongJoint>& wrong,
-                           const FailedByPlace& failed) {
-  WrongJointsResult out;
-  std::vector<bool> is_noticed(wrong.size(), false);
-  for_each_of_print(items_of_print(joint), [&](const PaperItem& item, const Check& check) {
-    FailedBy one{item_name(item), check.what, {}};
-    for (const std::size_t i : failed.at(out.checks.size())) {
-      one.joints.push_back(wrong.at(i).name);
-      is_noticed[i] = true;
-    }
-    out.checks.push_back(std::move(one));
-  });
-  for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (!is_noticed[i]) out.unnoticed.push_back(wrong[i].name);
+    if (k != out.checks.size()) throw std::logic_error("a wrong joint has fewer checks of print");
+    if (!is_noticed) out.unnoticed.push_back(one.name);
   }
   return out;
 }
 
-}  // namespace tribolog::paper::checks
+}  // namespace tribolog::paper::paper_checks_test
