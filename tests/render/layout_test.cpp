@@ -147,14 +147,17 @@ TEST(Layout, MapsDataLinearly) {
   panel.y.minimum = 0;
   panel.y.maximum = 200;
   const figure::DrawList list = composition::lay_out(figure, font());
+  std::size_t looked_at = 0;
   for (const figure::Primitive& one : list.primitives) {
     const auto* line = std::get_if<figure::Polyline>(&one);
     if (line == nullptr || line->owner.role != figure::Role::series) continue;
+    ++looked_at;
     EXPECT_NEAR(line->points.front().x, list.plots[0].left, 1e-9);
     EXPECT_NEAR(line->points.front().y, list.plots[0].bottom, 1e-9);
     EXPECT_NEAR(line->points.back().x, list.plots[0].right, 1e-9);
     EXPECT_NEAR(line->points.back().y, list.plots[0].centre().y, 1e-9);
   }
+  EXPECT_GT(looked_at, 0U);
 }
 
 TEST(Layout, KeepsTheTextsOfReferenceLinesOffSingleMarkers) {
@@ -177,10 +180,13 @@ TEST(Layout, KeepsTheTextsOfReferenceLinesOffSingleMarkers) {
       {figure::ReferenceLine::Direction::horizontal, 5, "recommended, by far"}};
   const figure::DrawList list = composition::lay_out(figure, font());
   expect_none(legibility::markers_under_texts(list), figure.id);
+  std::size_t looked_at = 0;
   for (const Placed& one : texts(list)) {
     if (one.owner.role != figure::Role::reference_text) continue;
+    ++looked_at;
     EXPECT_LT(one.box.left, list.plots[0].centre().x) << "only there is room";
   }
+  EXPECT_GT(looked_at, 0U);
 }
 
 TEST(Layout, WritesLettersDarkerThanTheirPoint) {
@@ -188,10 +194,13 @@ TEST(Layout, WritesLettersDarkerThanTheirPoint) {
   figure.panels[0].point_labels = {{2, 2, "chosen", figure::palette::orange}};
   const figure::DrawList list = composition::lay_out(figure, font());
   expect_none(legibility::faint_texts(list), figure.id);
+  std::size_t looked_at = 0;
   for (const figure::Primitive& one : list.primitives) {
     if (figure::owner_of(one).role != figure::Role::label_marker) continue;
+    ++looked_at;
     EXPECT_EQ(std::get<figure::Markers>(one).colour, figure::palette::orange);
   }
+  EXPECT_GT(looked_at, 0U);
 }
 
 TEST(Layout, NamesStandInsteadOfNumbers) {

@@ -9,8 +9,10 @@ namespace {
 
 TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
   const friction::ContactParameters contact;
+  std::size_t looked_at = 0;
   for (const friction::FrictionModelEntry& entry : friction::dynamic_friction_models()) {
     if (entry.traits.is_random) continue;
+    ++looked_at;
     const simulate::ModelPortrait p = simulate::portrait_of(entry, contact);
     if (entry.traits.break_away) {
       EXPECT_NEAR(p.largest_Nm, contact.static_Nm, 0.05) << entry.name;
@@ -30,6 +32,7 @@ TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
       }
     }
   }
+  EXPECT_GT(looked_at, 0U);
 }
 
 // A joint instead of table 1's unit mass: ways, speeds and torques are of another size, shapes not.
@@ -44,9 +47,11 @@ TEST(ModelPortrait, ScalesWithTheContact) {
   joint.stribeck_speed_rad_s = way * small.stribeck_speed_rad_s;
   joint.viscous_Nms_rad = torque / way * small.viscous_Nms_rad;
   joint.damping_Nms_rad = torque / way * small.damping_Nms_rad;
+  std::size_t looked_at = 0;
   for (const friction::FrictionModelEntry& entry : friction::dynamic_friction_models()) {
     // A jump, or a bond that snaps, may fall on either side of a sample.
     if (!entry.traits.presliding || entry.traits.is_random) continue;
+    ++looked_at;
     const simulate::ModelPortrait a = simulate::portrait_of(entry, small);
     const simulate::ModelPortrait b = simulate::portrait_of(entry, joint);
     for (std::size_t i = 0; i < a.loop.x.size(); i += 50) {
@@ -55,6 +60,7 @@ TEST(ModelPortrait, ScalesWithTheContact) {
     }
     EXPECT_NEAR(b.largest_Nm, torque * a.largest_Nm, 2e-3) << entry.name;
   }
+  EXPECT_GT(looked_at, 0U);
 }
 
 }  // namespace
