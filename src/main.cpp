@@ -37,7 +37,7 @@ void tell_refusal(const std::string& message, ExitStatus status) {
                    printable(with_what_was_kept(message, status), longest_message) + "\n";
 }
 
-void tell_want(const std::string& what) {
+void print_shortage(const std::string& what) {
   std::cerr << "tribolog: error: " + what + "; " + kept_in_words() + "\n";
 }
 
@@ -57,7 +57,7 @@ void tell(const Failure& failure) {
       return tell_refusal(failure.what(), static_cast<ExitStatus>(failure.exit_status()));
     case Failure::Kind::missing_library:
     case Failure::Kind::out_of_memory:
-      return tell_want(failure.what());
+      return print_shortage(failure.what());
     case Failure::Kind::internal:
       return tell_fault(failure.what());
   }
@@ -75,9 +75,9 @@ int run(int argc, char** argv) {
     tell(failure);
     return failure.exit_status();
   } catch (const MissingModule& missing) {
-    tell_want(missing.what());
+    print_shortage(missing.what());
   } catch (const std::bad_alloc&) {
-    tell_want("out of memory");
+    print_shortage("out of memory");
   } catch (const std::exception& error) {
     tell_fault(wording::words(error));
   }

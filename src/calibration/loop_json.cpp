@@ -170,12 +170,12 @@ void state_traced(Fields& f, const method::hysteresis::TracedLoop& loop) {
              "The same of the model, over the same samples.");
 }
 
-void state_contacts(Fields& f, const method::hysteresis::ContactContest& contest) {
+void state_contacts(Fields& f, const method::hysteresis::ContactComparison& contest) {
   f.choice("winner", contest.winner,
            "The one that describes the loops better than both others, beyond doubt. null: none "
            "does, or there was no contest.");
   f.list("rivals", contest.rivals, "",
-         [](Fields& one, const method::hysteresis::ContactRival& rival) {
+         [](Fields& one, const method::hysteresis::ContactCandidate& rival) {
            one.choice("law", rival.law);
            one.number("stiffness_Nm_rad", rival.stiffness_Nm_rad, "Just after a reversal.");
            one.number(

@@ -46,7 +46,7 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   const std::vector<SurveyedFile> files = files_of(options.logs.files);
   if (!options.json.empty()) check_output_can_be_written(options.json, paths_of(files));
   console.make_way_for(options.json);
-  inspect::survey::KnownOfJoints of_joints = options.logs.of_joints;
+  inspect::survey::StatedJoints of_joints = options.logs.of_joints;
   const std::vector<inspect::survey::LogSurvey> logs =
       survey_with_gears(files, options.logs, of_joints, console);
   const Proposed proposed = try_to_propose(logs, known_of_one(options.logs));
@@ -72,7 +72,7 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   const std::vector<SurveyedFile> files = files_of(options.logs.files);
   check_output_can_be_written(options.output, paths_of(files));
   console.make_way_for(options.output);
-  inspect::survey::KnownOfJoints of_joints = options.logs.of_joints;
+  inspect::survey::StatedJoints of_joints = options.logs.of_joints;
   const std::vector<inspect::survey::LogSurvey> logs =
       survey_with_gears(files, options.logs, of_joints, console);
   const std::string directory = std::filesystem::path(options.output).parent_path().string();

@@ -127,7 +127,7 @@ std::optional<ingest::log::Quantity> stated_effort(const std::optional<joint::Ef
 
 std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<SurveyedFile>& files,
                                                           const InspectedLogs& options,
-                                                          inspect::survey::KnownOfJoints& of_joints,
+                                                          inspect::survey::StatedJoints& of_joints,
                                                           Console& console) {
   inspect::survey::StatedColumns stated = options.known.columns;
   stated.effort_is = stated_effort(options.known.effort_kind, of_joints.torque_constants_Nm_A);
@@ -219,7 +219,7 @@ inspect::survey::ProposalOptions known_of_one(const InspectedLogs& logs) {
 
 ProposedManifest propose(const InspectedLogs& of, bool all_joints, const std::string& directory,
                          const std::vector<inspect::survey::LogSurvey>& logs,
-                         const inspect::survey::KnownOfJoints& of_joints, Console& console) {
+                         const inspect::survey::StatedJoints& of_joints, Console& console) {
   tell_foreign_units(logs, console);
   if (!all_joints) {
     inspect::survey::ProposalOptions known = known_of_one(of);

@@ -17,7 +17,7 @@ namespace tribolog::cli {
 struct InspectedLogs {
   std::vector<std::string> files;
   inspect::survey::ProposalOptions known;
-  inspect::survey::KnownOfJoints of_joints;  ///< Several values with all joints alone.
+  inspect::survey::StatedJoints of_joints;  ///< Several values with all joints alone.
 };
 
 struct SurveyedFile {
@@ -37,7 +37,7 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files);
 /// @throw InputError of the only log, or of the first one if all are refused.
 std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<SurveyedFile>& files,
                                                           const InspectedLogs& options,
-                                                          inspect::survey::KnownOfJoints& of_joints,
+                                                          inspect::survey::StatedJoints& of_joints,
                                                           Console& console);
 
 /// 3 if a log was refused.
@@ -56,7 +56,7 @@ struct ProposedManifest {
 /// @throw as propose_manifest().
 ProposedManifest propose(const InspectedLogs& of, bool all_joints, const std::string& directory,
                          const std::vector<inspect::survey::LogSurvey>& logs,
-                         const inspect::survey::KnownOfJoints& of_joints, Console& console);
+                         const inspect::survey::StatedJoints& of_joints, Console& console);
 
 /// Every option that states something of logs, but for the joint's name.
 void add_known_of_logs(CLI::App& command, InspectedLogs& logs);

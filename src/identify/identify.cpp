@@ -321,7 +321,7 @@ constexpr Step papers_chain[] = {
        p.prepared.reserve(loops.size());
        for (const joint::Recording*& r : loops) {
          p.prepared.push_back(method::hysteresis::aligned(*r, p.loop_timing.lag_s));
-         method::hysteresis::take_ripple_off_loop(p.c.rough, p.n, p.prepared.back());
+         method::hysteresis::subtract_ripple_from_loop(p.c.rough, p.n, p.prepared.back());
          r = &p.prepared.back();
        }
        p.loop = method::hysteresis::identify_hysteresis(loops, p.rough_sweep, p.c.rough, p.n,

@@ -47,8 +47,8 @@ bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) 
 
 /// Reasons that are no findings of their own say how little is known of a quantity. Before these
 /// stands what the rules found the farthest beyond its threshold: it may well be why.
-void put_a_cause_first(const calibration::Judgement& judgement,
-                       std::vector<Statement>& statements) {
+void move_cause_to_front(const calibration::Judgement& judgement,
+                         std::vector<Statement>& statements) {
   const std::vector<Statement>& findings = judgement.findings;
   if (statements.empty() ||
       std::find(findings.begin(), findings.end(), statements.front()) != findings.end()) {
@@ -85,7 +85,7 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
   };
   std::stable_sort(statements_.begin(), statements_.end(),
                    [&](const Statement& a, const Statement& b) { return weight(a) < weight(b); });
-  put_a_cause_first(judgement, statements_);
+  move_cause_to_front(judgement, statements_);
   for (const Statement& statement : statements_) {
     Finding finding;
     finding.number = static_cast<int>(findings_.size()) + 1;

@@ -17,9 +17,9 @@ using calibration::Calibration;
 using calibration::InertiaSource;
 using calibration::Verdict;
 using joint::Quantity;
-using method::hysteresis::ContactContest;
+using method::hysteresis::ContactCandidate;
+using method::hysteresis::ContactComparison;
 using method::hysteresis::ContactLaw;
-using method::hysteresis::ContactRival;
 
 constexpr double most_misfit_percent = 100 * method::hysteresis::lugre_misfit;
 
@@ -32,11 +32,11 @@ std::optional<Measured> loop_misfit(const Calibration& c) {
   const double percent = 100 * *share;
   std::vector<StatedValue> values{
       {"recording", worst->recording}, {"misfit_Nm", worst->systematic_Nm}, {"percent", percent}};
-  const ContactContest& contest = c.lugre->contacts;
+  const ContactComparison& contest = c.lugre->contacts;
   if (!contest.winner || contest.winner == ContactLaw::lugre) {
     return Measured{percent, Statement::with("cause.other_contact", std::move(values))};
   }
-  const ContactRival& found = *contest.find(*contest.winner);
+  const ContactCandidate& found = *contest.find(*contest.winner);
   values.insert(values.end(),
                 {{"stiffness_Nm_rad", found.stiffness_Nm_rad}, {"static_Nm", found.static_Nm}});
   return Measured{percent, Statement::with(contest.winner == ContactLaw::elasto_plastic

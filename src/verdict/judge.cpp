@@ -253,7 +253,7 @@ calibration::Judgement judge(const calibration::Calibration& c) {
       verdict_on(quantity, out.quantities).decides = false;
     }
   }
-  doubt_what_influences_hide(c, out.quantities);
+  lower_verdicts_by_influences(c, out.quantities);
   state_budgets(c, out.quantities);
   doubt_wide_intervals(out.quantities);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), out.quantities);

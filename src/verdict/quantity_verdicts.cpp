@@ -134,7 +134,7 @@ std::optional<statistics::Estimate> level_of_loops(const calibration::Calibratio
   using method::hysteresis::ContactLaw;
   const auto level = c.lugre ? c.lugre->shown(LuGreParameterName::static_torque) : std::nullopt;
   if (!level) return std::nullopt;
-  const method::hysteresis::ContactContest& contest = c.lugre->contacts;
+  const method::hysteresis::ContactComparison& contest = c.lugre->contacts;
   if (!contest.winner || contest.winner == ContactLaw::lugre) return level;
   return statistics::symmetric_estimate(contest.find(*contest.winner)->static_Nm, 0, {});
 }

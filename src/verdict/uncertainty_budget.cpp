@@ -222,8 +222,8 @@ void state_budgets(const calibration::Calibration& c,
   }
 }
 
-void doubt_what_influences_hide(const calibration::Calibration& c,
-                                std::vector<calibration::QuantityVerdict>& quantities) {
+void lower_verdicts_by_influences(const calibration::Calibration& c,
+                                  std::vector<calibration::QuantityVerdict>& quantities) {
   for (const calibration::InfluenceShift& shift : c.influence_shifts) {
     if (shift.half_width) continue;
     const bool is_of_hoses = shift.influence == Influence::hoses;

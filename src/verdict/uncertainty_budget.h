@@ -15,8 +15,8 @@ namespace tribolog::verdict {
 
 /// Doubts each quantity that is not found any more at a limit of what the manifest states of an
 /// influence: that is in no budget.
-void doubt_what_influences_hide(const calibration::Calibration& calibration,
-                                std::vector<calibration::QuantityVerdict>& quantities);
+void lower_verdicts_by_influences(const calibration::Calibration& calibration,
+                                  std::vector<calibration::QuantityVerdict>& quantities);
 
 /// Gives each quantity that has an estimate its budget.
 void state_budgets(const calibration::Calibration& calibration,

@@ -538,7 +538,7 @@ TEST(LogDialects, AnglesOfMotorsGoByTheGearOfTheirJoint) {
       }));
   inspect::survey::ProposalOptions options;
   options.directory = scratch.path();
-  inspect::survey::KnownOfJoints known_of{ratios, {0.1}};
+  inspect::survey::StatedJoints known_of{ratios, {0.1}};
   const std::vector<inspect::survey::LogSurvey> first{inspect::survey::survey_log(path)};
   known_of.joints = inspect::survey::joints_of_numbers(first, options, 2);
   ASSERT_EQ(known_of.joints, (std::vector<std::string>{"1", "2"}));

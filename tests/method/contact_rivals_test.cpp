@@ -45,7 +45,7 @@ TEST(ContactRivals, EachIsNamedOnItsOwnLoops) {
                         Case{"gms", ContactLaw::maxwell_slip}}) {
     const method::hysteresis::LuGreFit fit = test::fit_loops(with_contact(c.model, 0.2));
     ASSERT_EQ(fit.contacts.winner, c.law) << c.model;
-    const method::hysteresis::ContactRival& found = *fit.contacts.find(c.law);
+    const method::hysteresis::ContactCandidate& found = *fit.contacts.find(c.law);
     EXPECT_NEAR(found.stiffness_Nm_rad / stiffness_put_in(), 1, 0.05) << c.model;
     // LuGre, which is what is fitted, is farther off.
     const auto lugre = fit.shown(method::hysteresis::LuGreParameterName::bristle_stiffness);

@@ -45,7 +45,7 @@ TEST(LoopWidening, RippleWithinTheLoopIsTakenOffAndItsMeanStays) {
     rippled.torque_Nm[i] += sweep.ripple.torque_Nm(gear_ratio * plain.q_rad[i]);
   }
   const double mean = mean_of(rippled.torque_Nm);
-  method::hysteresis::take_ripple_off_loop(sweep, gear_ratio, rippled);
+  method::hysteresis::subtract_ripple_from_loop(sweep, gear_ratio, rippled);
   EXPECT_NEAR(mean_of(rippled.torque_Nm), mean, 1e-12);
   const double moved = mean - mean_of(plain.torque_Nm);
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -58,9 +58,9 @@ TEST(LoopWidening, ALoopOutsideTheSweepOrWithoutRippleStaysAsItIs) {
   method::gravity::CogSweepResult sweep = sweep_with_ripple(0.1);
   sweep.highest_rad = 0.1;
   joint::Recording r = plain;
-  method::hysteresis::take_ripple_off_loop(sweep, gear_ratio, r);
+  method::hysteresis::subtract_ripple_from_loop(sweep, gear_ratio, r);
   EXPECT_EQ(r.torque_Nm, plain.torque_Nm);
-  method::hysteresis::take_ripple_off_loop(sweep_with_ripple(1e-5), gear_ratio, r);
+  method::hysteresis::subtract_ripple_from_loop(sweep_with_ripple(1e-5), gear_ratio, r);
   EXPECT_EQ(r.torque_Nm, plain.torque_Nm);
 }
 

@@ -95,13 +95,13 @@ std::optional<std::size_t> last_quiet(const std::vector<double>& t_s,
   return find(t_s, signal, search, false);
 }
 
-Way::Way(const AngleTrace& trace, std::size_t first, std::size_t last)
+TravelBetweenTurns::TravelBetweenTurns(const AngleTrace& trace, std::size_t first, std::size_t last)
     : trace_(&trace),
       first_(first),
       last_(last),
       sign_(trace.q_rad[last] < trace.q_rad[first] ? -1.0 : 1.0) {}
 
-double Way::largest_wiggle_rad() const {
+double TravelBetweenTurns::largest_wiggle_rad() const {
   double furthest = 0;
   double wiggle = 0;
   for (std::size_t i = first_; i <= last_; ++i) {
@@ -111,7 +111,7 @@ double Way::largest_wiggle_rad() const {
   return wiggle;
 }
 
-std::vector<std::size_t> Way::passages(double band_rad) const {
+std::vector<std::size_t> TravelBetweenTurns::passages(double band_rad) const {
   std::vector<std::size_t> reached{first_};
   double next = band_rad;
   for (std::size_t i = first_; i < last_; ++i) {

@@ -45,9 +45,9 @@ std::optional<std::size_t> last_quiet(const std::vector<double>& t_s,
 
 /// The angle counted from its start, in its direction: it rises from 0 to its travel, but for
 /// wiggles.
-class Way {
+class TravelBetweenTurns {
  public:
-  Way(const AngleTrace& trace, std::size_t first, std::size_t last);
+  TravelBetweenTurns(const AngleTrace& trace, std::size_t first, std::size_t last);
 
   [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] std::size_t last() const { return last_; }

@@ -16,7 +16,7 @@ constexpr double slowest_share = 0.6;  // of any tenth of the middle half: slowe
 bool agree(double a, double b) { return std::min(a, b) >= even_share * std::max(a, b); }
 
 /// Time at which the way first reaches a share of its travel, interpolated.
-double time_at(const AngleTrace& trace, const Way& way, double share) {
+double time_at(const AngleTrace& trace, const TravelBetweenTurns& way, double share) {
   const double level = share * way.travel_rad();
   for (std::size_t i = way.first() + 1; i <= way.last(); ++i) {
     if (way.at(i) < level) continue;
@@ -30,7 +30,7 @@ double time_at(const AngleTrace& trace, const Way& way, double share) {
 }  // namespace
 
 StrokeShape shape_of(const AngleTrace& trace, const AngleStroke& stroke) {
-  const Way way(trace, stroke.first, stroke.last);
+  const TravelBetweenTurns way(trace, stroke.first, stroke.last);
   const auto speed = [&](double from, double to) {
     const double seconds = time_at(trace, way, to) - time_at(trace, way, from);
     return seconds > 0 ? (to - from) * way.travel_rad() / seconds : 0.0;

@@ -29,8 +29,9 @@ constexpr double smaller_scale = 0.7;  // a rest is looked at again only at a sm
 
 /// A way cut into bands of equal travel.
 struct Bands {
-  std::vector<std::size_t> at;  ///< See Way::passages(); empty: too rough to be looked at closer.
-  double finest{};              ///< Tolerances within which it stands, in rad.
+  std::vector<std::size_t>
+      at;  ///< See TravelBetweenTurns::passages(); empty: too rough to be looked at closer.
+  double finest{};  ///< Tolerances within which it stands, in rad.
   double widest{};
 };
 
@@ -92,7 +93,7 @@ class StrokeFinder {
     const std::vector<std::size_t> turns = turning_points(trace_.q_rad, first, last, threshold);
     Bands before;
     for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
-      const Way way(trace_, turns[k], turns[k + 1]);
+      const TravelBetweenTurns way(trace_, turns[k], turns[k + 1]);
       Bands bands = bands_of(way);
       at_turn({way.first(), k == 0, false}, before, bands);
       add_pauses(bands);
@@ -102,7 +103,7 @@ class StrokeFinder {
     if (!family_.empty()) families_.push_back(family_);
   }
 
-  [[nodiscard]] Bands bands_of(const Way& way) const {
+  [[nodiscard]] Bands bands_of(const TravelBetweenTurns& way) const {
     const double travel = way.travel_rad();
     const double rough = std::max(floor_, wiggle_margin * way.largest_wiggle_rad());
     const double band = std::max(band_share * travel, rough);

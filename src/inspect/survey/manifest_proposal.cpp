@@ -559,7 +559,7 @@ std::vector<std::string> joints_of_numbers(const std::vector<LogSurvey>& logs,
 }
 
 RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
-                                     const ProposalOptions& options, const KnownOfJoints& known) {
+                                     const ProposalOptions& options, const StatedJoints& known) {
   std::vector<JointChoice> moving;
   RobotProposal robot;
   for (const std::string& name : joints_in(logs)) {

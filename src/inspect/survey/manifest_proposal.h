@@ -130,7 +130,7 @@ struct RobotProposal {
 };
 
 /// What is known of each joint; one value is that of all.
-struct KnownOfJoints {
+struct StatedJoints {
   std::vector<double> gear_ratios;
   std::vector<double> torque_constants_Nm_A;
   /// Whose they are; empty: of those that move, in the order of the logs.
@@ -146,7 +146,7 @@ std::vector<std::string> joints_of_numbers(const std::vector<LogSurvey>& logs,
 /// @param options what is known of the robot and of all joints alike; its joint is ignored.
 /// @throw as propose_manifest(); UsageError where the numbers of a joint are not as many as joints.
 RobotProposal propose_robot_manifest(const std::vector<LogSurvey>& logs,
-                                     const ProposalOptions& options, const KnownOfJoints& known);
+                                     const ProposalOptions& options, const StatedJoints& known);
 
 // Which joint a manifest is for, and what its effort is.
 

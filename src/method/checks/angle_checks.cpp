@@ -128,7 +128,7 @@ DataCheck check_angle_jumps(const CheckedDataset& data) {
   check.unit = "rad";
   check.at_most = 0;
   AngleJump largest;
-  RecordingsAsWanted even;
+  RecordingCounts even;
   for (const CheckedRecording& r : data.recordings) {
     if (r.recording->role == joint::Role::break_away || r.strokes.empty()) continue;
     const std::vector<AngleJump> jumps = jumps_of(r);

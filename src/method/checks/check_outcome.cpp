@@ -38,13 +38,13 @@ CheckState passed_or_warns_up_to(double most, const DataCheck& check) {
   return measured <= most ? CheckState::warns : CheckState::fails;
 }
 
-void RecordingsAsWanted::add(bool is_as_wanted, const std::string& recording) {
+void RecordingCounts::add(bool is_as_wanted, const std::string& recording) {
   ++all_;
   if (is_as_wanted) return;
   if (++others_ == 1) first_other_ = recording;
 }
 
-void RecordingsAsWanted::take_share(DataCheck& check) const {
+void RecordingCounts::take_share(DataCheck& check) const {
   check.measured = 100.0 * static_cast<double>(all_ - others_) / static_cast<double>(all_);
   check.recording = others_ == 0 ? "all" : first_other_;
 }

@@ -26,7 +26,7 @@ CheckState passed_or_fails(const DataCheck& check);
 CheckState passed_or_warns_up_to(double most, const DataCheck& check);
 
 /// Counts the recordings that are as a check requires.
-class RecordingsAsWanted {
+class RecordingCounts {
  public:
   void add(bool is_as_wanted, const std::string& recording);
   [[nodiscard]] std::size_t all() const { return all_; }

@@ -56,10 +56,10 @@ DataCheck check_directions(const CheckedDataset& data, joint::Role role, CheckNa
 /// same speed.
 double share_with_a_partner(const std::vector<const CheckedRecording*>& recordings) {
   constexpr double same_speed = 0.05;
-  struct Way {
+  struct Travel {
     double speed, low, high;
   };
-  std::vector<Way> ways;
+  std::vector<Travel> ways;
   for (const CheckedRecording* r : recordings) {
     for (const motion::Plateau& plateau : r->motion.plateaus) {
       const double first = r->recording->q_rad[plateau.first];
@@ -69,9 +69,9 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   }
   double shared = 0;
   double all = 0;
-  for (const Way& way : ways) {
+  for (const Travel& way : ways) {
     double best = 0;
-    for (const Way& other : ways) {
+    for (const Travel& other : ways) {
       if (std::abs(other.speed / way.speed + 1) > same_speed) continue;
       best = std::max(best, std::min(way.high, other.high) - std::max(way.low, other.low));
     }

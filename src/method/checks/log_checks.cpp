@@ -187,7 +187,7 @@ DataCheck check_effort_column(const CheckedDataset& data) {
   check.unit = percent_sign;
   check.at_least = 100;
   Statement first;
-  RecordingsAsWanted logs;
+  RecordingCounts logs;
   for (const joint::InputFile& input : *data.inputs) {
     if (!input.logged_effort) continue;
     const Statement found = contradiction(data.manifest->drive, *input.logged_effort);

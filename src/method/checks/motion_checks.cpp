@@ -19,7 +19,7 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
   check.measure = {"measure.moving_recordings"};
   check.unit = percent_sign;
   check.at_least = 100;
-  RecordingsAsWanted moving;
+  RecordingCounts moving;
   for (const CheckedRecording& r : data.recordings) {
     if (r.recording->role == joint::Role::break_away) continue;  // it may stand from end to end
     moving.add(!r.strokes.empty(), r.recording->name);

@@ -46,7 +46,7 @@ DataCheck check_torque_alive(const CheckedDataset& data) {
   check.measure = {"measure.live_recordings"};
   check.unit = percent_sign;
   check.at_least = 100;
-  RecordingsAsWanted alive;
+  RecordingCounts alive;
   for (const CheckedRecording& r : data.recordings) {
     const std::vector<double>& t = r.recording->torque_Nm;
     const auto [low, high] = std::minmax_element(t.begin(), t.end());

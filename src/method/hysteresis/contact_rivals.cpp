@@ -64,15 +64,15 @@ struct Fall {
 
 /// A law at the rows that are compared.
 struct Fitted {
-  ContactRival rival;
+  ContactCandidate rival;
   Eigen::VectorXd residuals;
 };
 
-class Contest {
+class Comparison {
  public:
-  Contest(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
-          const std::vector<std::size_t>& block_of_row, const LuGrePoint& lugre, double gear_ratio,
-          double q_peak_rad)
+  Comparison(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
+             const std::vector<std::size_t>& block_of_row, const LuGrePoint& lugre,
+             double gear_ratio, double q_peak_rad)
       : lugre_(lugre) {
     std::vector<double> lugre_residuals;
     std::size_t top = 0;
@@ -336,36 +336,36 @@ class Contest {
 
 std::string to_string(ContactLaw law) { return own_name(law); }
 
-const ContactRival* ContactContest::find(ContactLaw law) const {
+const ContactCandidate* ContactComparison::find(ContactLaw law) const {
   const auto it = std::find_if(rivals.begin(), rivals.end(),
-                               [&](const ContactRival& rival) { return rival.law == law; });
+                               [&](const ContactCandidate& rival) { return rival.law == law; });
   return it == rivals.end() ? nullptr : &*it;
 }
 
-ContactContest let_contacts_compete(const std::vector<LuGreInput>& loops,
-                                    const LuGreProblem& problem,
-                                    const std::vector<std::size_t>& block_of_row,
-                                    const LuGrePoint& lugre, double systematic_Nm,
-                                    double gear_ratio, double q_peak_rad) {
-  ContactContest out;
-  const Contest contest(loops, problem, block_of_row, lugre, gear_ratio, q_peak_rad);
-  if (!contest.is_possible()) return out;
-  std::vector<Fitted> all{contest.lugre()};
-  for (std::optional<Fitted> rival : {contest.elasto_plastic(), contest.maxwell_slip()}) {
+ContactComparison compare_contacts(const std::vector<LuGreInput>& loops,
+                                   const LuGreProblem& problem,
+                                   const std::vector<std::size_t>& block_of_row,
+                                   const LuGrePoint& lugre, double systematic_Nm, double gear_ratio,
+                                   double q_peak_rad) {
+  ContactComparison out;
+  const Comparison comparison(loops, problem, block_of_row, lugre, gear_ratio, q_peak_rad);
+  if (!comparison.is_possible()) return out;
+  std::vector<Fitted> all{comparison.lugre()};
+  for (std::optional<Fitted> rival : {comparison.elasto_plastic(), comparison.maxwell_slip()}) {
     if (rival) all.push_back(std::move(*rival));
   }
   constexpr double least_gain = 0.005;  // noise is most of what they leave
   constexpr double least_share = 0.5;
   const double lugre_leaves = std::pow(all.front().rival.residual_Nm, 2);
-  const auto takes_it_up = [&](const ContactRival& rival) {
+  const auto takes_it_up = [&](const ContactCandidate& rival) {
     return rival.law == ContactLaw::lugre ||
            lugre_leaves - std::pow(rival.residual_Nm, 2) > least_share * std::pow(systematic_Nm, 2);
   };
   for (const Fitted& one : all) {
     out.rivals.push_back(one.rival);
     const bool wins = std::all_of(all.begin(), all.end(), [&](const Fitted& other) {
-      return &other == &one ||
-             statistics::leaves_less(one.residuals, other.residuals, contest.blocks(), least_gain);
+      return &other == &one || statistics::leaves_less(one.residuals, other.residuals,
+                                                       comparison.blocks(), least_gain);
     });
     if (wins && all.size() > 1 && takes_it_up(one.rival)) out.winner = one.rival.law;
   }

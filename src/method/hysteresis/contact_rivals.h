@@ -27,7 +27,7 @@ enum class ContactLaw { lugre, elasto_plastic, maxwell_slip };
 /// Stable: "maxwell_slip".
 std::string to_string(ContactLaw law);
 
-struct ContactRival {
+struct ContactCandidate {
   ContactLaw law{};
   double stiffness_Nm_rad{};  ///< Just after a reversal.
   /// Torque at which it slides; of Maxwell-slip without what never slips in the loops.
@@ -35,21 +35,21 @@ struct ContactRival {
   double residual_Nm{};  ///< Rms over the rows compared.
 };
 
-struct ContactContest {
-  std::vector<ContactRival> rivals;  ///< LuGre first; empty: there was no contest.
+struct ContactComparison {
+  std::vector<ContactCandidate> rivals;  ///< LuGre first; empty: there was no contest.
   std::optional<ContactLaw> winner;
 
   /// @return nullptr: it did not compete
-  [[nodiscard]] const ContactRival* find(ContactLaw law) const;
+  [[nodiscard]] const ContactCandidate* find(ContactLaw law) const;
 };
 
 /// @param problem of the same loops, a row of it a sample.
 /// @param block_of_row of its rows: half loops.
 /// @param lugre the solution for LuGre. @param systematic_Nm what it leaves beside noise, rms.
-ContactContest let_contacts_compete(const std::vector<LuGreInput>& loops,
-                                    const LuGreProblem& problem,
-                                    const std::vector<std::size_t>& block_of_row,
-                                    const LuGrePoint& lugre, double systematic_Nm,
-                                    double gear_ratio, double q_peak_rad);
+ContactComparison compare_contacts(const std::vector<LuGreInput>& loops,
+                                   const LuGreProblem& problem,
+                                   const std::vector<std::size_t>& block_of_row,
+                                   const LuGrePoint& lugre, double systematic_Nm, double gear_ratio,
+                                   double q_peak_rad);
 
 }  // namespace tribolog::method::hysteresis

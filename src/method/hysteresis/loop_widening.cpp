@@ -5,8 +5,8 @@
 
 namespace tribolog::method::hysteresis {
 
-void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
-                          joint::Recording& loop) {
+void subtract_ripple_from_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
+                               joint::Recording& loop) {
   constexpr double noticeable = 0.002;
   if (!sweep.found || sweep.ripple.lines.empty() || loop.torque_Nm.size() != loop.size() ||
       loop.size() < 2) {

@@ -14,8 +14,8 @@ namespace tribolog::method::hysteresis {
 /// Subtracts from a loop's torque the variation of the sweep's ripple within it; the ripple's mean
 /// over the loop stays, as in the paper's loops. Only where the loop lies within the sweep's
 /// angles, and where that is an appreciable part of the loop's height.
-void take_ripple_off_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
-                          joint::Recording& loop);
+void subtract_ripple_from_loop(const gravity::CogSweepResult& sweep, double gear_ratio,
+                               joint::Recording& loop);
 
 /// A friction torque less the share of itself by which it was another where it was recorded. Where
 /// that may be half or less of the runs' it stays as recorded, and the interval holds the share.

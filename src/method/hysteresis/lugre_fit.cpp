@@ -418,7 +418,7 @@ FittedLuGre fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, d
   }
   describe_loops(loops, problem, climb, effects, gear_ratio, made);
   if (climb.free.starts && leaves_what_repeats(fit)) {
-    fit.contacts = let_contacts_compete(
+    fit.contacts = compare_contacts(
         loops, effects.taken_off(problem_of(loops, gear_ratio, q_peak_rad, thinned), false),
         thinned_blocks(loops), climb.point, systematic_of_all(fit), gear_ratio, q_peak_rad);
   }

@@ -137,7 +137,7 @@ struct LuGreFit {
   double motor_amplitude_rad{};  ///< Largest.
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
   std::optional<FallOfDamping> damping_fall;
-  ContactContest contacts;  ///< Held where LuGre leaves what repeats.
+  ContactComparison contacts;  ///< Held where LuGre leaves what repeats.
   int iterations{};
   Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
 

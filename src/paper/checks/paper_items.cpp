@@ -66,7 +66,7 @@ std::vector<std::string> told_in_conclusions(const PapersJoint& joint) {
 
 namespace {
 
-std::vector<std::string> told_of_table_1() {
+std::vector<std::string> remarks_on_table_1() {
   std::vector<std::string> out;
   for (const drawings::ContactRow& row : drawings::table_1) {
     const std::string meant = with_unit(wording::as_stated(row.meant), row.unit);
@@ -304,7 +304,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
        tr("Dynamical friction model"),
        {figure.item(4, check_lugre_diagram(joint)),
         table(1, tr("Parameters of the LuGre model"), {},
-              tr("In print σ₀ = 1·10⁻⁵ N/m and σ₁ = 1·10⁻¹⁰ N·s/m."), told_of_table_1()),
+              tr("In print σ₀ = 1·10⁻⁵ N/m and σ₁ = 1·10⁻¹⁰ N·s/m."), remarks_on_table_1()),
         figure.item(5, check_presliding_chart(joint), "", told_of_presliding())}},
       {"2.3",
        tr("Model of the driving system in the third robot joint"),
