@@ -86,8 +86,8 @@ struct PlanCommandOptions {
 };
 
 struct PaperOptions {
-  std::string scenario;      ///< Empty: the paper's joint, which is built in.
-  std::string output;        ///< The page (HTML).
+  std::string scenario;  ///< Empty: the paper's joint, which is built in.
+  std::string output;    ///< The page (HTML).
   int processes{2};
   wording::Language language;
 };
