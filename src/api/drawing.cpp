@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "report/html_report.h"
+#include "report/document/html_report.h"
 #include "wording/words.h"
 
 namespace tribolog::api {
@@ -38,7 +38,7 @@ std::optional<calibration::DrawingSoftware> software_that_drew(
       std::find_if(drawn.begin(), drawn.end(),
                    [](const render::workers::DrawnFigure& f) { return f.error.empty(); });
   if (first == drawn.end()) return std::nullopt;
-  return report::drawing_software(first->drawn_by);
+  return report::document::drawing_software(first->drawn_by);
 }
 
 std::vector<FigureOutcome> outcomes_of(const std::vector<render::workers::DrawnFigure>& drawn) {

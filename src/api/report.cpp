@@ -13,8 +13,8 @@
 #include "figures/figure_set.h"
 #include "history/comparison.h"
 #include "paper/scenes/scene_figures.h"
-#include "report/html_report.h"
-#include "report/robot_page.h"
+#include "report/document/html_report.h"
+#include "report/document/robot_page.h"
 
 namespace tribolog::api {
 namespace {
@@ -68,8 +68,8 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
       provenance.drawing = api::software_that_drew(drawn);
     }
     if (options.progress) options.progress("writing the report", 1, 1);
-    return Report{report::html_report(identified.calibration, figures, drawn, provenance,
-                                      since_last, language, options.kept_as),
+    return Report{report::document::html_report(identified.calibration, figures, drawn, provenance,
+                                                since_last, language, options.kept_as),
                   api::outcomes_of(drawn)};
   });
 }
@@ -79,9 +79,9 @@ std::string make_robot_page(const std::vector<RobotJoint>& joints,
   return api::guarded([&] {
     const wording::Language language = api::language_of(options.language);
     if (joints.empty()) throw UsageError("a robot's page needs a joint");
-    std::vector<report::RobotJoint> shown;
+    std::vector<report::document::RobotJoint> shown;
     for (const RobotJoint& joint : joints) {
-      report::RobotJoint& one = shown.emplace_back();
+      report::document::RobotJoint& one = shown.emplace_back();
       one.name = joint.name;
       one.refusal = joint.refusal;
       one.file = joint.report;
@@ -89,7 +89,8 @@ std::string make_robot_page(const std::vector<RobotJoint>& joints,
       one.calibration = &api::Inside::of(*joint.calibration).calibration;
       one.since_last = api::since(joint.earlier, *joint.calibration, joint.kept_as);
     }
-    return report::robot_page(shown, calibration::make_provenance(options.command_line), language);
+    return report::document::robot_page(shown, calibration::make_provenance(options.command_line),
+                                        language);
   });
 }
 

@@ -18,8 +18,8 @@
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/shared_options.h"
-#include "report/embedded_json.h"
-#include "report/sign_off.h"
+#include "report/document/sign_off.h"
+#include "report/engine/embedded_json.h"
 
 namespace tribolog::cli {
 namespace {
@@ -45,12 +45,12 @@ std::string signed_report(archive::store::CalibrationArchive& kept, const calibr
   reviews.insert(reviews.end(), further.begin(), further.end());
   std::string page = original_report(kept, entry);
   if (reviews.empty()) return page;
-  std::vector<report::SignOff> decisions;
+  std::vector<report::document::SignOff> decisions;
   for (const calibration::Review& review : reviews) {
     decisions.push_back({review.at_utc, review.reviewer,
                          review.decision == calibration::Review::Decision::approved, review.note});
   }
-  return report::with_sign_off(page, entry.id, decisions, kept.name());
+  return report::document::with_sign_off(page, entry.id, decisions, kept.name());
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ bool is_file(const std::string& name) {
 std::string hint_for(archive::store::CalibrationArchive& kept, const std::string& page,
                      const std::string& path) {
   const calibration::NewCalibration made =
-      calibration::entry_of_calibration(report::embedded_json(page, path).json, path);
+      calibration::entry_of_calibration(report::engine::embedded_json(page, path).json, path);
   const std::string identity = archive::store::identity_of(made.inputs);
   const calibration::JointName& of = made.facts.of;
   for (const calibration::Entry& entry : kept.list({of.robot, of.serial, of.joint})) {
@@ -145,7 +145,7 @@ std::string hint_for(archive::store::CalibrationArchive& kept, const std::string
 
 calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
                                    const std::string& path) {
-  const std::string page = report::without_sign_off(read_file(path));
+  const std::string page = report::document::without_sign_off(read_file(path));
   if (const auto entry = kept.find_report(sha256_hex(page))) return *entry;
   throw InputError({path, 0, 0}, {"this report is not in the archive", "",
                                   "one that it contains, unchanged", hint_for(kept, page, path)});

@@ -7,7 +7,7 @@
 #include "figures/comparison_figures.h"
 #include "figures/figure_csv.h"
 #include "history/history_json.h"
-#include "report/comparison_page.h"
+#include "report/timeline/comparison_page.h"
 #include "wording/torques_in.h"
 #include "wording/tr.h"
 
@@ -81,19 +81,19 @@ ExitStatus write_page(const DiffOptions& options, const history::Comparison& com
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
                               const wording::WordsIn words(options.language);
-                              return report::comparison_page(comparison, first, second, provenance,
-                                                             missing_curves(first, second), figures,
-                                                             drawn, options.language);
+                              return report::timeline::comparison_page(
+                                  comparison, first, second, provenance,
+                                  missing_curves(first, second), figures, drawn, options.language);
                             });
 }
 
 void tell(const history::Comparison& comparison, Console& console) {
-  console.say(text_of(report::compared_conditions_table(comparison)));
-  console.say(text_of(report::compared_quantities_table(comparison)));
-  for (const std::string& note : report::comparison_notes(comparison)) {
+  console.say(text_of(report::timeline::compared_conditions_table(comparison)));
+  console.say(text_of(report::timeline::compared_quantities_table(comparison)));
+  for (const std::string& note : report::timeline::comparison_notes(comparison)) {
     console.say(printable(note, longest_note));
   }
-  console.say(report::comparison_sentence(comparison));
+  console.say(report::timeline::comparison_sentence(comparison));
 }
 
 }  // namespace

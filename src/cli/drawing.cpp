@@ -44,13 +44,13 @@ std::size_t tell_failures(const std::vector<FigureOutcome>& figures, Console& co
   return failures;
 }
 
-std::string text_of(const report::Table& table) {
+std::string text_of(const report::elements::Table& table) {
   constexpr std::size_t width = 160;
   inspect::survey::TextTable text(0);
   std::vector<std::string> heading;
-  for (const report::Column& column : table.columns) heading.push_back(column.heading);
+  for (const report::elements::Column& column : table.columns) heading.push_back(column.heading);
   text.add(std::move(heading));
-  for (const report::Row& row : table.rows) {
+  for (const report::elements::Row& row : table.rows) {
     std::vector<std::string> cells;
     for (const std::string& cell : row.cells) cells.push_back(printable(cell));
     text.add(std::move(cells));

@@ -11,7 +11,7 @@
 #include "cli/console.h"
 #include "figures/report_figure.h"
 #include "render/workers/renderer.h"
-#include "report/report_view.h"
+#include "report/document/report_view.h"
 #include "tribolog/figures.h"
 #include "wording/language.h"
 
@@ -34,7 +34,7 @@ std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn
 inline constexpr std::size_t longest_note = 1000;
 
 /// The table in aligned columns, safe for a terminal.
-std::string text_of(const report::Table& table);
+std::string text_of(const report::elements::Table& table);
 
 struct PageOutput {
   std::string path;

@@ -19,8 +19,8 @@
 #include "figures/trend_figures.h"
 #include "history/history_json.h"
 #include "history/joint_trend.h"
-#include "report/fleet_page.h"
-#include "report/trend_page.h"
+#include "report/timeline/fleet_page.h"
+#include "report/timeline/trend_page.h"
 #include "wording/number_text.h"
 
 namespace tribolog::cli {
@@ -69,7 +69,7 @@ std::string shown_name(const std::string& archive) {
 /// The report of each joint's latest calibration, if the archive has it.
 void add_reports(const history::Fleet& fleet, const FleetOptions& options,
                  archive::store::CalibrationArchive& kept, AtomicFiles& files, Console& console,
-                 report::FleetLinks& links) {
+                 report::timeline::FleetLinks& links) {
   links.directory = way_from(options.output, options.reports);
   files.make_directory(options.reports);
   std::size_t done = 0;
@@ -88,7 +88,8 @@ void add_reports(const history::Fleet& fleet, const FleetOptions& options,
 
 /// The reports that an earlier call left beside the page or in its folder "reports", under the
 /// whole id or the digits that the page shows.
-void find_reports(const history::Fleet& fleet, const std::string& page, report::FleetLinks& links) {
+void find_reports(const history::Fleet& fleet, const std::string& page,
+                  report::timeline::FleetLinks& links) {
   for (const history::FleetRobot& robot : fleet.robots) {
     for (const history::FleetJoint& joint : robot.joints) {
       const std::string& id = joint.latest.id;
@@ -118,7 +119,7 @@ std::string trend_file_of(const RobotName& of) {
 /// A page for each robot with the trends of all its joints.
 /// @return whether every figure could be drawn.
 bool add_trends(const std::vector<calibration::Measured>& measured, const FleetOptions& options,
-                AtomicFiles& files, const Invocation& call, report::FleetLinks& links) {
+                AtomicFiles& files, const Invocation& call, report::timeline::FleetLinks& links) {
   std::map<RobotName, std::vector<history::JointTrend>> by_robot;
   for (history::JointTrend& trend : history::joint_trends(measured, {})) {
     by_robot[{trend.of.robot, trend.of.serial}].push_back(std::move(trend));
@@ -133,7 +134,8 @@ bool add_trends(const std::vector<calibration::Measured>& measured, const FleetO
     calibration::Provenance provenance = calibration::make_provenance(call.arguments);
     provenance.drawing = api::software_that_drew(drawn);
     const std::string file = options.trends + "/" + trend_file_of(of);
-    files.add(file, report::trend_page(trends, provenance, figures, drawn, options.language));
+    files.add(file,
+              report::timeline::trend_page(trends, provenance, figures, drawn, options.language));
     links.trends[of] = way_from(options.output, file);
     failures += tell_failures(drawn, call.console);
   }
@@ -142,7 +144,8 @@ bool add_trends(const std::vector<calibration::Measured>& measured, const FleetO
 }
 
 /// The trends that an earlier call left in the page's folder "trends".
-void find_trends(const history::Fleet& fleet, const std::string& page, report::FleetLinks& links) {
+void find_trends(const history::Fleet& fleet, const std::string& page,
+                 report::timeline::FleetLinks& links) {
   for (const history::FleetRobot& robot : fleet.robots) {
     const RobotName of{robot.robot, robot.serial};
     const std::string file = "trends/" + trend_file_of(of);
@@ -183,7 +186,7 @@ Run add_fleet(CLI::App& archive) {
     const history::Fleet fleet = history::fleet_of(measured, kept.decisions(filter));
     if (options->json) print_json(history::fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
-    report::FleetLinks links;
+    report::timeline::FleetLinks links;
     AtomicFiles files;
     if (options->reports.empty()) {
       find_reports(fleet, options->output, links);
@@ -197,8 +200,9 @@ Run add_fleet(CLI::App& archive) {
       is_all_drawn = add_trends(measured, *options, files, call, links);
     }
     files.add(options->output,
-              report::fleet_page(fleet, links, shown_name(kept.name()),
-                                 calibration::make_provenance(call.arguments), options->language));
+              report::timeline::fleet_page(fleet, links, shown_name(kept.name()),
+                                           calibration::make_provenance(call.arguments),
+                                           options->language));
     files.commit();
     if (!options->json) {
       call.console.say(fmt::format(

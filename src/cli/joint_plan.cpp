@@ -83,11 +83,11 @@ plan::ExpectedIntervals expected(const plan::ExperimentPlan& plan,
 
 }  // namespace
 
-report::PlanReport plan_of_joint(const PlanCommandOptions& options, const std::string& text,
-                                 const std::string& joint,
-                                 const calibration::Provenance& provenance,
-                                 const std::function<void()>& simulates) {
-  report::PlanReport report;
+report::experiments::PlanReport plan_of_joint(const PlanCommandOptions& options,
+                                              const std::string& text, const std::string& joint,
+                                              const calibration::Provenance& provenance,
+                                              const std::function<void()>& simulates) {
+  report::experiments::PlanReport report;
   report.provenance = provenance;
   report.joint_text = text;
   report.joint_file = calibration::command_line_text({options.joint});
@@ -103,7 +103,7 @@ const std::vector<std::string>& plan_file_names() {
   return names;
 }
 
-std::size_t add_plan(report::PlanReport& report, const std::string& directory,
+std::size_t add_plan(report::experiments::PlanReport& report, const std::string& directory,
                      const wording::Language& language, render::workers::FigureRenderer& renderer,
                      AtomicFiles& files, Console& console) {
   const std::filesystem::path folder(directory);
@@ -119,7 +119,8 @@ std::size_t add_plan(report::PlanReport& report, const std::string& directory,
   report.provenance.drawing = api::software_that_drew(drawn);
   {
     const wording::WordsIn words(language);
-    files.add(in_folder(plan_page_name), report::plan_page(report, figures, drawn, language));
+    files.add(in_folder(plan_page_name),
+              report::experiments::plan_page(report, figures, drawn, language));
   }
   return tell_failures(drawn, console);
 }

@@ -11,7 +11,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "render/workers/renderer.h"
-#include "report/plan_page.h"
+#include "report/experiments/plan_page.h"
 #include "wording/language.h"
 
 namespace tribolog::cli {
@@ -23,17 +23,17 @@ inline constexpr const char* plan_page_name = "plan.html";
 /// @param simulates called once the plan is made and its simulation begins.
 /// @throw InputError as parse_joint() and with_calibration(), and for numbers of which each is
 ///        possible, and of which together no plan comes.
-report::PlanReport plan_of_joint(const PlanCommandOptions& options, const std::string& text,
-                                 const std::string& joint,
-                                 const calibration::Provenance& provenance,
-                                 const std::function<void()>& simulates);
+report::experiments::PlanReport plan_of_joint(const PlanCommandOptions& options,
+                                              const std::string& text, const std::string& joint,
+                                              const calibration::Provenance& provenance,
+                                              const std::function<void()>& simulates);
 
 /// What add_plan() writes to the directory.
 const std::vector<std::string>& plan_file_names();
 
 /// Adds page, numbers, set points and manifest. @param report gets what drew its figures.
 /// @return how many figures failed, each of which is warned of.
-std::size_t add_plan(report::PlanReport& report, const std::string& directory,
+std::size_t add_plan(report::experiments::PlanReport& report, const std::string& directory,
                      const wording::Language& language, render::workers::FigureRenderer& renderer,
                      AtomicFiles& files, Console& console);
 

@@ -14,7 +14,7 @@
 #include "figures/figure_csv.h"
 #include "figures/model_figures.h"
 #include "friction/catalogue.h"
-#include "report/models_page.h"
+#include "report/experiments/models_page.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -141,8 +141,9 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   const std::vector<figures::ReportFigure> figures = figures_of(experiments);
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
   provenance.drawing = api::software_that_drew(drawn);
-  write_file_atomically(options.output, report::models_page(contact, experiments, drawn, provenance,
-                                                            options.language));
+  write_file_atomically(
+      options.output,
+      report::experiments::models_page(contact, experiments, drawn, provenance, options.language));
   console.say("comparison: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }

@@ -31,8 +31,9 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   }
   render::workers::FigureRenderer renderer(
       options.processes);  // starts while the plan is simulated
-  report::PlanReport report = plan_of_joint(options, text, options.of_robot, provenance,
-                                            [&] { console.progress("simulating the plan", 0, 1); });
+  report::experiments::PlanReport report =
+      plan_of_joint(options, text, options.of_robot, provenance,
+                    [&] { console.progress("simulating the plan", 0, 1); });
   const std::size_t failed =
       add_plan(report, options.directory, options.language, renderer, files, console);
   files.commit();

@@ -19,7 +19,7 @@
 #include "exports/experiment/plan_files.h"
 #include "exports/experiment/plan_table.h"
 #include "ingest/manifest/joint_file.h"
-#include "report/robot_plan_page.h"
+#include "report/experiments/robot_plan_page.h"
 
 namespace tribolog::cli {
 namespace {
@@ -29,9 +29,9 @@ constexpr const char* robot_manifest_name = "dataset.toml";
 
 struct JointToPlan {
   std::string name;
-  std::string directory;                     ///< Of its files, in that of the robot.
-  std::string calibration;                   ///< Empty: none.
-  std::optional<report::PlanReport> report;  ///< Absent: see refusal.
+  std::string directory;                                  ///< Of its files, in that of the robot.
+  std::string calibration;                                ///< Empty: none.
+  std::optional<report::experiments::PlanReport> report;  ///< Absent: see refusal.
   std::string refusal;
   ExitStatus status{ExitStatus::done};  ///< Of the refusal.
 };
@@ -123,10 +123,10 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
 
   std::size_t failed_figures = 0;
   ExitStatus status = ExitStatus::done;
-  std::vector<report::RobotPlanJoint> shown;
+  std::vector<report::experiments::RobotPlanJoint> shown;
   std::vector<exports::experiment::PlannedJoint> planned;
   for (JointToPlan& joint : all) {
-    report::RobotPlanJoint& one = shown.emplace_back();
+    report::experiments::RobotPlanJoint& one = shown.emplace_back();
     one.name = joint.name;
     one.refusal = joint.refusal;
     if (!joint.report) {
@@ -146,7 +146,7 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
     one.file = joint.directory + "/" + plan_page_name;
     planned.push_back({joint.directory, one.plan});
   }
-  files.add(page, report::robot_plan_page(shown, provenance, options.language));
+  files.add(page, report::experiments::robot_plan_page(shown, provenance, options.language));
   files.add(manifest, exports::experiment::plan_robot_toml(planned));
   files.commit();
   tell_plans(all, console);

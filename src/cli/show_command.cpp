@@ -20,7 +20,7 @@
 #include "cli/archive_commands.h"
 #include "cli/commands.h"
 #include "inspect/survey/text_table.h"
-#include "report/embedded_json.h"
+#include "report/engine/embedded_json.h"
 #include "wording/rounding.h"
 
 namespace tribolog::cli {
@@ -154,16 +154,16 @@ constexpr const char* result_element = "tribolog-result";
 constexpr const char* robot_element = "tribolog-robot";
 
 /// A calibration as it is, or what a page carries.
-report::EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
+report::engine::EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return {result_element, text};
-  return report::embedded_json(text, file);
+  return report::engine::embedded_json(text, file);
 }
 
 }  // namespace
 
 std::string calibration_in(const std::string& file) {
-  report::EmbeddedJson numbers = numbers_of(read_file(file), file);
+  report::engine::EmbeddedJson numbers = numbers_of(read_file(file), file);
   if (numbers.element == result_element) return std::move(numbers.json);
   throw UsageError(fmt::format("{}: the page contains {}, and no calibration",
                                printable(file, longest_path), numbers.element));
@@ -244,7 +244,7 @@ std::string robot_text(const nlohmann::json& page) {
 
 ExitStatus run_show(const ShowOptions& options, Console& console) {
   const std::string file = file_to_show(options.file);
-  const report::EmbeddedJson numbers = numbers_of(read_file(file), file);
+  const report::engine::EmbeddedJson numbers = numbers_of(read_file(file), file);
   if (numbers.element == robot_element && !options.json) {
     try {
       console.say(robot_text(nlohmann::json::parse(numbers.json)));

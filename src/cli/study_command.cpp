@@ -22,7 +22,7 @@
 #include "figures/figure_csv.h"
 #include "figures/study_figures.h"
 #include "ingest/manifest/scenario_file.h"
-#include "report/study_page.h"
+#include "report/experiments/study_page.h"
 #include "study/misfit.h"
 #include "study/trust.h"
 #include "wording/language.h"
@@ -282,7 +282,7 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     check_output_can_be_written(output, inputs);
     console.make_way_for(output);
   }
-  report::StudyReport report;
+  report::experiments::StudyReport report;
   report.provenance = calibration::make_provenance(arguments);
   NamedScenario named = scenario_of(options);
   report.scenario_file = std::move(named.file);
@@ -305,7 +305,7 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   }
   if (!options.json.empty()) {
     AtomicFiles numbers;
-    numbers.add(options.json, report::study_json(report));
+    numbers.add(options.json, report::experiments::study_json(report));
     numbers.commit();
   }
   std::vector<render::workers::DrawnFigure> drawn;
@@ -316,7 +316,8 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     report.provenance.drawing = api::software_that_drew(drawn);
     const wording::WordsIn words(options.language);
     AtomicFiles page;
-    page.add(options.output, report::study_page(report, figures, drawn, options.language));
+    page.add(options.output,
+             report::experiments::study_page(report, figures, drawn, options.language));
     page.commit();
   }
   console.say(wording::words(study::study_sentence(report.study)));

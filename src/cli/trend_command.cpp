@@ -10,7 +10,7 @@
 #include "figures/trend_figures.h"
 #include "history/history_json.h"
 #include "history/joint_trend.h"
-#include "report/trend_page.h"
+#include "report/timeline/trend_page.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
@@ -33,12 +33,12 @@ struct TrendOptions {
 };
 
 void tell(const history::JointTrend& trend, Console& console) {
-  console.say(printable(report::joint_words(trend), longest_note));
-  console.say(text_of(report::trend_table(trend, "")));
-  for (const std::string& note : report::trend_notes(trend)) {
+  console.say(printable(report::timeline::joint_words(trend), longest_note));
+  console.say(text_of(report::timeline::trend_table(trend, "")));
+  for (const std::string& note : report::timeline::trend_notes(trend)) {
     console.say(printable(note, longest_note));
   }
-  const std::vector<std::string> changes = report::change_sentences(trend);
+  const std::vector<std::string> changes = report::timeline::change_sentences(trend);
   for (const std::string& change : changes) {
     console.say(printable("change: " + change, longest_note));
   }
@@ -61,8 +61,8 @@ ExitStatus write_page(const TrendOptions& options, const std::vector<history::Jo
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
-                              return report::trend_page(trends, provenance, figures, drawn,
-                                                        options.language);
+                              return report::timeline::trend_page(trends, provenance, figures,
+                                                                  drawn, options.language);
                             });
 }
 

@@ -219,4 +219,6 @@ std::string as_sentence(const std::string& text) {
 
 std::string as_sentence(const Statement& statement) { return as_sentence(words(statement)); }
 
+std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
+
 }  // namespace tribolog::wording

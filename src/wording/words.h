@@ -46,5 +46,7 @@ std::string within_a_sentence(const std::string& label);
 /// With a capital letter and a full stop.
 std::string as_sentence(const std::string& text);
 std::string as_sentence(const Statement& statement);
+/// A dash for text that is not stated.
+std::string or_dash(const std::string& text);
 
 }  // namespace tribolog::wording

@@ -22,7 +22,7 @@ TEST(PaperTable, HasTheMassesOfTheDatasetBesideThePrintedOnes) {
   mass.estimator = method::hysteresis::Estimator::A;
   mass.mass_kg = {80.000, 79.9, 80.1, {}};
   c.masses.masses = {mass};
-  const report::Table table = paper::page::table_2(c);
+  const report::elements::Table table = paper::page::table_2(c);
   ASSERT_EQ(table.rows.size(), 6U);
   EXPECT_EQ(table.rows[0].cells[5], "80.00 ± 0.10");
   EXPECT_EQ(table.rows[0].cells[6], "0.00");

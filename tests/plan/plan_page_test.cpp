@@ -1,6 +1,6 @@
 // The page of a plan and its numbers.
 
-#include "report/plan_page.h"
+#include "report/experiments/plan_page.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,8 +12,8 @@
 namespace tribolog::test::plan_page_test {
 namespace {
 
-report::PlanReport report_of(const joint::JointFacts& facts, std::size_t runs = 0) {
-  report::PlanReport report;
+report::experiments::PlanReport report_of(const joint::JointFacts& facts, std::size_t runs = 0) {
+  report::experiments::PlanReport report;
   report.plan = plan::plan_experiment(facts, {0.25});
   report.expected = plan::expect_intervals(report.plan, {runs});
   report.joint_file = "joint.toml";
@@ -26,7 +26,7 @@ bool holds(const std::string& html, const std::string& text) {
 }
 
 TEST(PlanPage, SaysWhatToDoAndWhatToExpect) {
-  const std::string html = report::plan_page(report_of(paper_facts(), 2), {}, {});
+  const std::string html = report::experiments::plan_page(report_of(paper_facts(), 2), {}, {});
   for (const char* text : {"Rough sweep", "Micro-oscillations", "−22.23", "id=\"table-expected\"",
                            "id=\"table-positions\"", "&lt;tribolog&gt;", "torque_mode"}) {
     EXPECT_TRUE(holds(html, text)) << text;
@@ -36,7 +36,7 @@ TEST(PlanPage, SaysWhatToDoAndWhatToExpect) {
 }
 
 TEST(PlanPage, AFirstPlanSaysSo) {
-  const std::string html = report::plan_page(report_of(bare_facts()), {}, {});
+  const std::string html = report::experiments::plan_page(report_of(bare_facts()), {}, {});
   EXPECT_TRUE(holds(html, "FIRST PART OF TWO"));
   EXPECT_TRUE(holds(html, "--calibration"));
   EXPECT_TRUE(holds(html, "assumed: 10 % of the torque limit"));
@@ -46,15 +46,15 @@ TEST(PlanPage, AFirstPlanSaysSo) {
 TEST(PlanPage, NothingPossibleIsSaidWithItsReason) {
   joint::JointFacts f = paper_facts();
   f.torque_limit_Nm = 0.5;
-  report::PlanReport report = report_of(f);
+  report::experiments::PlanReport report = report_of(f);
   EXPECT_TRUE(report.plan.segments.empty());
-  const std::string html = report::plan_page(report, {}, {});
+  const std::string html = report::experiments::plan_page(report, {}, {});
   EXPECT_TRUE(holds(html, "NOT POSSIBLE"));
   EXPECT_TRUE(holds(html, "nowhere within the angle limits"));
 }
 
 TEST(PlanJson, HoldsThePlan) {
-  const report::PlanReport report = report_of(paper_facts(), 2);
+  const report::experiments::PlanReport report = report_of(paper_facts(), 2);
   const auto json = nlohmann::json::parse(
       exports::experiment::plan_json(report.plan, report.expected, report.provenance));
   EXPECT_EQ(json["schema"], "tribolog-plan-1");

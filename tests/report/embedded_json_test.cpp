@@ -1,4 +1,4 @@
-#include "report/embedded_json.h"
+#include "report/engine/embedded_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 #include "calibration/calibration_json.h"
-#include "report/html_report.h"
+#include "report/document/html_report.h"
 #include "report/sample_calibration.h"
 
 namespace tribolog::embedded_json_test {
@@ -18,12 +18,13 @@ std::string page_of(const std::string& numbers) {
 }
 
 std::string refusal(const std::string& page) {
-  return test::refusal_of<InputError>([&] { return report::embedded_json(page, "a.html"); });
+  return test::refusal_of<InputError>(
+      [&] { return report::engine::embedded_json(page, "a.html"); });
 }
 
 TEST(EmbeddedJson, IsReadAgain) {
-  const report::EmbeddedJson found =
-      report::embedded_json(page_of(R"({"a": "\u003c/script>"})"), "a.html");
+  const report::engine::EmbeddedJson found =
+      report::engine::embedded_json(page_of(R"({"a": "\u003c/script>"})"), "a.html");
   EXPECT_EQ(found.element, "tribolog-result");
   EXPECT_EQ(found.json, R"({"a": "\u003c/script>"})");
 }
@@ -31,8 +32,8 @@ TEST(EmbeddedJson, IsReadAgain) {
 TEST(EmbeddedJson, AReportGivesItsCalibrationBack) {
   calibration::Calibration calibration = test::complete_calibration();
   calibration.manifest.robot = "</script><script>alert(1)</script> & \u2028 end";
-  const report::EmbeddedJson found =
-      report::embedded_json(test::report_of(calibration), "report.html");
+  const report::engine::EmbeddedJson found =
+      report::engine::embedded_json(test::report_of(calibration), "report.html");
   EXPECT_EQ(found.element, "tribolog-result");
   EXPECT_EQ(nlohmann::json::parse(found.json), nlohmann::json::parse(calibration::calibration_json(
                                                    calibration, test::sample_provenance())));

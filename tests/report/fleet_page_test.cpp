@@ -1,10 +1,10 @@
-#include "report/fleet_page.h"
+#include "report/timeline/fleet_page.h"
 
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
 #include "history/sample_fleet.h"
-#include "report/sparkline.h"
+#include "report/timeline/sparkline.h"
 #include "support/run_program.h"
 
 namespace tribolog::archive::fleet_page_test {
@@ -21,8 +21,9 @@ calibration::Provenance sample_provenance() {
 }
 
 std::string page_of(const std::vector<calibration::Measured>& measured,
-                    const report::FleetLinks& links = {}) {
-  return report::fleet_page(history::fleet_of(measured), links, "a.tribolog", sample_provenance());
+                    const report::timeline::FleetLinks& links = {}) {
+  return report::timeline::fleet_page(history::fleet_of(measured), links, "a.tribolog",
+                                      sample_provenance());
 }
 
 std::vector<calibration::Measured> one_worn(const test::FleetSize& size) {
@@ -72,7 +73,7 @@ TEST(FleetPage, ShowsTheOutlierFirst) {
 TEST(FleetPage, LinksToReportsThatAreThere) {
   const std::vector<calibration::Measured> all = one_worn({8, 1, 5});
   const std::string id = all[4].entry.id;
-  const report::FleetLinks links{{id}, "reports \"of\" <all>%:javascript"};
+  const report::timeline::FleetLinks links{{id}, "reports \"of\" <all>%:javascript"};
   const std::string page = page_of(all, links);
   const std::string href =
       "href=\"reports%20%22of%22%20%3Call%3E%25%3Ajavascript/" + id + ".html\"";
@@ -81,7 +82,7 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
   const std::string command =
       "tribolog archive report " + id.substr(0, calibration::shown_digits) + " -o ";
   EXPECT_EQ(page.find(command), std::string::npos);
-  report::FleetLinks beside;
+  report::timeline::FleetLinks beside;
   beside.found[id] = "reports/a b.html";
   EXPECT_EQ(count_of(page_of(all, beside), "href=\"reports/a%20b.html\""), 2U);
   const std::string without = page_of(all);
@@ -90,7 +91,7 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
 }
 
 TEST(FleetPage, LinksToTheTrendsOfItsRobots) {
-  report::FleetLinks links;
+  report::timeline::FleetLinks links;
   links.trends[{"R1000", "S1000"}] = "trends/R1000.S1000.html";
   const std::string page = page_of(one_worn({8, 2, 5}), links);
   EXPECT_EQ(count_of(page, "href=\"trends/R1000.S1000.html\""), 2U);  // its card and its table
@@ -160,7 +161,7 @@ assert not check.stack, check.stack
 TEST(Sparkline, ShowsWhereTheLatestLies) {
   const history::Fleet fleet = history::fleet_of(one_worn({8, 1, 5}));
   const history::FleetCell& worn = fleet.robots[0].joints[0].cells[7];
-  const report::Sparkline line = report::sparkline_of(worn, fleet);
+  const report::timeline::Sparkline line = report::timeline::sparkline_of(worn, fleet);
   int x = 0;
   int y = 0;
   ASSERT_EQ(std::sscanf(line.latest.c_str(), "M%d %dh0", &x, &y), 2);
@@ -169,9 +170,9 @@ TEST(Sparkline, ShowsWhereTheLatestLies) {
   ASSERT_EQ(std::sscanf(line.band.c_str(), "M0 %dh184v%dH0z", &top, &height), 2) << line.band;
   EXPECT_LT(y, top);  // above the band
   EXPECT_GT(height, 0);
-  EXPECT_LE(top + height, report::sparkline_height);
+  EXPECT_LE(top + height, report::timeline::sparkline_height);
   const history::FleetCell& calm = fleet.robots[1].joints[0].cells[7];
-  const report::Sparkline quiet = report::sparkline_of(calm, fleet);
+  const report::timeline::Sparkline quiet = report::timeline::sparkline_of(calm, fleet);
   ASSERT_EQ(std::sscanf(quiet.latest.c_str(), "M%d %dh0", &x, &y), 2);
   ASSERT_EQ(std::sscanf(quiet.band.c_str(), "M0 %dh184v%d", &top, &height), 2);
   EXPECT_GT(y, top);

@@ -6,12 +6,12 @@
 #include "figures/comparison_figures.h"
 #include "figures/trend_figures.h"
 #include "history/simulated_history.h"
-#include "report/comparison_page.h"
 #include "report/document_checks.h"
-#include "report/review_json.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
-#include "report/trend_page.h"
+#include "report/timeline/comparison_page.h"
+#include "report/timeline/trend_page.h"
+#include "report/viewer/review_json.h"
 
 namespace tribolog::test::history_pages_test {
 namespace {
@@ -49,15 +49,17 @@ calibration::Provenance provenance_with(const std::string& text) {
 std::string trend_page_with(const std::string& text) {
   const auto trends = history::joint_trends(history_with(text), {});
   const auto figures = figures::trend_figures(trends);
-  return report::trend_page(trends, provenance_with(text), figures, sample_pictures(figures));
+  return report::timeline::trend_page(trends, provenance_with(text), figures,
+                                      sample_pictures(figures));
 }
 
 std::string diff_page_with(const std::string& text) {
   const auto all = history_with(text);
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
   const auto figures = figures::comparison_figures(c, simple_curves(0), simple_curves(0.1));
-  return report::comparison_page(c, simple_curves(0), simple_curves(0.1), provenance_with(text),
-                                 text, figures, sample_pictures(figures));
+  return report::timeline::comparison_page(c, simple_curves(0), simple_curves(0.1),
+                                           provenance_with(text), text, figures,
+                                           sample_pictures(figures));
 }
 
 TEST(HistoryPages, AreWholeDocuments) {
@@ -97,14 +99,15 @@ TEST(HistoryPages, TellTheChange) {
 TEST(HistoryPages, TheOutcomeIsOneSentence) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
-  const std::string sentence = report::comparison_sentence(c);
+  const std::string sentence = report::timeline::comparison_sentence(c);
   EXPECT_EQ(sentence.find("x coulomb_torque rose by 0."), 0U) << sentence;
   EXPECT_NE(sentence.find("%), beyond chance; 1 of 9"), std::string::npos) << sentence;
   const auto back = history::compare(all[20], all[0], {10, 2}, false);
-  EXPECT_NE(report::comparison_sentence(back).find(" fell by 0."), std::string::npos);
+  EXPECT_NE(report::timeline::comparison_sentence(back).find(" fell by 0."), std::string::npos);
   const auto same = history::compare(all[0], all[2], {10, 2}, false);
   EXPECT_EQ(same.largest_change(), nullptr);
-  EXPECT_EQ(report::comparison_sentence(same), "No change seen in 9 comparable quantities.");
+  EXPECT_EQ(report::timeline::comparison_sentence(same),
+            "No change seen in 9 comparable quantities.");
 
   // The trend's first sentence is the change, and it does not stand below again.
   const std::string trend = trend_page_with("x ");
@@ -152,7 +155,7 @@ TEST(HistoryPages, BothLoopsBeginAtTheirLargestAngle) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
   const auto json = calibration::Json::parse(
-      report::compared_curves_json(c, simple_curves(0), simple_curves(0.1)));
+      report::viewer::compared_curves_json(c, simple_curves(0), simple_curves(0.1)));
   ASSERT_EQ(json["loops"].size(), 2U);
   const auto& b = json["loops"][1];
   EXPECT_EQ(b["q"], calibration::Json::parse("[10, 0, -10, 0, 10]"));
@@ -160,7 +163,7 @@ TEST(HistoryPages, BothLoopsBeginAtTheirLargestAngle) {
   EXPECT_EQ(b["t"], calibration::Json::parse("[0, 90, 180, 270, 360]"));
   EXPECT_TRUE(json["loops"][0]["shown"] == true && b["shown"] == true);
   EXPECT_NE(json["loops"][0]["style"], b["style"]);
-  EXPECT_EQ(report::compared_curves_json(c, simple_curves(0), {}), "");
+  EXPECT_EQ(report::viewer::compared_curves_json(c, simple_curves(0), {}), "");
 }
 
 TEST(HistoryPages, BothFrictionCurvesAreStretchesOfTheRunsBySpeed) {
@@ -171,7 +174,7 @@ TEST(HistoryPages, BothFrictionCurvesAreStretchesOfTheRunsBySpeed) {
   a.friction = {"midline", false, {20, -20, 10}, {0.5, -0.4, 0.3}, {0.01, 0.02, NAN}, {}};
   calibration::RecordedCurves b = simple_curves(0);
   b.friction = {"midline", false, {15}, {0.6}, {0.01}, {}};
-  const auto json = calibration::Json::parse(report::compared_curves_json(c, a, b));
+  const auto json = calibration::Json::parse(report::viewer::compared_curves_json(c, a, b));
   EXPECT_TRUE(json["loops"].empty()) << "not both have one";
   const auto& runs = json["runs"];
   EXPECT_EQ(runs["w"], calibration::Json::parse("[-20, 10, 20, 15]"));
@@ -185,21 +188,24 @@ TEST(HistoryPages, BothFrictionCurvesAreStretchesOfTheRunsBySpeed) {
   EXPECT_EQ(json["curves"][1]["to"], 4);
   EXPECT_NE(json["curves"][0]["style"], json["curves"][1]["style"]);
   b.friction.speed_rad_s.clear();
-  EXPECT_EQ(report::compared_curves_json(c, a, b), "");
+  EXPECT_EQ(report::viewer::compared_curves_json(c, a, b), "");
 }
 
 TEST(HistoryPages, TablesHaveTheCellsOfTheirColumns) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
-  const report::Table changes = report::compared_quantities_table(c);
-  for (const report::Row& row : changes.rows) ASSERT_EQ(row.cells.size(), changes.columns.size());
+  const report::elements::Table changes = report::timeline::compared_quantities_table(c);
+  for (const report::elements::Row& row : changes.rows)
+    ASSERT_EQ(row.cells.size(), changes.columns.size());
   EXPECT_EQ(changes.rows[0].cells.front(), "x coulomb_torque [N·m]");
   EXPECT_EQ(changes.rows[0].cells.back(), "changed");
   EXPECT_EQ(changes.rows[6].cells.back(), "no change seen");
-  const report::Table conditions = report::compared_conditions_table(c);
-  for (const report::Row& row : conditions.rows) EXPECT_EQ(row.cells.size(), 3U);
-  const report::Table trend = report::trend_table(history::joint_trends(all, {}).front(), "t");
-  for (const report::Row& row : trend.rows) EXPECT_EQ(row.cells.size(), trend.columns.size());
+  const report::elements::Table conditions = report::timeline::compared_conditions_table(c);
+  for (const report::elements::Row& row : conditions.rows) EXPECT_EQ(row.cells.size(), 3U);
+  const report::elements::Table trend =
+      report::timeline::trend_table(history::joint_trends(all, {}).front(), "t");
+  for (const report::elements::Row& row : trend.rows)
+    EXPECT_EQ(row.cells.size(), trend.columns.size());
 }
 
 TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
@@ -207,7 +213,7 @@ TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
   all.resize(1);
   const auto trends = history::joint_trends(all, {});
   const std::string page =
-      report::trend_page(trends, sample_provenance(), figures::trend_figures(trends), {});
+      report::timeline::trend_page(trends, sample_provenance(), figures::trend_figures(trends), {});
   EXPECT_NE(page.find("TOO FEW YET"), std::string::npos);
   EXPECT_NE(page.find("This figure is missing"), std::string::npos);
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "render/figure/figure.h"
+#include "report/document/html_report.h"
 #include "report/document_checks.h"
-#include "report/html_report.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 
@@ -85,7 +85,7 @@ std::string report_with(const std::string& text) {
   p.created_utc = text;
   p.drawing = calibration::DrawingSoftware{text, text, text, text, text, text};
   p.configuration = {{Statement::verbatim(text), Statement::verbatim(text)}};
-  return report::html_report(c, figures, drawn, p);
+  return report::document::html_report(c, figures, drawn, p);
 }
 
 TEST(HostileText, LeavesTheDocumentAsItIs) {

@@ -1,4 +1,4 @@
-#include "report/html_report.h"
+#include "report/document/html_report.h"
 
 #include <regex>
 #include <tuple>
@@ -113,15 +113,15 @@ TEST(HtmlReport, EveryReferenceLeadsToAFinding) {
 
 TEST(HtmlReport, ItsNumberIsThatOfTheArchiveOrOfItsContent) {
   const calibration::Calibration c = complete_calibration();
-  const std::string filed =
-      report::html_report(c, {}, {}, sample_provenance(), std::nullopt, {}, "0123456789abcdef0123");
+  const std::string filed = report::document::html_report(c, {}, {}, sample_provenance(),
+                                                          std::nullopt, {}, "0123456789abcdef0123");
   EXPECT_NE(filed.find("Identification report <bdi>tribolog-0123456789ab</bdi>"),
             std::string::npos);
   EXPECT_NE(filed.find("@top-right{content:\"tribolog-0123456789ab\""), std::string::npos);
   const auto number = [](const calibration::Calibration& found, const std::string& command) {
     calibration::Provenance p = sample_provenance();
     p.command_line = command;
-    const std::string html = report::html_report(found, {}, {}, p);
+    const std::string html = report::document::html_report(found, {}, {}, p);
     return html.substr(html.find("<bdi>tribolog-"), 26);
   };
   EXPECT_EQ(number(c, "tribolog report a.toml"), number(c, "tribolog report a.toml -o b.html"));
@@ -143,7 +143,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   angle.change = history::Change{{0.01, 0.008, 0.012, {}}, {}, 1e-6};
   angle.word = history::ChangeWord::changed;
   since.quantities = {angle};
-  const std::string html = report::html_report(c, {}, {}, sample_provenance(), since);
+  const std::string html = report::document::html_report(c, {}, {}, sample_provenance(), since);
   const std::size_t at = html.find("id=\"table-quantities\"");
   const std::string table = html.substr(at, html.find("</section>", at) - at);
   EXPECT_NE(table.find("Since <span class=\"unit\">2026-01-04</span></th>"), std::string::npos);
@@ -202,7 +202,7 @@ TEST(HtmlReport, AFailedFigureLeavesAPlaceholderWithTheReason) {
   auto drawn = sample_pictures(figures);
   drawn[2].png.clear();
   drawn[2].error = Statement::verbatim("no off-screen context <could> be made");
-  const std::string html = report::html_report(c, figures, drawn, sample_provenance());
+  const std::string html = report::document::html_report(c, figures, drawn, sample_provenance());
   EXPECT_NE(html.find("1 figure missing"), std::string::npos);
   EXPECT_NE(html.find("No off-screen context &lt;could&gt; be made."), std::string::npos);
   EXPECT_EQ(occurrences(html, "<img "), figures.size() - 1);
@@ -219,14 +219,14 @@ TEST(HtmlReport, SpeaksOfItsFiguresInThePagesLanguage) {
   drawn[1].error = {"drawing.process_lost",
                     {{"end", Statement{"drawing.stopped_by_signal",
                                        {{"signal", 11}, {"name", "Segmentation fault"}}}}}};
-  const std::string english = report::html_report(c, figures, drawn, sample_provenance());
+  const std::string english = report::document::html_report(c, figures, drawn, sample_provenance());
   EXPECT_NE(english.find("series &#39;tarcie&#39;: dropped 2 of 6 samples that are not finite"),
             std::string::npos);
   EXPECT_NE(english.find("The drawing process was lost: it was stopped by signal 11 "
                          "(Segmentation fault)."),
             std::string::npos);
   const std::string polish =
-      report::html_report(c, figures, drawn, sample_provenance(), std::nullopt, {"pl"});
+      report::document::html_report(c, figures, drawn, sample_provenance(), std::nullopt, {"pl"});
   EXPECT_NE(polish.find("seria &#39;tarcie&#39;: pominięto 2 z 6 próbek, które nie są skończone"),
             std::string::npos);
   EXPECT_NE(polish.find("Utracono proces rysujący: zatrzymał go sygnał 11 (Segmentation fault)."),
@@ -236,7 +236,7 @@ TEST(HtmlReport, SpeaksOfItsFiguresInThePagesLanguage) {
 }
 
 TEST(HtmlReport, WithoutFiguresItIsStillWhole) {
-  const std::string html = report::html_report(sweep_only(), {}, {}, sample_provenance());
+  const std::string html = report::document::html_report(sweep_only(), {}, {}, sample_provenance());
   EXPECT_EQ(html.find("<figure"), std::string::npos);
   EXPECT_EQ(html.find("figures missing"), std::string::npos);
   EXPECT_NE(html.find("</html>"), std::string::npos);

@@ -1,4 +1,4 @@
-#include "report/report_view.h"
+#include "report/document/report_view.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,40 +7,42 @@
 
 #include "identify/identify.h"
 #include "paper/drawings/printed_paper.h"
-#include "report/key_pictures.h"
+#include "report/document/key_pictures.h"
+#include "report/document/view_parts.h"
 #include "report/sample_calibration.h"
-#include "report/view_parts.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test::report_view_test {
 namespace {
 
-report::ReportView view_of(const calibration::Calibration& c) {
-  return report::make_report_view(c, {}, {}, sample_provenance());
+report::document::ReportView view_of(const calibration::Calibration& c) {
+  return report::document::make_report_view(c, {}, {}, sample_provenance());
 }
 
-const report::Row* row_of(const report::Table& table, const std::string& start) {
-  const auto found =
-      std::find_if(table.rows.begin(), table.rows.end(),
-                   [&](const report::Row& row) { return row.cells.front().rfind(start, 0) == 0; });
+const report::elements::Row* row_of(const report::elements::Table& table,
+                                    const std::string& start) {
+  const auto found = std::find_if(
+      table.rows.begin(), table.rows.end(),
+      [&](const report::elements::Row& row) { return row.cells.front().rfind(start, 0) == 0; });
   return found == table.rows.end() ? nullptr : &*found;
 }
 
 TEST(ReportView, KeyNumbersAreRoundedByTheirIntervals) {
-  const report::Table table = view_of(complete_calibration()).key_numbers;
-  const report::Row* mass = row_of(table, "Surrogate mass at r = 0.5\u00a0m, recommended");
+  const report::elements::Table table = view_of(complete_calibration()).key_numbers;
+  const report::elements::Row* mass =
+      row_of(table, "Surrogate mass at r = 0.5\u00a0m, recommended");
   ASSERT_NE(mass, nullptr);
   EXPECT_EQ(mass->cells[1], "79.168 ± 0.088");
   EXPECT_EQ(mass->cells[3], "79.080 … 79.256");
   EXPECT_EQ(mass->cells[2], "kg");
   EXPECT_TRUE(mass->is_chosen);
-  const report::Row* angle = row_of(table, "Joint angle of largest gravity torque");
+  const report::elements::Row* angle = row_of(table, "Joint angle of largest gravity torque");
   ASSERT_NE(angle, nullptr);
   EXPECT_EQ(angle->cells[1], "−22.232 ± 0.012");
 }
 
 TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
-  const report::Table table = view_of(complete_calibration()).key_numbers;
+  const report::elements::Table table = view_of(complete_calibration()).key_numbers;
   EXPECT_EQ(row_of(table, "Gravity torque, at the motor")->cells[1], "3.8832 ± 0.0043");
   EXPECT_EQ(row_of(table, "Gravity torque, at the joint")->cells[1], "388.32 ± 0.43");
   EXPECT_EQ(row_of(table, "Viscous coefficient, at the joint")->cells[1], "26.4 ± 1.7");
@@ -66,7 +68,7 @@ TEST(ReportView, EachReasonIsSaidOnceAndReferredTo) {
       Statement::verbatim("a note"),
       {"verdict.check", {{"check", Statement::verbatim("Speeds")}, {"found", found}}},
       rests_on};
-  const report::NumberedFindings findings(judgement);
+  const report::document::NumberedFindings findings(judgement);
   ASSERT_EQ(findings.all().size(), 4U);
   EXPECT_EQ(findings.all()[0].consequence, "Speeds are wrong.");
   EXPECT_EQ(findings.all()[1].text, "No oscillation was recorded.");
@@ -104,7 +106,7 @@ TEST(ReportView, BeforeWhatIsKnownLittleStandsWhatMayBeWhy) {
   judgement.quantities.resize(1);
   calibration::lower(judgement.quantities.front(), calibration::Verdict::doubtful,
                      {"verdict.known_to_share", {{"percent", 41.0}}}, {"record.ramps"});
-  const report::NumberedFindings findings(judgement);
+  const report::document::NumberedFindings findings(judgement);
   EXPECT_EQ(findings.number_of(ripple), 1);
   EXPECT_EQ(findings.number_of(judgement.quantities.front().reasons.front()), 2);
   EXPECT_EQ(findings.number_of(drift), 3);
@@ -115,23 +117,23 @@ TEST(ReportView, TheSentenceIsMadeFromTheRows) {
   calibration::QuantityVerdict q;
   q.quantity = joint::Quantity::gravity_torque;
   judgement.quantities = {q, q, q};
-  EXPECT_EQ(report::rows_in_words(judgement), "All 3 quantities are usable.");
+  EXPECT_EQ(report::document::rows_in_words(judgement), "All 3 quantities are usable.");
   judgement.quantities[1].quantity = joint::Quantity::coulomb_torque;
   judgement.quantities[1].verdict = calibration::Verdict::doubtful;
   judgement.quantities[2].quantity = joint::Quantity::inertia;
   judgement.quantities[2].verdict = calibration::Verdict::not_identifiable;
-  EXPECT_EQ(report::rows_in_words(judgement),
+  EXPECT_EQ(report::document::rows_in_words(judgement),
             "1 of 3 quantities is usable. Doubtful: Coulomb torque. Not identifiable: inertia at "
             "the motor.");
   judgement.quantities[2].decides = false;
-  EXPECT_EQ(report::rows_in_words(judgement),
+  EXPECT_EQ(report::document::rows_in_words(judgement),
             "1 of 2 quantities is usable. Doubtful: Coulomb torque.");
-  EXPECT_EQ(report::not_asked_for(judgement),
+  EXPECT_EQ(report::document::not_asked_for(judgement),
             "Not identified, and not needed for the verdict: inertia at the motor.");
 }
 
-std::string text_of(const std::vector<report::Fact>& facts, const std::string& name) {
-  for (const report::Fact& fact : facts) {
+std::string text_of(const std::vector<report::elements::Fact>& facts, const std::string& name) {
+  for (const report::elements::Fact& fact : facts) {
     if (fact.name == name) return fact.text;
   }
   return "";
@@ -139,7 +141,7 @@ std::string text_of(const std::vector<report::Fact>& facts, const std::string& n
 
 TEST(ReportView, TheCertificateStatesWhatTheManifestDoesAndSaysWhatItDoesNot) {
   calibration::Calibration c = complete_calibration();
-  std::vector<report::Fact> facts = view_of(c).certificate;
+  std::vector<report::elements::Fact> facts = view_of(c).certificate;
   EXPECT_EQ(text_of(facts, "Laboratory"), "");
   EXPECT_EQ(text_of(facts, "Not stated"),
             "laboratory, customer, received, measured, place, operator, procedure, adjustment, "
@@ -153,7 +155,7 @@ TEST(ReportView, TheCertificateStatesWhatTheManifestDoesAndSaysWhatItDoesNot) {
   stated.instruments = {{"torque sensor", "4711", "D-K-15195, 2026-03", "for the torque"}};
   stated.humidity_percent = 40;
   c.manifest.temperature_C = 23.5;
-  const report::ReportView view = view_of(c);
+  const report::document::ReportView view = view_of(c);
   EXPECT_EQ(view.number, "CAL-2026/0815");
   EXPECT_EQ(text_of(view.certificate, "Laboratory"), "Joint laboratory, Main street 1");
   EXPECT_EQ(text_of(view.certificate, "Customer"), "Robots Ltd");
@@ -166,7 +168,7 @@ TEST(ReportView, TheCertificateStatesWhatTheManifestDoesAndSaysWhatItDoesNot) {
 }
 
 TEST(ReportView, TheBoundarySaysWhatIsIncludedAndWhatIsNot) {
-  const std::vector<report::Fact> facts = view_of(complete_calibration()).boundary;
+  const std::vector<report::elements::Fact> facts = view_of(complete_calibration()).boundary;
   EXPECT_NE(text_of(facts, "What went in").find("1 sweep; 139\u202f210 of 140\u202f410 rows"),
             std::string::npos)
       << text_of(facts, "What went in");
@@ -176,7 +178,7 @@ TEST(ReportView, TheBoundarySaysWhatIsIncludedAndWhatIsNot) {
 }
 
 TEST(ReportView, AQuantitysBudgetIsWhole) {
-  const std::vector<report::BudgetRow> rows = view_of(complete_calibration()).budget;
+  const std::vector<report::document::BudgetRow> rows = view_of(complete_calibration()).budget;
   ASSERT_EQ(rows.size(), 1U);
   ASSERT_EQ(rows[0].parts.size(), 2U);
   EXPECT_EQ(rows[0].parts[0].kind, "torque-constant");
@@ -192,19 +194,19 @@ TEST(ReportView, AQuantitysBudgetIsWhole) {
 
 TEST(ReportView, PageOneShowsLoopAndFrictionCurve) {
   const joint::Dataset dataset = simulate::simulated_dataset(paper_joint());
-  const std::vector<report::KeyPicture> pictures =
-      report::key_pictures(identify::identify(dataset));
+  const std::vector<report::document::KeyPicture> pictures =
+      report::document::key_pictures(identify::identify(dataset));
   ASSERT_EQ(pictures.size(), 2U);
   EXPECT_EQ(pictures[0].id, "picture-loop");
   EXPECT_FALSE(pictures[0].fitted.empty());
   EXPECT_FALSE(pictures[0].band.empty());
   EXPECT_EQ(pictures[1].id, "picture-curve");
   EXPECT_FALSE(pictures[1].backward.empty());
-  for (const report::KeyPicture& picture : pictures) {
+  for (const report::document::KeyPicture& picture : pictures) {
     EXPECT_GE(picture.x_ticks.size(), 3U);
     EXPECT_GE(picture.y_ticks.size(), 3U);
-    for (const report::KeyPicture::Tick& tick : picture.x_ticks) {
-      EXPECT_TRUE(tick.at > 50 && tick.at < report::picture_width) << tick.label;
+    for (const report::document::KeyPicture::Tick& tick : picture.x_ticks) {
+      EXPECT_TRUE(tick.at > 50 && tick.at < report::document::picture_width) << tick.label;
     }
     for (const std::string& path : {picture.measured, picture.fitted, picture.forward}) {
       EXPECT_EQ(path.find("nan"), std::string::npos);
@@ -227,13 +229,13 @@ TEST(ReportView, PageOneShowsFrictionAtAFewSpeedsAndWhereItIsUsable) {
       friction_at(1, 0.5, 0.2, Verdict::doubtful), friction_at(10, 0.6, 0.01, Verdict::usable),
       friction_at(11, 0.61, 0.01, Verdict::usable), friction_at(100, 1, 0.02, Verdict::usable),
       friction_at(1000, 9, 9, Verdict::not_identifiable)};
-  const report::FrictionSpeeds shown = view_of(c).friction_speeds;
+  const report::document::FrictionSpeeds shown = view_of(c).friction_speeds;
   ASSERT_EQ(shown.rows.size(), 5U);
   EXPECT_EQ(shown.rows[1].speed, "10.0");
   EXPECT_EQ(shown.rows[1].torque, "0.600 ± 0.010");
   EXPECT_EQ(shown.rows[1].speed_at_joint, "0.100");
   EXPECT_EQ(shown.rows[1].torque_at_joint, "60.0 ± 1.0");
-  EXPECT_EQ(shown.rows[0].outcome, report::Outcome::partial);
+  EXPECT_EQ(shown.rows[0].outcome, report::elements::Outcome::partial);
   EXPECT_EQ(shown.rows[4].torque, "");  // a number that its verdict refuses
   EXPECT_EQ(shown.good_for,
             "Good for feed-forward and simulation at motor speeds of 10.0 to 100\u00a0rad/s. At "
@@ -247,22 +249,22 @@ TEST(ReportView, PageOneShowsFrictionAtAFewSpeedsAndWhereItIsUsable) {
 TEST(ReportView, ADirectDriveHasOneSide) {
   calibration::Calibration c = complete_calibration();
   c.manifest.drive = joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor);
-  const report::Table table = view_of(c).key_numbers;
+  const report::elements::Table table = view_of(c).key_numbers;
   EXPECT_NE(row_of(table, "Gravity torque"), nullptr);
   EXPECT_EQ(row_of(table, "Gravity torque, at the joint"), nullptr);
 }
 
 TEST(ReportView, EveryRowHasACellPerColumn) {
   for (const calibration::Calibration& c : {complete_calibration(), sweep_only()}) {
-    const report::ReportView view = view_of(c);
-    std::vector<report::Table> tables{view.key_numbers};
+    const report::document::ReportView view = view_of(c);
+    std::vector<report::elements::Table> tables{view.key_numbers};
     tables.insert(tables.end(), view.conversion_tables.begin(), view.conversion_tables.end());
     tables.insert(tables.end(), view.provenance_tables.begin(), view.provenance_tables.end());
-    for (const report::Section& section : view.sections) {
+    for (const report::document::Section& section : view.sections) {
       tables.insert(tables.end(), section.tables.begin(), section.tables.end());
     }
-    for (const report::Table& table : tables) {
-      for (const report::Row& row : table.rows) {
+    for (const report::elements::Table& table : tables) {
+      for (const report::elements::Row& row : table.rows) {
         EXPECT_EQ(row.cells.size(), table.columns.size()) << table.id;
       }
     }
@@ -270,9 +272,9 @@ TEST(ReportView, EveryRowHasACellPerColumn) {
 }
 
 TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
-  const report::ReportView view = view_of(complete_calibration());
+  const report::document::ReportView view = view_of(complete_calibration());
   ASSERT_EQ(view.conversion_tables.size(), 2U);
-  const report::Table& columns = view.conversion_tables[0];
+  const report::elements::Table& columns = view.conversion_tables[0];
   ASSERT_EQ(columns.rows.size(), 3U);
   EXPECT_EQ(columns.rows[0].cells[3], "as logged");
   EXPECT_EQ(columns.rows[0].cells[6], "all");
@@ -283,7 +285,7 @@ TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
   const std::vector<std::string>& torque = row_of(columns, "Torque")->cells;
   EXPECT_EQ(torque[1], "“tau”");
   EXPECT_EQ(torque[4], "−0.001");
-  const report::Table& speeds = view.conversion_tables[1];
+  const report::elements::Table& speeds = view.conversion_tables[1];
   ASSERT_EQ(speeds.rows.size(), 1U);
   EXPECT_EQ(speeds.rows[0].cells[0], "rough_sweep (1)");
   EXPECT_EQ(speeds.rows[0].cells[1], "yes");
@@ -298,18 +300,18 @@ TEST(ReportView, KnownLoadsAreAmongTheConversions) {
   load.angles = {"q1", "q2"};
   load.roles = {joint::Role::constant_speed};
   c.manifest.known_loads = {load};
-  const report::ReportView view = view_of(c);
-  const report::Row* row = row_of(view.conversion_tables[0], "Known load");
+  const report::document::ReportView view = view_of(c);
+  const report::elements::Row* row = row_of(view.conversion_tables[0], "Known load");
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->cells[3], "1.825\u00a0N·m cos(q1 + q2) ÷ 100 (gear ratio)");
   EXPECT_EQ(row->cells[6], "constant_speed");
 }
 
 TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {
-  const report::ReportView view = view_of(sweep_only());
+  const report::document::ReportView view = view_of(sweep_only());
   std::size_t missing = 0;
-  for (const report::Section& section : view.sections) {
-    if (section.outcome == report::Outcome::good) continue;
+  for (const report::document::Section& section : view.sections) {
+    if (section.outcome == report::elements::Outcome::good) continue;
     ++missing;
     EXPECT_FALSE(section.reason.empty());
     EXPECT_FALSE(section.experiment.empty());
@@ -324,9 +326,11 @@ TEST(ReportView, FiguresGoToTheirStages) {
   const calibration::Calibration c = complete_calibration();
   const auto figures = sample_figures(c);
   const auto drawn = sample_pictures(figures);
-  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
+  const report::document::ReportView view =
+      report::document::make_report_view(c, figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 8U);
-  for (const report::Section& section : view.sections) ASSERT_EQ(section.figures.size(), 1U);
+  for (const report::document::Section& section : view.sections)
+    ASSERT_EQ(section.figures.size(), 1U);
   EXPECT_FALSE(view.sections[2].figures[0].is_lazy);
   EXPECT_TRUE(view.sections[3].figures[0].is_lazy);
   EXPECT_EQ(view.figures_missing, "");
@@ -353,12 +357,13 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
   auto figures = sample_figures(c);
   figures[0].stage = "known-truth";
   const auto drawn = sample_pictures(figures);
-  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
+  const report::document::ReportView view =
+      report::document::make_report_view(c, figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 9U);
-  const report::Section& section = view.sections[8];
+  const report::document::Section& section = view.sections[8];
   EXPECT_EQ(section.number, 9);
   EXPECT_EQ(section.id, "known-truth");
-  EXPECT_EQ(section.outcome, report::Outcome::bad);
+  EXPECT_EQ(section.outcome, report::elements::Outcome::bad);
   EXPECT_EQ(section.reason, "The gravity peak does not come back.");
   ASSERT_EQ(section.figures.size(), 1U);
   ASSERT_EQ(section.tables.size(), 1U);
@@ -386,7 +391,7 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
   c.break_away.censored = 1;
   c.break_away.ramps = {ramp};
   ASSERT_EQ(sections().size(), 9U);
-  const report::Section section = sections().back();
+  const report::document::Section section = sections().back();
   EXPECT_EQ(section.title, "Break-away ramps");
   ASSERT_EQ(section.tables.size(), 1U);
   // A bound is told from a value.
@@ -396,7 +401,7 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
 
 /// Cells of the key numbers' row that begins with these words.
 std::vector<std::string> key_number(const calibration::Calibration& c, const std::string& words) {
-  for (const report::Row& row : view_of(c).key_numbers.rows) {
+  for (const report::elements::Row& row : view_of(c).key_numbers.rows) {
     if (row.cells[0].starts_with(words)) return row.cells;
   }
   return {};
@@ -430,9 +435,9 @@ TEST(ReportView, CrossChecksHaveASectionOfTheirOwn) {
   other.disagrees = true;
   c.cross_checks.checks = {ours, other};
   c.cross_checks.doubtful = true;
-  const report::ReportView view = view_of(c);
+  const report::document::ReportView view = view_of(c);
   ASSERT_EQ(view.sections.size(), 9U);
-  const report::Section& section = view.sections.back();
+  const report::document::Section& section = view.sections.back();
   EXPECT_EQ(section.number, 9);
   EXPECT_EQ(section.status, "disagreement");
   ASSERT_GE(section.tables.size(), 2U);
@@ -445,12 +450,12 @@ TEST(ReportView, CrossChecksHaveASectionOfTheirOwn) {
 TEST(ReportView, OfAPrintedAngleTheStepIsABound) {
   calibration::Calibration c = complete_calibration();
   const auto oscillations = [&] {
-    report::Section section;
+    report::document::Section section;
     section.id = "hysteresis";
-    report::describe_hysteresis(c.hysteresis, section);
+    report::document::describe_hysteresis(c.hysteresis, section);
     return *std::find_if(
         section.tables.begin(), section.tables.end(),
-        [](const report::Table& table) { return table.id == "hysteresis-oscillations"; });
+        [](const report::elements::Table& table) { return table.id == "hysteresis-oscillations"; });
   };
   EXPECT_EQ(oscillations().rows.front().cells.back(), "0.000480");
   EXPECT_EQ(oscillations().note.find("decimals"), std::string::npos);
@@ -465,8 +470,8 @@ TEST(ReportView, AFigureOfNoStageIsNotLost) {
   auto figures = sample_figures(complete_calibration());
   figures[0].stage = "models";
   const auto drawn = sample_pictures(figures);
-  const report::ReportView view =
-      report::make_report_view(complete_calibration(), figures, drawn, sample_provenance());
+  const report::document::ReportView view = report::document::make_report_view(
+      complete_calibration(), figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 9U);
   EXPECT_EQ(view.sections[8].figures[0].id, "fig-1");
 }
@@ -478,7 +483,8 @@ TEST(ReportView, MissingPicturesAreCounted) {
   drawn[0].error = Statement::verbatim("the worker stopped");
   drawn[0].png.clear();
   drawn.pop_back();
-  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
+  const report::document::ReportView view =
+      report::document::make_report_view(c, figures, drawn, sample_provenance());
   EXPECT_EQ(view.figures_missing, "2 figures missing");
   EXPECT_EQ(view.sections[0].figures[0].error, "The worker stopped.");
 }
@@ -486,7 +492,7 @@ TEST(ReportView, MissingPicturesAreCounted) {
 TEST(ReportView, ALongRunTableIsThinnedAndSaysSo) {
   calibration::Calibration c = complete_calibration();
   c.viscous.runs.assign(500, c.viscous.runs.front());
-  const report::Table table = view_of(c).sections[4].tables.front();
+  const report::elements::Table table = view_of(c).sections[4].tables.front();
   EXPECT_LE(table.rows.size(), 48U);
   EXPECT_NE(table.note.find("One row in 11"), std::string::npos);
 }

@@ -1,6 +1,6 @@
 // A whole robot on one page: each joint by its own calibration, whatever became of the others.
 
-#include "report/robot_page.h"
+#include "report/document/robot_page.h"
 
 #include <algorithm>
 #include <set>
@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "report/document/thumbnail.h"
 #include "report/document_checks.h"
-#include "report/embedded_json.h"
+#include "report/engine/embedded_json.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
-#include "report/thumbnail.h"
 
 namespace tribolog::test::robot_page_test {
 namespace {
@@ -21,11 +21,14 @@ namespace {
 struct Robot {
   calibration::Calibration good = complete_calibration();
   calibration::Calibration poor = sweep_only();
-  std::vector<report::RobotJoint> joints{{"J1", &good, "", {}, "J1.html"},
-                                         {"J2", &poor, "", {}, "J 2.html"},
-                                         {"J3", nullptr, "j3.csv: cannot be opened", {}, ""}};
+  std::vector<report::document::RobotJoint> joints{
+      {"J1", &good, "", {}, "J1.html"},
+      {"J2", &poor, "", {}, "J 2.html"},
+      {"J3", nullptr, "j3.csv: cannot be opened", {}, ""}};
 
-  [[nodiscard]] std::string page() const { return report::robot_page(joints, sample_provenance()); }
+  [[nodiscard]] std::string page() const {
+    return report::document::robot_page(joints, sample_provenance());
+  }
 };
 
 TEST(RobotPage, HasEachJointsVerdictNumbersAndWay) {
@@ -40,7 +43,7 @@ TEST(RobotPage, HasEachJointsVerdictNumbersAndWay) {
   EXPECT_NE(page.find("class=\"thumbnails\""), std::string::npos);
   // No script runs; what is embedded is the numbers.
   EXPECT_EQ(occurrences(page, "<script"), 1U);
-  const report::EmbeddedJson numbers = report::embedded_json(page, "robot.html");
+  const report::engine::EmbeddedJson numbers = report::engine::embedded_json(page, "robot.html");
   EXPECT_EQ(numbers.element, "tribolog-robot");
   const auto joints = nlohmann::json::parse(numbers.json)["joints"];
   ASSERT_EQ(joints.size(), 3U);
@@ -63,7 +66,7 @@ TEST(RobotPage, TheWorstJointDecides) {
 TEST(RobotPage, TheSmallCurveIsThatOfTheLikeliestLaw) {
   calibration::Calibration c = complete_calibration();
   ASSERT_FALSE(c.viscous.runs.empty());
-  const auto before = report::curve_thumbnail(c);
+  const auto before = report::document::curve_thumbnail(c);
   ASSERT_TRUE(before);
   double fastest = 0;
   for (const auto& run : c.viscous.runs) fastest = std::max(fastest, run.speed_rad_s);
@@ -72,7 +75,7 @@ TEST(RobotPage, TheSmallCurveIsThatOfTheLikeliestLaw) {
   c.model.law.rise_Nm = 0;
   c.model.law.slowest_rad_s = 0.5 * fastest;
   c.model.law.fastest_rad_s = fastest;
-  const auto after = report::curve_thumbnail(c);
+  const auto after = report::document::curve_thumbnail(c);
   ASSERT_TRUE(after);
   EXPECT_EQ(after->measured, before->measured);
   EXPECT_NE(after->fitted, before->fitted);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/html_report.h"
+#include "report/document/html_report.h"
 
 namespace tribolog::test {
 namespace {
@@ -423,7 +423,8 @@ calibration::Provenance sample_provenance() {
 
 std::string report_of(const calibration::Calibration& calibration) {
   const auto figures = sample_figures(calibration);
-  return report::html_report(calibration, figures, sample_pictures(figures), sample_provenance());
+  return report::document::html_report(calibration, figures, sample_pictures(figures),
+                                       sample_provenance());
 }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {

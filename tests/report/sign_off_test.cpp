@@ -1,4 +1,4 @@
-#include "report/sign_off.h"
+#include "report/document/sign_off.h"
 
 #include <cstddef>
 
@@ -10,8 +10,8 @@
 namespace tribolog::sign_off_test {
 namespace {
 
-const report::SignOff rejected{"2026-12-24T12:00:00Z", "A. Reviewer", false, "too warm"};
-const report::SignOff approved{"2027-01-08T08:30:00Z", "B", true, ""};
+const report::document::SignOff rejected{"2026-12-24T12:00:00Z", "A. Reviewer", false, "too warm"};
+const report::document::SignOff approved{"2027-01-08T08:30:00Z", "B", true, ""};
 
 class SignedReport : public testing::Test {
  protected:
@@ -19,7 +19,8 @@ class SignedReport : public testing::Test {
 };
 
 TEST_F(SignedReport, ShowsTheLastDecisionAheadOfTheVerdict) {
-  const std::string page = report::with_sign_off(report_, "abc", {rejected, approved}, "r.html");
+  const std::string page =
+      report::document::with_sign_off(report_, "abc", {rejected, approved}, "r.html");
   const std::size_t at = page.find("id=\"sign-off\"");
   ASSERT_NE(at, std::string::npos);
   EXPECT_LT(at, page.find("id=\"verdict\""));
@@ -31,25 +32,26 @@ TEST_F(SignedReport, ShowsTheLastDecisionAheadOfTheVerdict) {
 }
 
 TEST_F(SignedReport, LosesNoByteOfTheReport) {
-  const std::string once = report::with_sign_off(report_, "abc", {rejected}, "r.html");
-  EXPECT_TRUE(report::without_sign_off(once) == report_);
-  EXPECT_TRUE(report::with_sign_off(once, "abc", {rejected, approved}, "r.html") ==
-              report::with_sign_off(report_, "abc", {rejected, approved}, "r.html"));
-  EXPECT_TRUE(report::without_sign_off(report_) == report_);
+  const std::string once = report::document::with_sign_off(report_, "abc", {rejected}, "r.html");
+  EXPECT_TRUE(report::document::without_sign_off(once) == report_);
+  EXPECT_TRUE(report::document::with_sign_off(once, "abc", {rejected, approved}, "r.html") ==
+              report::document::with_sign_off(report_, "abc", {rejected, approved}, "r.html"));
+  EXPECT_TRUE(report::document::without_sign_off(report_) == report_);
 }
 
 TEST_F(SignedReport, TextsOfReviewersAreText) {
-  const report::SignOff hostile{"2026-12-24T12:00:00Z", "<script>alert(1)</script>", true,
-                                "<!-- end of sign-off -->\n<img src=x onerror=alert(1)>\xff"};
-  const std::string page = report::with_sign_off(report_, "<b>", {hostile}, "r.html");
+  const report::document::SignOff hostile{
+      "2026-12-24T12:00:00Z", "<script>alert(1)</script>", true,
+      "<!-- end of sign-off -->\n<img src=x onerror=alert(1)>\xff"};
+  const std::string page = report::document::with_sign_off(report_, "<b>", {hostile}, "r.html");
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
   EXPECT_EQ(page.find("<img src=x"), std::string::npos);
   EXPECT_NE(page.find("<code>&lt;b&gt;</code>"), std::string::npos);
-  EXPECT_TRUE(report::without_sign_off(page) == report_);
+  EXPECT_TRUE(report::document::without_sign_off(page) == report_);
 }
 
 TEST(SignOff, NeedsAReport) {
-  EXPECT_THROW((void)report::with_sign_off("<html></html>", "abc", {approved}, "r.html"),
+  EXPECT_THROW((void)report::document::with_sign_off("<html></html>", "abc", {approved}, "r.html"),
                InputError);
 }
 

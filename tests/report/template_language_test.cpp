@@ -1,6 +1,6 @@
 // Templates in another language: which messages they hold, and that nothing else changes.
 
-#include "report/template_language.h"
+#include "report/engine/template_language.h"
 
 #include <stdexcept>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/embedded_files.h"
+#include "report/engine/embedded_files.h"
 #include "wording/language.h"
 #include "wording/translation.h"
 
@@ -19,18 +19,20 @@ using Texts = std::vector<std::string>;
 
 std::string with(const std::string& source, const std::string& message,
                  const std::string& translation) {
-  return template_in_language(source, [&](const std::string& found) {
+  return engine::template_in_language(source, [&](const std::string& found) {
     return found == message ? translation : std::string();
   });
 }
 
 TEST(TemplateLanguage, MessagesAreWholeSentencesWithTheirMarks) {
-  EXPECT_EQ(messages_of_template("<div>\n<p class=\"x\"> About <i>q</i><sub>p</sub>, {{N}} times:\n"
-                                 "{{#LIST}}<li>{{ITEM}}</li>{{/LIST}}<img alt=\"A loop\" src=\"x\">"
-                                 "<math><mi>q</mi></math> is small</p></div>"),
+  EXPECT_EQ(engine::messages_of_template(
+                "<div>\n<p class=\"x\"> About <i>q</i><sub>p</sub>, {{N}} times:\n"
+                "{{#LIST}}<li>{{ITEM}}</li>{{/LIST}}<img alt=\"A loop\" src=\"x\">"
+                "<math><mi>q</mi></math> is small</p></div>"),
             (Texts{"About <i>q</i><sub>p</sub>, {{N}} times:", "A loop", "<math/> is small"}));
-  EXPECT_EQ(messages_of_template("<p>{{ONLY}} – 5 %</p><script>say</script><style>a</style>"),
-            Texts{});
+  EXPECT_EQ(
+      engine::messages_of_template("<p>{{ONLY}} – 5 %</p><script>say</script><style>a</style>"),
+      Texts{});
 }
 
 TEST(TemplateLanguage, OnlyTheMessageIsExchanged) {
@@ -53,10 +55,10 @@ class Languages : public testing::TestWithParam<wording::Language> {};
 
 TEST_P(Languages, EveryTemplateTakesItsTranslation) {
   const wording::WordsIn words(GetParam());
-  for (const EmbeddedFile& file : embedded_files()) {
+  for (const EmbeddedFile& file : engine::embedded_files()) {
     if (!file.name.ends_with(".tpl")) continue;
     // Throws where a translation has other marks than its message.
-    (void)template_in_language(
+    (void)engine::template_in_language(
         file.text, [](const std::string& message) { return wording::translated(message); });
   }
 }

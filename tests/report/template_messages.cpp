@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "report/embedded_files.h"
-#include "report/page_style.h"
-#include "report/template_language.h"
+#include "report/engine/embedded_files.h"
+#include "report/engine/page_style.h"
+#include "report/engine/template_language.h"
 
 namespace {
 
@@ -30,13 +30,13 @@ std::string quoted(const std::string& text) {
 int main() {
   using namespace tribolog;
   std::map<std::string, std::set<std::string>> files_of;
-  for (const EmbeddedFile& file : report::embedded_files()) {
+  for (const EmbeddedFile& file : report::engine::embedded_files()) {
     if (!file.name.ends_with(".tpl")) continue;
-    for (const std::string& message : report::messages_of_template(file.text)) {
+    for (const std::string& message : report::engine::messages_of_template(file.text)) {
       files_of[message].insert("templates/" + std::string(file.name));
     }
   }
-  for (const std::string& message : report::script_messages()) {
+  for (const std::string& message : report::engine::script_messages()) {
     files_of[message].insert("templates/viewer");
   }
   for (const auto& [message, files] : files_of) {

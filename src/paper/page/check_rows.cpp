@@ -2,7 +2,8 @@
 #include <cmath>
 
 #include "paper/page/page_parts.h"
-#include "report/element_values.h"
+#include "report/elements/element_values.h"
+#include "report/engine/template_engine.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -85,14 +86,14 @@ CheckTexts check_texts(const checks::Check& check) {
 std::string tick(bool is_well) { return is_well ? "✓" : "✗"; }
 
 void fill_checks(const checks::Checks& checks, const std::string& id, const std::string& caption,
-                 const std::string& marker, report::TemplateValues& values) {
+                 const std::string& marker, report::engine::TemplateValues& values) {
   if (checks.empty()) return;
-  report::TemplateValues& table = values.add_include(marker, "check_table.tpl");
+  report::engine::TemplateValues& table = values.add_include(marker, "check_table.tpl");
   table.set("TABLE_ID", "checks-" + id);
   table.set("TABLE_CAPTION", caption);
   for (const checks::Check& check : checks) {
     const CheckTexts texts = check_texts(check);
-    report::TemplateValues& row = table.add_section("CHECK");
+    report::engine::TemplateValues& row = table.add_section("CHECK");
     row.set("STATE", check.holds() ? "holds" : "fails");
     row.set("WHAT", check.what);
     row.set_optional("REASON", check.reason);

@@ -5,11 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "paper/page/page_parts.h"
-#include "report/element_values.h"
-#include "report/page_style.h"
-#include "report/report_values.h"
-#include "report/view_parts.h"
+#include "report/document/report_values.h"
+#include "report/document/view_parts.h"
+#include "report/elements/element_values.h"
+#include "report/elements/elements.h"
+#include "report/elements/figure_cards.h"
+#include "report/engine/page_style.h"
+#include "report/engine/template_engine.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::paper::page {
 
@@ -33,10 +37,10 @@ const char* state_of(const claims::Finding& finding) {
   return *finding.holds ? "holds" : "fails";
 }
 
-void fill_verdict(const ArguedPaper& paper, report::TemplateValues& values) {
+void fill_verdict(const ArguedPaper& paper, report::engine::TemplateValues& values) {
   const ClaimTally here = tally_of(paper.claims, false);
   const ClaimTally there = tally_of(paper.claims, true);
-  report::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
+  report::engine::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   const bool all_hold = here.hold == here.asked;
   verdict.set("WORD", here.asked == 0 ? tr("NO CLAIM CAN BE ASKED")
                       : all_hold      ? tr("ALL CLAIMS HOLD HERE")
@@ -48,11 +52,11 @@ void fill_verdict(const ArguedPaper& paper, report::TemplateValues& values) {
                   {"asked", here.asked},
                   {"papers_hold", there.hold},
                   {"papers_asked", there.asked}}));
-  report::fill_outcome(here.asked == 0 ? report::Outcome::absent
-                       : all_hold      ? report::Outcome::good
-                                       : report::Outcome::partial,
-                       verdict);
-  report::TemplateValues* list = nullptr;
+  report::elements::fill_outcome(here.asked == 0 ? report::elements::Outcome::absent
+                                 : all_hold      ? report::elements::Outcome::good
+                                                 : report::elements::Outcome::partial,
+                                 verdict);
+  report::engine::TemplateValues* list = nullptr;
   for (const claims::Claim& claim : paper.claims) {
     if (!claim.on_papers_joint.holds || !claim.on_this_joint.holds ||
         *claim.on_papers_joint.holds == *claim.on_this_joint.holds) {
@@ -70,9 +74,9 @@ void fill_verdict(const ArguedPaper& paper, report::TemplateValues& values) {
   }
 }
 
-void fill_claims(const std::vector<claims::Claim>& all, report::TemplateValues& values) {
+void fill_claims(const std::vector<claims::Claim>& all, report::engine::TemplateValues& values) {
   for (const claims::Claim& claim : all) {
-    report::TemplateValues& row = values.add_section("CLAIM");
+    report::engine::TemplateValues& row = values.add_section("CLAIM");
     row.set("WHERE", claim.is_ours ? tr("tribolog") : claim.where);
     row.set("WHAT", claim.what);
     row.set("PAPERS_STATE", state_of(claim.on_papers_joint));
@@ -116,23 +120,24 @@ std::string claims_json(const ArguedPaper& paper) {
 std::string claims_page(const ArguedPaper& paper, const calibration::Calibration& calibration,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const std::string& json, wording::Language language) {
-  report::TemplateValues values;
-  report::fill_head(paper.provenance, values);
+  report::engine::TemplateValues values;
+  report::engine::fill_head(paper.provenance, values);
   values.set("JOINT", paper.joint);
   fill_verdict(paper, values);
   fill_claims(paper.claims, values);
-  for (const report::FigureCard& card : report::figure_cards(paper.figures, drawn)) {
-    report::fill_figure(card, values);
+  for (const report::elements::FigureCard& card :
+       report::elements::figure_cards(paper.figures, drawn)) {
+    report::elements::fill_figure(card, values);
   }
-  report::fill_table(table_2(calibration), "TABLE", values);
+  report::elements::fill_table(table_2(calibration), "TABLE", values);
   fill_selection(calibration, values);
   values.set("FILE_NAME", paper.source.name);
   values.set("FILE_TEXT", paper.source.text);
-  report::fill_provenance(paper.provenance.command_line,
-                          report::or_dash(paper.provenance.created_utc), {},
-                          report::provenance_tables(calibration, paper.provenance), values);
+  report::document::fill_provenance(
+      paper.provenance.command_line, wording::or_dash(paper.provenance.created_utc), {},
+      report::document::provenance_tables(calibration, paper.provenance), values);
   values.set_checked_by_modifier("RESULT_JSON", json);
-  return report::expand_template("paper_claims.tpl", values, language);
+  return report::engine::expand_template("paper_claims.tpl", values, language);
 }
 
 }  // namespace tribolog::paper::page

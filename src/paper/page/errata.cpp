@@ -10,6 +10,8 @@
 #include "paper/charts/paper_charts.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/page/page_parts.h"
+#include "report/elements/elements.h"
+#include "report/engine/template_engine.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
@@ -183,9 +185,9 @@ ErrataNumbers errata_numbers(const charts::PreslidingLoops& loops) {
   return e;
 }
 
-void fill_errata(const charts::PreslidingLoops& loops, report::TemplateValues& values) {
+void fill_errata(const charts::PreslidingLoops& loops, report::engine::TemplateValues& values) {
   const ErrataNumbers e = errata_numbers(loops);
-  report::TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
+  report::engine::TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
   out.set("LINEAR_BRANCH_SPEED", e.linear_branch_speed);
   out.set("LINEAR_BRANCH_PRINTED", e.linear_branch_printed);
   out.set("LINEAR_BRANCH_MEANT", e.linear_branch_meant);
@@ -237,8 +239,8 @@ method::viscous::ViscousCurvesResult rising_runs(method::viscous::ViscousCurvesR
   return curves;
 }
 
-report::Table fits_of_equation_6(const calibration::Calibration& calibration) {
-  report::Table table;
+report::elements::Table fits_of_equation_6(const calibration::Calibration& calibration) {
+  report::elements::Table table;
   table.id = "table-equation-6";
   table.caption = tr("Eq. (6) fitted to the curve of each candidate mass, rising runs");
   const method::viscous::ViscousCurvesResult rising = rising_runs(calibration.viscous);
@@ -275,8 +277,8 @@ report::Table fits_of_equation_6(const calibration::Calibration& calibration) {
   return table;
 }
 
-report::Table table_2(const calibration::Calibration& c) {
-  report::Table table;
+report::elements::Table table_2(const calibration::Calibration& c) {
+  report::elements::Table table;
   table.id = "table-paper-2";
   table.caption = tr("Table 2 of the paper, recomputed");
   table.columns = {{tr("Point"), "", false},
@@ -290,7 +292,7 @@ report::Table table_2(const calibration::Calibration& c) {
   for (const printed::TorqueRow& row : printed::table_2) {
     const double mass = printed::mass_of_torque_kg(row.torque_Nm);
     const std::string name(1, row.point);
-    report::Row cells{
+    report::elements::Row cells{
         {name, wording::fixed(row.torque_Nm, decimals), wording::fixed(row.mass_kg, decimals),
          wording::fixed(mass, decimals), wording::fixed(mass - row.mass_kg, decimals), "–", "–"},
         false};

@@ -8,8 +8,9 @@
 #include "paper/charts/paper_charts.h"
 #include "paper/checks/check.h"
 #include "paper/page/paper_page.h"
-#include "report/report_view.h"
-#include "report/template_engine.h"
+#include "report/document/report_view.h"
+#include "report/elements/elements.h"
+#include "report/engine/template_engine.h"
 
 namespace tribolog::paper::page {
 
@@ -29,7 +30,7 @@ CheckTexts check_texts(const checks::Check& check);
 /// check_table.tpl at the marker.
 /// @param id of the table in the page, without the "table-" in front.
 void fill_checks(const checks::Checks& checks, const std::string& id, const std::string& caption,
-                 const std::string& marker, report::TemplateValues& values);
+                 const std::string& marker, report::engine::TemplateValues& values);
 
 /// ✓ or ✗
 std::string tick(bool is_well);
@@ -56,16 +57,17 @@ struct ErrataNumbers {
 ErrataNumbers errata_numbers(const charts::PreslidingLoops& loops);
 
 /// errata.tpl at the marker ERRATA.
-void fill_errata(const charts::PreslidingLoops& loops, report::TemplateValues& values);
+void fill_errata(const charts::PreslidingLoops& loops, report::engine::TemplateValues& values);
 
 /// Waiboer's five parameters for each candidate's curve, the selected one marked.
-report::Table fits_of_equation_6(const calibration::Calibration& calibration);
+report::elements::Table fits_of_equation_6(const calibration::Calibration& calibration);
 
 /// Table 2 as printed, recomputed, and the masses of the calibration beside it.
-report::Table table_2(const calibration::Calibration& calibration);
+report::elements::Table table_2(const calibration::Calibration& calibration);
 
 /// Section 3.4 beside its table 2: curves, masses, errors, choice, at the marker TABLE.
-void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section);
+void fill_selection(const calibration::Calibration& calibration,
+                    report::engine::TemplateValues& section);
 
 // What the page counts, and its list to tick off.
 
@@ -76,6 +78,6 @@ std::string item_anchor(const checks::PaperItem& item);
 /// and the sections KIND of the list to tick off.
 void fill_outcome_of(const RegeneratedPaper& paper,
                      const std::vector<render::workers::DrawnFigure>& drawn,
-                     report::TemplateValues& values);
+                     report::engine::TemplateValues& values);
 
 }  // namespace tribolog::paper::page

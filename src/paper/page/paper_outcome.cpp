@@ -4,8 +4,9 @@
 
 #include "paper/drawings/printed_paper.h"
 #include "paper/page/page_parts.h"
-#include "report/element_values.h"
-#include "report/view_parts.h"
+#include "report/elements/element_values.h"
+#include "report/elements/elements.h"
+#include "report/engine/template_engine.h"
 #include "wording/tr.h"
 
 namespace tribolog::paper::page {
@@ -84,20 +85,21 @@ std::string sentence_of(const RegeneratedPaper& paper, const std::vector<PaperTa
 }
 
 void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies,
-                  report::TemplateValues& values) {
+                  report::engine::TemplateValues& values) {
   const bool all_well = is_all_well(paper, tallies);
-  report::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
+  report::engine::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   verdict.set("WORD", all_well ? tr("WHAT THE PAPER PRINTS IS FOUND AGAIN")
                                : tr("NOT ALL THAT THE PAPER PRINTS IS FOUND AGAIN"));
   verdict.set("SENTENCE", sentence_of(paper, tallies));
-  report::fill_outcome(all_well ? report::Outcome::good : report::Outcome::bad, verdict);
+  report::elements::fill_outcome(
+      all_well ? report::elements::Outcome::good : report::elements::Outcome::bad, verdict);
   const PaperTally& figures = tallies.front();
   const int missing = figures.printed - figures.here;
   verdict.set_optional("FIGURES_MISSING",
                        missing > 0 ? tr("{missing} of {figures} figures missing",
                                         {{"missing", missing}, {"figures", figures.printed}})
                                    : "");
-  report::TemplateValues* list = nullptr;
+  report::engine::TemplateValues* list = nullptr;
   const auto tell = [&](const std::string& where, const checks::Checks& failed) {
     for (const checks::Check& check : failed) {
       if (check.holds()) continue;
@@ -110,8 +112,8 @@ void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& 
   });
 }
 
-void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& values) {
-  report::Table table;
+void fill_tally(const std::vector<PaperTally>& tallies, report::engine::TemplateValues& values) {
+  report::elements::Table table;
   table.id = "table-tally";
   table.caption = tr("What the paper has, and what is regenerated here");
   table.columns = {{tr("Kind"), "", false},
@@ -124,12 +126,12 @@ void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& 
                            std::to_string(tally.here), std::to_string(tally.well)},
                           false});
   }
-  report::fill_table(table, "TALLY", values);
+  report::elements::fill_table(table, "TALLY", values);
 }
 
 void fill_ticks(const RegeneratedPaper& paper,
                 const std::vector<render::workers::DrawnFigure>& drawn,
-                report::TemplateValues& values) {
+                report::engine::TemplateValues& values) {
   for (const Kind& one : kinds) {
     std::vector<const checks::PaperItem*> items;
     for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
@@ -139,11 +141,11 @@ void fill_ticks(const RegeneratedPaper& paper,
               [](const checks::PaperItem* a, const checks::PaperItem* b) {
                 return a->number < b->number;
               });
-    report::TemplateValues& list = values.add_section("KIND");
+    report::engine::TemplateValues& list = values.add_section("KIND");
     list.set("KIND_NAME", tr(one.many));
     for (const checks::PaperItem* item : items) {
       const bool well = is_well(*item, paper, drawn);
-      report::TemplateValues& entry = list.add_section("ENTRY");
+      report::engine::TemplateValues& entry = list.add_section("ENTRY");
       entry.set("STATE", well ? "holds" : "fails");
       entry.set("ITEM_ID", item_anchor(*item));
       entry.set("TITLE", item->title);
@@ -187,7 +189,7 @@ std::string item_anchor(const checks::PaperItem& item) {
 
 void fill_outcome_of(const RegeneratedPaper& paper,
                      const std::vector<render::workers::DrawnFigure>& drawn,
-                     report::TemplateValues& values) {
+                     report::engine::TemplateValues& values) {
   const std::vector<PaperTally> tallies = tally_of(paper, drawn);
   fill_verdict(paper, tallies, values);
   fill_tally(tallies, values);

@@ -10,11 +10,15 @@
 
 #include "base/enum_text.h"
 #include "paper/page/page_parts.h"
-#include "report/element_values.h"
-#include "report/page_style.h"
-#include "report/report_values.h"
-#include "report/view_parts.h"
+#include "report/document/report_values.h"
+#include "report/document/view_parts.h"
+#include "report/elements/element_values.h"
+#include "report/elements/elements.h"
+#include "report/elements/figure_cards.h"
+#include "report/engine/page_style.h"
+#include "report/engine/template_engine.h"
 #include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::paper::page {
 
@@ -103,8 +107,9 @@ std::string heading_of(const checks::PaperItem& item) {
 
 void fill_item(const checks::PaperItem& item, const calibration::Calibration& calibration,
                const std::vector<figures::ReportFigure>& figures,
-               const std::vector<report::FigureCard>& cards, report::TemplateValues& section) {
-  report::TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
+               const std::vector<report::elements::FigureCard>& cards,
+               report::engine::TemplateValues& section) {
+  report::engine::TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
   out.set("ITEM_ID", item_anchor(item));
   out.set_optional("HEADING", heading_of(item));
   if (item.kind == checks::ItemKind::equation) {
@@ -113,11 +118,11 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
   }
   if (item.kind == checks::ItemKind::figure) {
     for (std::size_t i = 0; i < cards.size(); ++i) {
-      if (figures[i].paper_number == item.number) report::fill_figure(cards[i], out);
+      if (figures[i].paper_number == item.number) report::elements::fill_figure(cards[i], out);
     }
   }
   if (item.kind == checks::ItemKind::table && item.number == 2) {
-    report::fill_table(table_2(calibration), "TABLE", out);
+    report::elements::fill_table(table_2(calibration), "TABLE", out);
   }
   out.set_optional("REMARK", item.remark);
   const checks::Tally tally = checks::tally_checks(item.checks);
@@ -127,9 +132,9 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
   // Where all hold, their number says it. What is told without a check, or of the paper's words, is
   // the item itself.
   const bool is_folded = !item.checks.empty() && tally.hold == tally.there;
-  report::TemplateValues& place = is_folded ? out.add_section("FOLD") : out;
+  report::engine::TemplateValues& place = is_folded ? out.add_section("FOLD") : out;
   if (is_folded) place.set("WHAT", caption);
-  report::TemplateValues& details = place.add_include("DETAILS", "paper_details.tpl");
+  report::engine::TemplateValues& details = place.add_include("DETAILS", "paper_details.tpl");
   if (!item.printed_caption.empty()) {
     details.set_optional("IN_PRINT",
                          tr("Caption in print: “{caption}”.", {{"caption", item.printed_caption}}));
@@ -137,7 +142,7 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
   fill_checks(item.checks, item_anchor(item), caption, "CHECKS", details);
   if (item.told.empty()) return;
   const bool is_of_words = item.kind == checks::ItemKind::statement;
-  report::TemplateValues& told =
+  report::engine::TemplateValues& told =
       (is_folded && is_of_words ? out.add_include("DETAILS", "paper_details.tpl") : details)
           .add_section("TOLD");
   for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
@@ -145,32 +150,35 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
 
 }  // namespace
 
-void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section) {
-  const auto add = [&](const char* id,
-                       void (*describe)(const calibration::Calibration&, report::Section&)) {
-    report::Section stage;
+void fill_selection(const calibration::Calibration& calibration,
+                    report::engine::TemplateValues& section) {
+  const auto add = [&](const char* id, void (*describe)(const calibration::Calibration&,
+                                                        report::document::Section&)) {
+    report::document::Section stage;
     stage.id = id;
     describe(calibration, stage);
-    for (const report::Table& table : stage.tables) report::fill_table(table, "TABLE", section);
+    for (const report::elements::Table& table : stage.tables)
+      report::elements::fill_table(table, "TABLE", section);
   };
-  add("curves", report::describe_viscous_curves);
-  add("masses", report::describe_surrogate_masses);
-  add("errors", report::describe_quality_errors);
-  add("choice", report::describe_selection);
-  report::fill_table(fits_of_equation_6(calibration), "TABLE", section);
+  add("curves", report::document::describe_viscous_curves);
+  add("masses", report::document::describe_surrogate_masses);
+  add("errors", report::document::describe_quality_errors);
+  add("choice", report::document::describe_selection);
+  report::elements::fill_table(fits_of_equation_6(calibration), "TABLE", section);
 }
 
 std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
                        const std::vector<render::workers::DrawnFigure>& drawn,
                        const std::string& json, wording::Language language) {
-  report::TemplateValues values;
-  report::fill_head(paper.provenance, values);
+  report::engine::TemplateValues values;
+  report::engine::fill_head(paper.provenance, values);
   fill_outcome_of(paper, drawn, values);
-  const std::vector<report::FigureCard> cards = report::figure_cards(paper.figures, drawn);
+  const std::vector<report::elements::FigureCard> cards =
+      report::elements::figure_cards(paper.figures, drawn);
   for (const checks::PaperSection& section : paper.sections) {
-    report::TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
-    report::TemplateValues& out = values.add_section("PAPER_SECTION");
-    for (report::TemplateValues* both : {&entry, &out}) {
+    report::engine::TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
+    report::engine::TemplateValues& out = values.add_section("PAPER_SECTION");
+    for (report::engine::TemplateValues* both : {&entry, &out}) {
       both->set("SECTION_ID", section_anchor(section));
       both->set("NUMBER", section.number);
       both->set("TITLE", section.title);
@@ -186,15 +194,15 @@ std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibra
   }
   fill_errata(paper.presliding, values);
   for (const PaperSource& source : paper.sources) {
-    report::TemplateValues& file = values.add_section("SOURCE_FILE");
+    report::engine::TemplateValues& file = values.add_section("SOURCE_FILE");
     file.set("FILE_NAME", source.name);
     file.set("FILE_TEXT", source.text);
   }
-  report::fill_provenance(paper.provenance.command_line,
-                          report::or_dash(paper.provenance.created_utc), {},
-                          report::provenance_tables(calibration, paper.provenance), values);
+  report::document::fill_provenance(
+      paper.provenance.command_line, wording::or_dash(paper.provenance.created_utc), {},
+      report::document::provenance_tables(calibration, paper.provenance), values);
   values.set_checked_by_modifier("RESULT_JSON", json);
-  return report::expand_template("paper.tpl", values, language);
+  return report::engine::expand_template("paper.tpl", values, language);
 }
 
 }  // namespace tribolog::paper::page

@@ -8,7 +8,7 @@
 #include "figures/hand_made_calibration.h"
 #include "figures/sweep/swept_figures.h"
 #include "render/workers/renderer.h"
-#include "report/html_report.h"
+#include "report/document/html_report.h"
 #include "support/breadth.h"
 
 namespace tribolog::test::sixty_figures_test {
@@ -38,8 +38,8 @@ TEST(SixtyFigures, StayUnderTenMegabytes) {
   const auto drawn =
       render::workers::FigureRenderer(2, render::workers::Prepared::charts_and_scenes).draw(scenes);
   const joint::Dataset dataset = hand_made_dataset();
-  const std::string page = report::html_report(hand_made_calibration(dataset), figures, drawn,
-                                               calibration::Provenance{});
+  const std::string page = report::document::html_report(hand_made_calibration(dataset), figures,
+                                                         drawn, calibration::Provenance{});
   std::size_t pictures = 0;
   for (std::size_t at = page.find("data:image/png"); at != std::string::npos;
        at = page.find("data:image/png", at + 1)) {

@@ -1,4 +1,4 @@
-#include "report/kept_samples.h"
+#include "report/elements/kept_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace tribolog::test::kept_samples_test {
 namespace {
 
-using report::kept_samples;
+using report::elements::kept_samples;
 
 struct Signals {
   std::vector<double> t, sine, noise;
@@ -47,14 +47,14 @@ double worst_miss(const std::vector<double>& t, const std::vector<double>& y,
 
 TEST(KeptSamples, KeepsAllWhereThereIsRoom) {
   const Signals s = ten_cycles(50);
-  const auto kept = report::kept_samples(s.t, {&s.sine, &s.noise}, {}, 50);
+  const auto kept = report::elements::kept_samples(s.t, {&s.sine, &s.noise}, {}, 50);
   ASSERT_EQ(kept.size(), 50U);
   for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(kept[i], i);
 }
 
 TEST(KeptSamples, KeepsExtremesEndsAndWhatIsNeeded) {
   const Signals s = ten_cycles(10000);
-  const auto kept = report::kept_samples(s.t, {&s.sine, &s.noise}, {4321}, 300);
+  const auto kept = report::elements::kept_samples(s.t, {&s.sine, &s.noise}, {4321}, 300);
   EXPECT_EQ(kept.size(), 300U);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
   const auto has = [&](std::size_t i) { return std::binary_search(kept.begin(), kept.end(), i); };
@@ -68,7 +68,7 @@ TEST(KeptSamples, KeepsExtremesEndsAndWhatIsNeeded) {
 
 TEST(KeptSamples, ASmoothCurveLooksTheSame) {
   const Signals s = ten_cycles(10000);
-  const auto kept = report::kept_samples(s.t, {&s.sine}, {}, 500);
+  const auto kept = report::elements::kept_samples(s.t, {&s.sine}, {}, 500);
   // Chords of a sine: 50 in a period miss it by pi^2 / 2 / 50^2 if they are placed evenly.
   constexpr double even = std::numbers::pi * std::numbers::pi / 2 / 50 / 50;
   EXPECT_LT(worst_miss(s.t, s.sine, kept), 2 * even);
@@ -78,21 +78,22 @@ TEST(KeptSamples, ALongRecordingKeepsItsShapeAndExtremesToo) {
   Signals s = ten_cycles(400000);
   s.noise[123456] = 1.5;
   for (std::size_t i = 123000; i < 123400; ++i) s.noise[i] = std::nan("");
-  const auto kept = report::kept_samples(s.t, {&s.sine, &s.noise}, {98765}, 500);
+  const auto kept = report::elements::kept_samples(s.t, {&s.sine, &s.noise}, {98765}, 500);
   EXPECT_EQ(kept.size(), 500U);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
   for (const std::size_t i : {0U, 98765U, 123456U, 399999U}) {
     EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), i)) << i;
   }
   constexpr double even = std::numbers::pi * std::numbers::pi / 2 / 50 / 50;
-  EXPECT_LT(worst_miss(s.t, s.sine, report::kept_samples(s.t, {&s.sine}, {}, 500)), 2 * even);
+  EXPECT_LT(worst_miss(s.t, s.sine, report::elements::kept_samples(s.t, {&s.sine}, {}, 500)),
+            2 * even);
 }
 
 TEST(KeptSamples, ASmallSignalCountsAsMuchAsALargeOne) {
   Signals s = ten_cycles(10000);
   for (double& y : s.noise) y = 0;
   s.noise[5000] = 1e-9;  // one spike, its whole span
-  const auto kept = report::kept_samples(s.t, {&s.sine, &s.noise}, {}, 200);
+  const auto kept = report::elements::kept_samples(s.t, {&s.sine, &s.noise}, {}, 200);
   for (const std::size_t i : {4999U, 5000U, 5001U}) {
     EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), i)) << i;
   }
@@ -103,17 +104,17 @@ TEST(KeptSamples, ConstantAndUnknownSignalsDoNotMatter) {
   const std::vector<double> level(1000, 3.0);
   std::vector<double> unknown(1000, std::numeric_limits<double>::quiet_NaN());
   unknown[7] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(report::kept_samples(s.t, {&s.sine, &level, &unknown}, {}, 100),
-            report::kept_samples(s.t, {&s.sine}, {}, 100));
-  EXPECT_EQ(report::kept_samples(s.t, {&level}, {}, 100).size(), 100U);
-  EXPECT_TRUE(report::kept_samples({}, {}, {}, 100).empty());
+  EXPECT_EQ(report::elements::kept_samples(s.t, {&s.sine, &level, &unknown}, {}, 100),
+            report::elements::kept_samples(s.t, {&s.sine}, {}, 100));
+  EXPECT_EQ(report::elements::kept_samples(s.t, {&level}, {}, 100).size(), 100U);
+  EXPECT_TRUE(report::elements::kept_samples({}, {}, {}, 100).empty());
 }
 
 TEST(KeptSamples, WhatIsNeededIsKeptEvenBeyondTheRoom) {
   const Signals s = ten_cycles(100);
   std::vector<std::size_t> all(100);
   for (std::size_t i = 0; i < 100; ++i) all[i] = i;
-  EXPECT_EQ(report::kept_samples(s.t, {&s.sine}, all, 10).size(), 100U);
+  EXPECT_EQ(report::elements::kept_samples(s.t, {&s.sine}, all, 10).size(), 100U);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The viewer's data against the calibration that they come from and the report around them.
 
-#include "report/review_json.h"
+#include "report/viewer/review_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/identify.h"
+#include "report/document/html_report.h"
 #include "report/document_checks.h"
-#include "report/html_report.h"
-#include "report/page_style.h"
+#include "report/engine/page_style.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
@@ -30,7 +30,7 @@ const calibration::Calibration& noisy_joint() {
 }
 
 Json data_of(const calibration::Calibration& calibration) {
-  return Json::parse(report::review_json(calibration));
+  return Json::parse(report::viewer::review_json(calibration));
 }
 
 void expect_digits(const Json& shown, double si, double factor) {
@@ -55,8 +55,8 @@ TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
   ASSERT_EQ(data["loops"].size(), 1U);
   const Json& loop = data["loops"][0];
   const std::size_t kept = loop["t"].size();
-  EXPECT_LE(kept, report::most_loop_samples);
-  EXPECT_GT(kept, report::most_loop_samples / 2);
+  EXPECT_LE(kept, report::viewer::most_loop_samples);
+  EXPECT_GT(kept, report::viewer::most_loop_samples / 2);
   EXPECT_EQ(loop["samples"], trace.t_s.size());
   const double centre = noisy_joint().hysteresis.oscillations.front().centre_rad;
   for (const char* name : {"q", "T", "z", "dz", "fit"}) ASSERT_EQ(loop[name].size(), kept) << name;
@@ -148,7 +148,7 @@ TEST(ReviewJson, ManyLoopsShareTheRoom) {
   ASSERT_EQ(data["loops"].size(), 20U);
   std::set<std::pair<std::string, std::string>> looks;
   for (const Json& loop : data["loops"]) {
-    EXPECT_LE(loop["t"].size(), 5 * report::most_loop_samples / 20);
+    EXPECT_LE(loop["t"].size(), 5 * report::viewer::most_loop_samples / 20);
     looks.emplace(loop["style"]["colour"].get<std::string>(),
                   loop["style"]["line"].get<std::string>());
   }
@@ -167,7 +167,7 @@ TEST(ReviewJson, WithoutBristleThereIsNoneAndWithoutDataNoViewer) {
   for (const char* name : {"z", "dz", "fit"}) EXPECT_FALSE(loop.contains(name)) << name;
   EXPECT_TRUE(data_of(c)["points"]["first"].empty());
 
-  EXPECT_EQ(report::review_json(calibration::Calibration{}), "");
+  EXPECT_EQ(report::viewer::review_json(calibration::Calibration{}), "");
   const std::string page = report_of(calibration::Calibration{});
   EXPECT_EQ(page.find("script-src"), std::string::npos);
   EXPECT_EQ(page.find("id=\"review\""), std::string::npos);
@@ -186,7 +186,7 @@ TEST(ReviewJson, TextsOfStrangersAreMadeVisible) {
   calibration::Calibration c = noisy_joint();
   c.curves.loops.front().recording = hostile;
   c.viscous.runs.front().recording = hostile;
-  const std::string json = report::review_json(c);
+  const std::string json = report::viewer::review_json(c);
   EXPECT_EQ(json.find("\u202E"), std::string::npos);
   const std::string name = Json::parse(json)["loops"][0]["name"];
   EXPECT_NE(name.find("[U+202E]"), std::string::npos);
@@ -194,7 +194,7 @@ TEST(ReviewJson, TextsOfStrangersAreMadeVisible) {
 }
 
 TEST(ReviewScript, ReachesForNothingAndStaysSmall) {
-  const std::string& script = report::own_script();
+  const std::string& script = report::engine::own_script();
   for (const char* word : {"eval", "Function(", "innerHTML", "outerHTML", "insertAdjacent", "fetch",
                            "XMLHttp", "import", "http:", "https:", "localStorage", "\"style\"",
                            "document.write", "</script", "<!--", "setTimeout(\""}) {
@@ -203,7 +203,8 @@ TEST(ReviewScript, ReachesForNothingAndStaysSmall) {
     text.erase(text.find(name_space), name_space.size());
     EXPECT_EQ(text.find(word), std::string::npos) << word;
   }
-  EXPECT_LT(script.size() + report::own_style(report::PageKind::with_viewer).size(), 80000U);
+  EXPECT_LT(script.size() + report::engine::own_style(report::engine::PageKind::with_viewer).size(),
+            80000U);
 }
 
 }  // namespace

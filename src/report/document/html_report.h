@@ -1,0 +1,42 @@
+#pragma once
+// A calibration as one HTML file that needs nothing else: no link to the outside, and one script,
+// that of the loop viewer, without which nothing is missing.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "calibration/provenance.h"
+#include "figures/report_figure.h"
+#include "history/comparison.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
+
+namespace tribolog::report::document {
+
+/// UTF-8 HTML. The style is inline and named by its hash in a content security policy, pictures
+/// are data URIs, and the result as JSON stands in `<script type="application/json"
+/// id="tribolog-result">`, which a browser does not run. Where there are loops or friction curves,
+/// the viewer's data stand in `tribolog-loops`, and the policy names the viewer's script by its
+/// hash. Same arguments, same bytes.
+///
+/// Figures and drawn pictures pair up by id. A figure that could not be drawn gets a placeholder
+/// with the reason, and the banner says how many are missing.
+/// @param since_last from the joint's calibration before to this one.
+/// @param language of the page and the viewer; the embedded result is the same in every language.
+/// @param id hexadecimal, of the calibration in the archive: the report's number where the manifest
+/// states none. Without it, the digest of the
+/// embedded result but for the time, the command and the drawing software.
+std::string html_report(const calibration::Calibration& calibration,
+                        const std::vector<figures::ReportFigure>& figures,
+                        const std::vector<render::workers::DrawnFigure>& drawn,
+                        const calibration::Provenance& provenance,
+                        const std::optional<history::Comparison>& since_last = std::nullopt,
+                        wording::Language language = wording::Language{},
+                        const std::string& id = {});
+
+/// The graphics stack as the provenance keeps it.
+calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info);
+
+}  // namespace tribolog::report::document
