@@ -1,6 +1,6 @@
 #pragma once
 // Colours, line styles and markers that charts, diagrams and scenes share, and how well colours
-// are told from their ground.
+// stand out from their ground.
 
 #include <cstdint>
 
@@ -30,7 +30,7 @@ inline constexpr Colour grey{120, 120, 120};
 enum class LineStyle { none, solid, dash, dot, dash_dot, dash_dot_dot };
 enum class Marker { none, circle, square, triangle, diamond, cross, plus };
 
-// How well colours are told from their ground, as the Web Content Accessibility Guidelines
+// How well colours stand out from their ground, as the Web Content Accessibility Guidelines
 // measure it.
 
 inline constexpr double least_text_contrast = 4.5;  ///< WCAG 2.1, 1.4.3.

@@ -1,6 +1,6 @@
 #pragma once
 // What becomes of the outputs where the program ends before its work is done: what is unfinished is
-// removed, and what was kept is told.
+// removed, and what was kept is reported.
 
 #include <list>
 #include <string>

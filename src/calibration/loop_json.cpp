@@ -170,18 +170,18 @@ void state_traced(Fields& f, const method::hysteresis::TracedLoop& loop) {
              "The same of the model, over the same samples.");
 }
 
-void state_contacts(Fields& f, const method::hysteresis::ContactComparison& contest) {
-  f.choice("winner", contest.winner,
+void state_contacts(Fields& f, const method::hysteresis::ContactComparison& comparison) {
+  f.choice("winner", comparison.winner,
            "The one that describes the loops better than both others, beyond doubt. null: none "
-           "does, or there was no contest.");
-  f.list("rivals", contest.rivals, "",
-         [](Fields& one, const method::hysteresis::ContactCandidate& rival) {
-           one.choice("law", rival.law);
-           one.number("stiffness_Nm_rad", rival.stiffness_Nm_rad, "Just after a reversal.");
+           "does, or there was no comparison.");
+  f.list("rivals", comparison.candidates, "",
+         [](Fields& one, const method::hysteresis::ContactCandidate& candidate) {
+           one.choice("law", candidate.law);
+           one.number("stiffness_Nm_rad", candidate.stiffness_Nm_rad, "Just after a reversal.");
            one.number(
-               "static_Nm", rival.static_Nm,
+               "static_Nm", candidate.static_Nm,
                "Torque at which it slides; of Maxwell-slip without what never slips in the loops.");
-           one.number("residual_Nm", rival.residual_Nm, "Rms over the rows compared.");
+           one.number("residual_Nm", candidate.residual_Nm, "Rms over the rows compared.");
          });
 }
 

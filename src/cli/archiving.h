@@ -54,8 +54,8 @@ struct NumbersToKeep {
   std::string file;
 };
 
-/// Opens the archive before anything is computed, so that one that cannot be written is told early;
-/// one that is not there yet is made with its first calibration, and only looked for before.
+/// Opens the archive before anything is computed, so that one that cannot be written is refused
+/// early; one that is not there yet is made with its first calibration, and only looked for before.
 class Archiving {
  public:
   /// @throw as archive::open_archive() and check_can_be_made(); UsageError: inputs or again without

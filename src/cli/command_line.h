@@ -6,7 +6,7 @@
 namespace tribolog::cli {
 
 /// Parses the arguments and runs the command.
-/// @throw tribolog::Error for everything that the user is to be told.
+/// @throw tribolog::Error for everything that the user has to know.
 ExitStatus run_command_line(int argc, char** argv);
 
 }  // namespace tribolog::cli

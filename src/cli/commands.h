@@ -1,5 +1,5 @@
 #pragma once
-// The commands, one file each, and what each is told on the command line.
+// The commands, one file each, and what each takes from the command line.
 
 #include <optional>
 #include <string>
@@ -153,7 +153,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console);
 
-// What each command is told on the command line: its subcommand with every option and its help.
+// What each command takes from the command line: its subcommand with every option and its help.
 
 /// Each adds the command to the program. @return it: true once it was the one chosen.
 CLI::App& add_inspect(CLI::App& app, InspectOptions& inspect);

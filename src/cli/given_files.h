@@ -19,7 +19,7 @@ std::string name_of(inspect::files::FileKind kind);
 /// The command that reads such a file: "tribolog show r.html"; empty: none does.
 std::string command_for(inspect::files::FileKind kind, const std::string& file);
 
-/// A file of a kind that is known, and is none of those wanted, is refused with what it is and the
+/// A file of a known kind that is not wanted here is refused with what it is and the
 /// command that reads it. What is missing, empty, a directory or not recognised is left to who
 /// reads it.
 /// @param wanted for the message: "a scenario (TOML)".

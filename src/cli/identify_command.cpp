@@ -24,7 +24,7 @@ ExitStatus run_identify(const IdentifyArguments& stated, const std::vector<std::
   }
   check_output_can_be_written(options.output, {options.dataset.manifest, options.archiving.file()});
   console.make_way_for(options.output);
-  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
+  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is refused now
   Archiving archiving(options.archiving);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.output);

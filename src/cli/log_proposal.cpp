@@ -45,8 +45,8 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files) {
 
 namespace {
 
-/// Surveys the logs in their order, those of a set of files as one. One that is refused is told at
-/// once, and the others go on.
+/// Surveys the logs in their order, those of a set of files as one. One that is refused is reported
+/// at once, and the others go on.
 class LogsInOrder {
  public:
   LogsInOrder(const std::vector<SurveyedFile>& files, const InspectedLogs& options,
@@ -163,17 +163,17 @@ namespace {
 
 /// Columns of a known quantity in a unit that is not known: left out, and said.
 void tell_foreign_units(const std::vector<inspect::survey::LogSurvey>& logs, Console& console) {
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
   for (const inspect::survey::LogSurvey& log : logs) {
     for (const inspect::survey::TableSurvey& table : log.tables) {
       for (const ingest::layout::ForeignUnit& foreign : table.foreign) {
         std::string line = inspect::survey::foreign_unit_in_words(table, foreign);
-        if (std::find(told.begin(), told.end(), line) == told.end())
-          told.push_back(std::move(line));
+        if (std::find(lines.begin(), lines.end(), line) == lines.end())
+          lines.push_back(std::move(line));
       }
     }
   }
-  for (const std::string& line : told) console.say(line);
+  for (const std::string& line : lines) console.say(line);
 }
 
 /// A few lines: the joint, the roles found, and what to correct.

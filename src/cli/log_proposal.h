@@ -13,7 +13,7 @@
 
 namespace tribolog::cli {
 
-/// What is told of logs on the command line.
+/// What the command line states of logs.
 struct InspectedLogs {
   std::vector<std::string> files;
   inspect::survey::ProposalOptions known;
@@ -32,7 +32,7 @@ std::vector<std::string> paths_of(const std::vector<SurveyedFile>& files);
 
 /// Surveys the logs with what is known of the gears. Where several ratios are stated and angles of
 /// motors are logged, whose ratio is whose follows from a first survey without them. A log that is
-/// refused is told at once, and the others go on.
+/// refused is reported at once, and the others go on.
 /// @param of_joints receives whose they are.
 /// @throw InputError of the only log, or of the first one if all are refused.
 std::vector<inspect::survey::LogSurvey> survey_with_gears(const std::vector<SurveyedFile>& files,
@@ -51,7 +51,7 @@ struct ProposedManifest {
   std::vector<std::string> open;  ///< Options that would state what is not known: "--gear-ratio N".
 };
 
-/// The manifest of the joint that moves most, or of all; what it is of and what is open is told.
+/// The manifest of the joint that moves most, or of all; what it is of and what is open is printed.
 /// @param directory of the manifest.
 /// @throw as propose_manifest().
 ProposedManifest propose(const InspectedLogs& of, bool all_joints, const std::string& directory,

@@ -59,9 +59,9 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
   };
   console.say(
       fmt::format("  print against computation: {} hold; independent computations: {}; "
-                  "definitions told: {}",
+                  "definitions, not checked: {}",
                   tally(paper::checks::Kind::print), tally(paper::checks::Kind::independent),
-                  paper::checks::count_told(paper.sections)));
+                  paper::checks::count_unchecked(paper.sections)));
 }
 
 }  // namespace

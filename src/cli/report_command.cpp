@@ -54,7 +54,7 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
     check_output_can_be_written(output, {options.dataset.manifest, options.archiving.file()});
   }
   check_outputs_differ({options.output, numbers});
-  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
+  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is refused now
   Archiving archiving(options.archiving);
 
   std::optional<Renderer> renderer;  // starts while the numbers are computed

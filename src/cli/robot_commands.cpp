@@ -28,7 +28,8 @@ void add_numbers(const std::vector<IdentifiedJoint>& joints, const std::string& 
   }
 }
 
-/// Makes the directory, and tells before anything is computed whether files can be written to it.
+/// Makes the directory, and finds out before anything is computed whether files can be written to
+/// it.
 /// @param page one of them.
 void prepare(const DatasetChoice& dataset, const std::string& directory, const std::string& page,
              const ArchivingOptions& archiving, AtomicFiles& files) {
@@ -38,7 +39,7 @@ void prepare(const DatasetChoice& dataset, const std::string& directory, const s
   }
   files.make_directory(directory);
   check_output_can_be_written(directory + "/" + page, {dataset.manifest, archiving.file()});
-  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is told now
+  static_cast<void>(calibration::make_provenance({}));  // a time that cannot be used is refused now
 }
 
 /// Where the numbers go.

@@ -52,7 +52,7 @@ std::string as_file_name(const std::string& name);
 /// Names of files for the joints: what a file system might not take is an underscore.
 std::vector<std::string> file_names_of(const std::vector<std::string>& joints);
 
-/// On all cores. What is noticed is told in the joints' order; a refused joint is warned of.
+/// On all cores. Remarks are printed in the joints' order; a refused joint is warned of.
 /// @throw UsageError as run_identification().
 std::vector<IdentifiedJoint> identify_joints(const std::string& manifest,
                                              const std::vector<std::string>& names,

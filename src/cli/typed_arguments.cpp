@@ -16,7 +16,8 @@ namespace {
 
 using inspect::files::FileKind;
 
-/// The command that the words name so far. @return the same where the word names none of its own.
+/// The command that the words name so far. @return the same where the word names no command of its
+/// own.
 const CLI::App& command_at(const CLI::App& command, const std::string& word) {
   for (const CLI::App* const one : commands_of(command)) {
     if (one->check_name(word)) return *one;
@@ -84,7 +85,7 @@ bool may_be_archive(const std::string& word) {
   return kind == FileKind::missing || kind == FileKind::empty || kind == FileKind::archive;
 }
 
-/// A `--archive` without a value, before words that are none of it.
+/// A `--archive` without a value, before words that do not belong to it.
 bool has_no_value(const CLI::App& command, const std::string& argument, const std::string& next) {
   if (argument.find('=') != std::string::npos) return false;
   const CLI::Option* const option = find_option(command, argument);

@@ -218,7 +218,7 @@ wording::Extent heights_of(const render::figure::Panel& panel, const wording::Ax
   return heights;
 }
 
-/// How far the fitted curve is from the arg-max; tells which direction it was found in.
+/// How far the fitted curve is from the arg-max; shows in which direction it was found in.
 double distance_to_argmax(const method::gravity::CogSweepResult& sweep,
                           const Direction& direction) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -125,7 +125,7 @@ class Charting {
   }
 
   /// Of the calibrations from `from` on, the one from which on a shift is likeliest: by their
-  /// whole distances from what was before, of which a score tells no more than 4.
+  /// whole distances from what was before, of which a score counts no more than 4.
   [[nodiscard]] std::size_t likeliest_start(const ReferenceLine& before, std::size_t from,
                                             std::size_t alarm) const {
     double sum = 0;

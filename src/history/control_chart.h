@@ -22,7 +22,7 @@
 //
 // A score counts as 4 at most, so that no single odd calibration raises an alarm. One whose whole
 // score, against those that are not odd, is 4.5 or more (seven in a million by chance) stands
-// apart: it is told as such, and the reference at the end is without it.
+// apart: it is reported as such, and the reference at the end is without it.
 //
 // The change began, as far as the alarm can know, at that of the calibrations since the sum last
 // left zero from which on a shift is likeliest: the largest (sum of d)^2 / n of their standardised

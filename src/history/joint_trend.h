@@ -19,7 +19,7 @@ struct Baseline {
   [[nodiscard]] bool is_by_date() const { return !from.empty() || !to.empty(); }
 };
 
-/// Temperatures within less are not told from: the line over them would be guessed.
+/// A smaller span of temperatures gives no line: it would be a guess.
 inline constexpr double least_temperature_span_K = 2;
 
 enum class LeftOut {
@@ -119,7 +119,7 @@ struct JointTrend {
 
 /// One for each joint, in their order.
 /// @param calibrations as CalibrationArchive::measured() gives them, each inputs' latest revision.
-/// @throw UsageError: a baseline of fewer than fewest_learned, or dates that are none.
+/// @throw UsageError: a baseline of fewer than fewest_learned, or texts that are not dates.
 std::vector<JointTrend> joint_trends(const std::vector<calibration::Measured>& calibrations,
                                      const Baseline& baseline);
 

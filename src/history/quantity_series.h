@@ -18,8 +18,8 @@ std::vector<QuantityTrend> quantity_series(const std::vector<calibration::Measur
 /// For the chart: the interval as a standard error.
 SeriesPoint series_point(const HistoryPoint& point);
 
-/// Empty unless the temperature rose or fell along with time, so that a drift cannot be told from
-/// it.
+/// Empty unless the temperature rose or fell along with time, so that a drift cannot be separated
+/// from it.
 Statement caution_on_warming(const std::vector<calibration::Measured>& calibrations);
 
 }  // namespace tribolog::history

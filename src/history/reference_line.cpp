@@ -179,17 +179,17 @@ std::optional<SlowDrift> find_slow_drift(const std::vector<SeriesPoint>& series,
                                          const std::vector<double>& days, bool with_temperature,
                                          std::size_t watched) {
   const double limit = drift_limit(watched);
-  std::optional<SlowDrift> told;
-  // From the last calibration back, as long as it was told at each of them.
+  std::optional<SlowDrift> drift;
+  // From the last calibration back, as long as each of them would have reported it.
   for (std::size_t count = series.size(); count >= fewest_for_drift; --count) {
     const auto line = line_over(series, days, with_temperature, count);
-    const bool is_told =
-        line && std::abs(line->score) >= limit && (!told || (line->score > 0) == (told->score > 0));
-    if (!is_told) break;
-    if (!told) told = line;
-    told->visible = count - 1;
+    const bool is_seen = line && std::abs(line->score) >= limit &&
+                         (!drift || (line->score > 0) == (drift->score > 0));
+    if (!is_seen) break;
+    if (!drift) drift = line;
+    drift->visible = count - 1;
   }
-  return told;
+  return drift;
 }
 
 }  // namespace tribolog::history

@@ -151,7 +151,7 @@ struct Dataset {
   [[nodiscard]] std::vector<const Recording*> with_role(Role role) const;
 };
 
-// The conversions of all logs of a dataset, each told once.
+// The conversions of all logs of a dataset, each stated once.
 
 /// A conversion with the logs whose columns it was applied to.
 struct SharedConversion {

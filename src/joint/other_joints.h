@@ -30,7 +30,7 @@ struct OtherJoint {
 struct HeldJoint {
   std::string name;       ///< In the description.
   double position_rad{};  ///< Of a sliding one [m].
-  bool is_logged{};       ///< false: no column tells, and 0 is assumed.
+  bool is_logged{};       ///< false: no column holds it, and 0 is assumed.
 };
 
 /// Gravity by the masses of a description (URDF): what the others' motion changes of it, against a

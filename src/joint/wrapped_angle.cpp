@@ -85,7 +85,7 @@ std::optional<AngleWraps> find_wraps(const std::vector<double>& time,
 
   std::vector<Candidate> found;
   for (const std::size_t k : jumps) {
-    if (k < 2 || k + 1 >= at.size()) return std::nullopt;  // nothing tells whether it goes on
+    if (k < 2 || k + 1 >= at.size()) return std::nullopt;  // nothing shows whether it goes on
     const double before = angle[at[k - 1]] - angle[at[k - 2]];
     const double jump = angle[at[k]] - angle[at[k - 1]];
     const double after = angle[at[k + 1]] - angle[at[k]];

@@ -59,7 +59,7 @@ struct GaussianDeflection {
   }
 };
 
-/// What a pass over a block's speeds tells before any step is taken. Counts, because those
+/// What a pass over a block's speeds shows before any step is taken. Counts, because those
 /// vectorise where a minimum would not.
 struct SpeedCounts {
   std::int64_t forward{};

@@ -112,7 +112,7 @@ struct MovedJoint {
   std::vector<double> ddq_rad_s2;
   double static_Nm{};  ///< Of the contact: friction counts as built up by its share of this. 0: at
                        ///< once.
-  std::size_t run{};   ///< Number of a run at constant speed, from 1; 0: it is none.
+  std::size_t run{};   ///< Number of a run at constant speed, from 1; 0: another recording.
 };
 
 /// Effects of the catalogue that are not in a scenario, each of size zero. Where joint or log have

@@ -18,7 +18,7 @@ struct MisfitRun {
   std::map<joint::Quantity, double> truths;  ///< SI, motor side; NaN: none.
 };
 
-/// One run by the whole chain. @param of the case that `keep`, if any, is told.
+/// One run by the whole chain. @param of the case, for `keep`, if there is one.
 calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
                                   std::vector<simulate::IdealRecording> ideal,
                                   const simulate::Noise& noise, const KeepLogs& keep);

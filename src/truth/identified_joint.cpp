@@ -287,7 +287,7 @@ std::vector<Reading> put_in(const calibration::Calibration& c, double gravity_Nm
 }
 
 /// Of a recording so long that repeating it would take longer than the identification itself, what
-/// tells as much: an oscillation's first cycles, of any other every so many samples.
+/// shows as much: an oscillation's first cycles, of any other every so many samples.
 joint::Recording shortened(const joint::Recording& r) {
   constexpr std::size_t long_from = 200'000;
   constexpr std::size_t enough = 50'000;

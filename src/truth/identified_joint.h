@@ -24,8 +24,8 @@ double white_torque_Nm(const std::vector<double>& torque_Nm);
 /// Torque ripple periodic in the motor's angle, from what the rough sweep's fit leaves: the
 /// strongest lines of a search as fine as its samples allow (method/gravity/ripple_spectrum.h), up
 /// to four, so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm.
-/// Periods of which the sweep holds fewer than three are none: they cannot be told from gravity.
-/// Empty where no line carries a tenth of the ripple's variance. Phases are as found.
+/// Periods of which the sweep holds fewer than three are left out: they cannot be separated from
+/// gravity. Empty where no line carries a tenth of the ripple's variance. Phases are as found.
 /// @param dataset that the sweep belongs to, `curves` those of its rough sweep.
 std::vector<simulate::Noise::Ripple> ripple_of(const joint::Dataset& dataset,
                                                const method::gravity::CogSweepResult& rough,

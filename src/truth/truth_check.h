@@ -2,7 +2,7 @@
 // The known-truth check: simulate with what was identified, at the noise that was found, identify
 // again with the same chain, and see whether it comes back.
 //
-// It tells whether the method can find its own answer on these motions at this noise. It does not
+// It shows whether the method can find its own answer on these motions at this noise. It does not
 // tell whether the answer is right: a joint that is not of the model's kind shows in the residuals
 // and in the disagreement of estimators, not here. It never calls itself: the identification it is
 // given must not make the check.

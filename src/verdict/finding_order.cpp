@@ -21,9 +21,9 @@ bool says(const Statement& statement, const std::vector<Code>& codes) {
   });
 }
 
-/// Whether what one finding tells is a consequence of what the other does: loops that disagree with
-/// sweeps and runs as an offset makes them, loops that are beside a peak that a moving joint has
-/// shifted or that no gravity makes.
+/// Whether what one finding states is a consequence of what the other states: loops that disagree
+/// with sweeps and runs as an offset makes them, loops that are beside a peak that a moving joint
+/// has shifted or that no gravity makes.
 bool follows_from(const Statement& finding, const Statement& cause) {
   if (says(finding, {"cross_check.disagree"})) {
     return says(cause, {"effect.offset", "effect.asymmetry"});
@@ -32,7 +32,7 @@ bool follows_from(const Statement& finding, const Statement& cause) {
          says(cause, {"cause.other_joint", "cause.no_gravity", "cause.no_gravity_or_removed"});
 }
 
-/// Whether a number's reason is the effect that the finding tells.
+/// Whether a number's reason is the effect that the finding names.
 bool is_of_same_effect(const Statement& reason, const Statement& finding) {
   const bool is_of_effect =
       reason.is("model.rests_on_effect") || reason.is("model.effect_too_large");

@@ -1,5 +1,5 @@
 #pragma once
-// What explains what, and in which order it is told.
+// Which finding explains which, and the order in which they are listed.
 
 #include <cstddef>
 #include <vector>

@@ -173,7 +173,7 @@ const joint::OtherJoint* farthest_of_others(const Calibration& c) {
   return farthest;
 }
 
-/// How far another joint moved, by the logs, where no description tells what that does.
+/// How far another joint moved, by the logs, where no description says what that does.
 std::optional<Measured> others_move(const Calibration& c) {
   const joint::OtherJoint* const farthest = farthest_of_others(c);
   if (farthest == nullptr) return std::nullopt;

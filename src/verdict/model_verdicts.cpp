@@ -54,8 +54,9 @@ bool is_of_law(std::string_view effect) {
   return std::find(all.begin(), all.end(), effect) != all.end();
 }
 
-/// Who has recorded as many runs as are asked for is told at which speeds to record more.
-/// @param otherwise What to record where runs are missing, or the quantity is none of a law's ends.
+/// Where as many runs were recorded as are asked for, the advice names the speeds to add.
+/// @param otherwise What to record where runs are missing, or the quantity is not a limit of the
+/// law.
 Statement experiment_about_law(const Calibration& c, Quantity quantity,
                                const Statement& otherwise) {
   constexpr std::size_t both_directions_of_ten = 20;

@@ -203,7 +203,7 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
       of_fit(Quantity::bristle_damping, LuGreParameterName::bristle_damping, {}),
       of_fit(Quantity::inertia, LuGreParameterName::inertia,
              calibration::inertia_headline(c).kgm2)};
-  // A lag of the torque looks like bristle damping: no loop alone tells the two apart.
+  // A lag of the torque looks like bristle damping: a loop alone does not separate the two.
   const bool lag_is_known = !c.model.empty() || c.manifest.effects.is_stated(joint::effect::lag);
   if (!lag_is_known) {
     calibration::lower(verdict_on(Quantity::bristle_damping, all), calibration::Verdict::doubtful,
@@ -225,7 +225,7 @@ calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
     calibration::lower(q, calibration::Verdict::not_identifiable, stage.reason, record_runs);
     return q;
   }
-  // Runs without a plateau are left out and told; the others' points are as good as ever.
+  // Runs without a plateau are left out and reported; the other points remain valid.
   const bool lacks_a_few = !c.viscous.from_sweep && c.viscous.recordings_without_plateau > 0 &&
                            2 * c.viscous.recordings_without_plateau <= c.viscous.runs.size();
   if (stage.state != statistics::StageState::done && !lacks_a_few)
@@ -246,7 +246,8 @@ std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibratio
 
 namespace {
 
-/// A law that the runs do not hold may have any parameter: a torque far beyond theirs is none.
+/// A law that the runs do not support may have any parameter: a torque far beyond theirs is not an
+/// estimate.
 bool is_beyond_runs(const calibration::Calibration& c, double torque_Nm) {
   constexpr double most_times = 10;
   double largest = 0;

@@ -79,7 +79,7 @@ struct Rule {
 
   [[nodiscard]] const RuleNumber* number() const { return std::get_if<RuleNumber>(&by); }
 
-  /// Broken where this fails (which tells what to record), or by the number.
+  /// Broken where this fails (which says what to record), or by the number.
   std::variant<method::checks::CheckName, RuleNumber> by;
   /// usable: the finding is reported, and was corrected.
   calibration::Verdict lowers_to;

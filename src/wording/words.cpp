@@ -142,7 +142,7 @@ std::vector<std::string> words(const std::vector<Statement>& statements) {
 std::string words(const std::exception& error) {
   try {
     return words(stated_by(error));
-  } catch (const std::logic_error&) {  // told while another error is: it must not take its place
+  } catch (const std::logic_error&) {  // must not take the place of the error that is reported
     return error.what();
   }
 }

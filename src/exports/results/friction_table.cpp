@@ -10,12 +10,10 @@
 
 #include "base/requirements.h"
 #include "calibration/read_calibration.h"
+#include "method/motion/plateaus.h"
 
 namespace tribolog::exports::results {
 namespace {
-
-/// Runs at one commanded speed differ by less, as where the method pairs the directions.
-constexpr double same_speed_share = 0.03;
 
 struct MergedSpeed {
   double speed_sum{};
@@ -75,7 +73,8 @@ std::vector<FrictionRow> measured_points(const calibration::RecordedFriction& ru
 std::vector<FrictionRow> merged(const std::vector<FrictionRow>& points) {
   std::vector<MergedSpeed> speeds;
   for (const FrictionRow& p : points) {
-    if (speeds.empty() || p.speed_rad_s > (1 + same_speed_share) * speeds.back().speed()) {
+    if (speeds.empty() ||
+        p.speed_rad_s > (1 + method::motion::same_speed) * speeds.back().speed()) {
       speeds.emplace_back();
     }
     MergedSpeed& last = speeds.back();

@@ -133,10 +133,10 @@ MatElements check_mat_elements(const std::string& path, MatVersion version) {
 /// MATLAB stores of them in a variable without a name is no array.
 void tell_objects(const std::vector<MatObjects>& with_objects, FileArrays& found) {
   std::size_t next = 0;
-  std::vector<std::pair<std::string, std::string>> told;
+  std::vector<std::pair<std::string, std::string>> unread;
   for (const auto& [name, reason] : found.left_out) {
     if (reason == is_stored_of_objects && !with_objects.empty()) continue;
-    told.emplace_back(name, reason);
+    unread.emplace_back(name, reason);
     if (reason != is_matlab_object) continue;
     // Of cells and of arrays of structs the names have numbers: "runs_0.tt".
     const auto is_in = [&](const std::string& variable) {
@@ -147,7 +147,7 @@ void tell_objects(const std::vector<MatObjects>& with_objects, FileArrays& found
         with_objects.begin() + static_cast<std::ptrdiff_t>(next), with_objects.end(),
         [&](const MatObjects& of) { return of.is_object ? name == unnamed : is_in(of.variable); });
     if (it == with_objects.end()) continue;
-    std::string& shown = told.back().first;
+    std::string& shown = unread.back().first;
     if (it->is_object) {
       next = static_cast<std::size_t>(it - with_objects.begin()) + 1;
       shown = it->variable;
@@ -155,10 +155,10 @@ void tell_objects(const std::vector<MatObjects>& with_objects, FileArrays& found
     const bool are_alike = std::all_of(it->classes.begin(), it->classes.end(),
                                        [&](const auto& one) { return one == it->classes[0]; });
     const bool is_called_so = it->is_object || name[it->variable.size()] == '.';
-    told.back().second =
+    unread.back().second =
         why_object_is_not_read(is_called_so ? shown : "x", are_alike ? it->classes[0] : "");
   }
-  found.left_out = std::move(told);
+  found.left_out = std::move(unread);
 }
 
 FileArrays read_variables(const std::string& path, const ArrayLibraries& libraries) {

@@ -233,16 +233,16 @@ std::vector<double> ArmInMotion::held(const joint::Dataset& dataset) const {
 }
 
 void ArmInMotion::note_assumptions(joint::Dataset& dataset) const {
-  const joint::ArmGravity& told = present(dataset.manifest.arm_gravity);
-  const std::string file = printable(told.description);
+  const joint::ArmGravity& stated = present(dataset.manifest.arm_gravity);
+  const std::string file = printable(stated.description);
   if (is_by_order_) {
     dataset.notes.push_back({"reading.arm_matched_by_order",
                              {{"file", file},
                               {"joint", in_quotes(tested_name_)},
-                              {"described", in_quotes(told.tested)}}});
+                              {"described", in_quotes(stated.tested)}}});
   }
   std::vector<std::string> at_zero;
-  for (const joint::HeldJoint& one : told.held) {
+  for (const joint::HeldJoint& one : stated.held) {
     if (!one.is_logged) at_zero.push_back(one.name);
   }
   if (!at_zero.empty()) {
@@ -253,7 +253,7 @@ void ArmInMotion::note_assumptions(joint::Dataset& dataset) const {
     const bool is_logged = std::any_of(others_.begin(), others_.end(), [&](const Other& other) {
       return !other.angles_rad[k].empty();
     });
-    const bool is_any = at_zero.size() < told.held.size();
+    const bool is_any = at_zero.size() < stated.held.size();
     if (is_logged || !is_any) continue;
     const Statement note{"reading.others_not_logged",
                          {{"file", printable(dataset.recordings[k].name)}, {"description", file}}};
@@ -265,17 +265,18 @@ void ArmInMotion::note_assumptions(joint::Dataset& dataset) const {
 void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
   count_motions(dataset);
   if (!arm_) return;
-  joint::ArmGravity& told = present(dataset.manifest.arm_gravity);
+  joint::ArmGravity& stated = present(dataset.manifest.arm_gravity);
   const std::vector<double> held_rad = held(dataset);
-  const Eigen::Vector3d gravity(told.gravity_m_s2[0], told.gravity_m_s2[1], told.gravity_m_s2[2]);
-  told.tested = arm_->joints()[tested_].name;
-  told.is_by_order = is_by_order_;
-  told.own = arm_->gravity_of(tested_, held_rad, gravity);
+  const Eigen::Vector3d gravity(stated.gravity_m_s2[0], stated.gravity_m_s2[1],
+                                stated.gravity_m_s2[2]);
+  stated.tested = arm_->joints()[tested_].name;
+  stated.is_by_order = is_by_order_;
+  stated.own = arm_->gravity_of(tested_, held_rad, gravity);
   for (const Other& other : others_) {
     const bool is_logged =
         std::any_of(other.angles_rad.begin(), other.angles_rad.end(),
                     [](const std::vector<double>& angles_rad) { return !angles_rad.empty(); });
-    told.held.push_back(
+    stated.held.push_back(
         {arm_->joints()[present(other.in_arm)].name, held_rad[present(other.in_arm)], is_logged});
   }
   const double gear_ratio = dataset.manifest.drive.gear_ratio();
@@ -296,9 +297,9 @@ void ArmInMotion::take_gravity_off(joint::Dataset& dataset) const {
       const double torque_Nm = gravity_of_others_Nm(*arm_, tested_, positions, held_rad, gravity);
       recording.others_gravity_Nm[i] = torque_Nm / gear_ratio;
       recording.torque_Nm[i] -= recording.others_gravity_Nm[i];
-      told.largest_Nm = std::max(told.largest_Nm, std::abs(torque_Nm));
+      stated.largest_Nm = std::max(stated.largest_Nm, std::abs(torque_Nm));
     }
-    told.samples += recording.size();
+    stated.samples += recording.size();
   }
   note_assumptions(dataset);
 }

@@ -45,25 +45,25 @@ std::vector<joint::OtherJoint> joints_in_columns(const std::vector<log::ColumnHe
   return others;
 }
 
-void add_joints_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& told_by,
+void add_joints_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& named_by,
                         const log::LogColumn& angle, ReadLog& part) {
   constexpr std::size_t most_joints = 64;
   const manifest::ColumnEntry& own = present(entry.columns.angle);
-  if (told_by.words.size() > most_joints) return;
+  if (named_by.words.size() > most_joints) return;
   const std::string& value = present(entry.columns.rows).value;
-  std::vector<std::vector<double>> angles(told_by.words.size());
-  std::vector<double> last(told_by.words.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::vector<double>> angles(named_by.words.size());
+  std::vector<double> last(named_by.words.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < angle.values.size(); ++row) {
-    if (std::isnan(told_by.values[row])) continue;
-    const auto word = static_cast<std::size_t>(told_by.values[row]);
+    if (std::isnan(named_by.values[row])) continue;
+    const auto word = static_cast<std::size_t>(named_by.values[row]);
     last[word] = angle.values[row];
-    if (told_by.words[word] != value) continue;
+    if (named_by.words[word] != value) continue;
     for (std::size_t k = 0; k < angles.size(); ++k) angles[k].push_back(last[k]);
   }
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    if (told_by.words[k] == value) continue;
+    if (named_by.words[k] == value) continue;
     joint::OtherJoint& other = part.found_others.emplace_back();
-    other.name = other.angle = told_by.words[k];
+    other.name = other.angle = named_by.words[k];
     other.radian_per_unit = std::abs(own.si_factor);
     other.stated_at = entry.file;
     log::LogColumn column;

@@ -21,10 +21,10 @@ std::vector<joint::OtherJoint> joints_in_columns(const std::vector<log::ColumnHe
                                                  const manifest::RecordingEntry& entry);
 
 /// Of a log in which each row is one joint's: adds the angles of the others at the rows of the
-/// entry's, each as it was told last; NaN before.
-/// @param told_by the column of words that tells whose row it is. @param angle of all rows [unit of
-/// the entry's]. @param part the entry's rows.
-void add_joints_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& told_by,
+/// entry's, each as it was logged last; NaN before.
+/// @param named_by the column of words that tells whose row it is. @param angle of all rows [unit
+/// of the entry's]. @param part the entry's rows.
+void add_joints_in_rows(const manifest::RecordingEntry& entry, const log::LogColumn& named_by,
                         const log::LogColumn& angle, ReadLog& part);
 
 }  // namespace tribolog::ingest::dataset

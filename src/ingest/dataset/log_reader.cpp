@@ -318,14 +318,14 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
 /// @param whole the column that tells them is its last one, and is left out.
 ReadLog rows_of(const manifest::RecordingEntry& entry, const ReadLog& whole) {
   const manifest::RowsEntry& wanted = present(entry.columns.rows);
-  const log::LogColumn& told_by = whole.table.columns.back();
-  const auto word = std::find(told_by.words.begin(), told_by.words.end(), wanted.value);
-  if (word == told_by.words.end()) {
+  const log::LogColumn& named_by = whole.table.columns.back();
+  const auto word = std::find(named_by.words.begin(), named_by.words.end(), wanted.value);
+  if (word == named_by.words.end()) {
     throw InputError(wanted.where, {"no row of the log is of it", in_quotes(wanted.value),
-                                    "one of " + list_of_names(told_by.words), ""});
+                                    "one of " + list_of_names(named_by.words), ""});
   }
-  const auto place = static_cast<std::size_t>(word - told_by.words.begin());
-  const std::vector<std::size_t> rows = log::rows_that_say(told_by, place);
+  const auto place = static_cast<std::size_t>(word - named_by.words.begin());
+  const std::vector<std::size_t> rows = log::rows_that_say(named_by, place);
   ReadLog part{log::with_rows(whole.table, rows), {}, whole.found_others, whole.file};
   part.table.columns.pop_back();
   for (const auto& [name, column] : whole.others) {
@@ -337,7 +337,7 @@ ReadLog rows_of(const manifest::RecordingEntry& entry, const ReadLog& whole) {
       whole.table.columns.begin(), whole.table.columns.end(), [&](const log::LogColumn& column) {
         return is_named(column, whole.table, entry.columns.angle->name);
       });
-  if (angles != whole.table.columns.end()) add_joints_in_rows(entry, told_by, *angles, part);
+  if (angles != whole.table.columns.end()) add_joints_in_rows(entry, named_by, *angles, part);
   return part;
 }
 

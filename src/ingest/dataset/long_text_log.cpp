@@ -72,7 +72,7 @@ std::optional<text::CsvTable> first_rows_of_text(const std::string& path,
     if (start.size() == enough_bytes) start.resize(start.find_last_of("\r\n") + 1);
     return text::read_csv(std::string_view(start), path, {}, rules);
   } catch (const InputError&) {
-    return std::nullopt;  // told of the whole log, where the columns that are stated are read
+    return std::nullopt;  // reported of the whole log, where the columns that are stated are read
   }
 }
 

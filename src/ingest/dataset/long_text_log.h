@@ -17,7 +17,7 @@ std::optional<text::CsvTable> first_rows_of_text(const std::string& path,
                                                  const text::TextLogRules& rules);
 
 /// Tables with a column for each signal, by the rules of arrays::spread_signals().
-/// @param first_rows by which the format is told.
+/// @param first_rows by which the format is recognised.
 /// @param wanted columns: a log that has them as they stand is read as it stands. May be empty.
 /// @return nothing for a log in another format, and for one that is refused: what is wrong with it
 /// the reader of text logs says.

@@ -87,7 +87,7 @@ void subtract_known_loads(const log::LogTable& table, const std::vector<std::siz
   }
 }
 
-constexpr double many_gaps = 0.2;  ///< Share of a column from which on the user is told.
+constexpr double many_gaps = 0.2;  ///< Share of a column from which on a remark is made.
 constexpr const char* without_effort = "without torque or current nothing can be identified";
 
 std::vector<double>& signal_of(joint::Recording& r, joint::LoggedSignal signal) {

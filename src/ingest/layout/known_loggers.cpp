@@ -175,8 +175,8 @@ constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"}, usual("{}.p
                                 KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
                                             std::nullopt, ampere_or_newton_metre}};
 
-// Data sets of LeRobot, told by a column of theirs: the units are the robot's own, degrees, radians
-// or per cent of its range, and no set states them.
+// Data sets of LeRobot, recognised by a column of theirs: the units are the robot's own, degrees,
+// radians or per cent of its range, and no set states them.
 constexpr std::array lerobot_set = {
     KnownColumn{"timestamp", time, "s"},
     KnownColumn{"{}.position_command", angle, "", true},

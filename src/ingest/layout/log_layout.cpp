@@ -183,10 +183,10 @@ std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
 
 const KnownLogger* logger_of(const std::vector<log::ColumnHeader>& header) {
   for (const KnownLogger& logger : known_loggers()) {
-    const bool tells = std::any_of(header.begin(), header.end(), [&](const log::ColumnHeader& h) {
-      return joint_in_name(name_of(h), logger.told_by).has_value();
+    const bool is_it = std::any_of(header.begin(), header.end(), [&](const log::ColumnHeader& h) {
+      return joint_in_name(name_of(h), logger.named_by).has_value();
     });
-    if (tells) return &logger;
+    if (is_it) return &logger;
   }
   return nullptr;
 }

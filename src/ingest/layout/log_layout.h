@@ -34,7 +34,7 @@ struct EffortMeaning {
 struct ColumnMeaning {
   std::size_t column{};  ///< Index in the header.
   log::Quantity quantity{};
-  std::string joint;      ///< "0", "elbow"; empty: the name tells none.
+  std::string joint;      ///< "0", "elbow"; empty: the name has none.
   std::string unit;       ///< Of the header, or else of the logger, or else the SI one.
   bool unit_is_stated{};  ///< By the header or by the logger.
   bool unit_is_usual{};   ///< Not stated: the one that the logger writes mostly.
@@ -42,13 +42,13 @@ struct ColumnMeaning {
   bool unit_is_ambiguous{};
   /// A set point or a model's value: no measurement.
   bool is_target{};
-  /// The user states the column, and nothing tells of which joint it is: of any.
+  /// The user states the column, and nothing says of which joint it is: of any.
   bool is_of_any_joint{};
   bool is_at_motor{};    ///< As the logger has it.
   EffortMeaning effort;  ///< Of a torque or a current.
 };
 
-/// A column whose name tells its quantity, in a unit that is not known: an encoder's counts, per
+/// A column whose name states its quantity, in a unit that is not known: an encoder's counts, per
 /// cent of a rated value.
 struct ForeignUnit {
   std::size_t column{};
@@ -93,7 +93,7 @@ struct KnownColumn {
 
 struct KnownLogger {
   std::string_view name;
-  std::string_view told_by;  ///< A column that no other logger has; a pattern.
+  std::string_view named_by;  ///< A column that no other logger has; a pattern.
   std::span<const KnownColumn> columns;
 };
 
@@ -110,9 +110,10 @@ std::vector<std::string> possible_efforts(const std::vector<log::ColumnHeader>& 
 /// Whether a column is a share of a rated value though its name does not say so: "$CURR_ACT[1]".
 bool is_share_by_name(const std::string& name);
 
-// What a known logger writes into one column, told by the names that a manifest states.
+// What a known logger writes into one column, recognised by the names that a manifest states.
 
-/// @param angle_column name of the joint's angle: it tells loggers apart that share a name, and has
+/// @param angle_column name of the joint's angle: it distinguishes loggers that share a name, and
+/// has
 ///        to be of the same joint.
 /// @return nothing where no logger that is known has both columns.
 std::optional<joint::LoggedEffort> known_effort(const std::string& angle_column,

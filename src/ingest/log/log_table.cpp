@@ -86,8 +86,8 @@ std::vector<std::size_t> rows_that_say(const LogColumn& column, std::size_t word
   return rows;
 }
 
-void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table) {
-  table = with_rows(table, rows_that_say(told_by, word));
+void keep_rows_of(const LogColumn& named_by, std::size_t word, LogTable& table) {
+  table = with_rows(table, rows_that_say(named_by, word));
 }
 
 }  // namespace tribolog::ingest::log

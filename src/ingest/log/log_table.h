@@ -90,8 +90,8 @@ std::vector<std::size_t> rows_that_say(const LogColumn& column, std::size_t word
 
 /// Leaves the rows alone in which a column of words has the one at this place; the others count in
 /// `other_rows`.
-/// @param told_by of the table's rows, but none of its columns.
-void keep_rows_of(const LogColumn& told_by, std::size_t word, LogTable& table);
+/// @param named_by of the table's rows, but none of its columns.
+void keep_rows_of(const LogColumn& named_by, std::size_t word, LogTable& table);
 
 /// From this reading on a clock is taken to count from 1970 in whatever unit: no joint is recorded
 /// for three years.

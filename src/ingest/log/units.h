@@ -38,7 +38,7 @@ std::optional<ColumnReading> reading_of_time(std::string_view unit);
 /// Of what drives log, counts of an encoder or per mille of a rated value: "0.018 deg".
 std::string_view example_of_multiple(Quantity quantity);
 
-/// Whether it is a unit of any quantity; a multiple is none here: "0.5 s" may be a value.
+/// Whether it is a unit of any quantity; a multiple is not one here: "0.5 s" may be a value.
 bool is_known_unit(std::string_view unit);
 
 /// The known units that messages list.

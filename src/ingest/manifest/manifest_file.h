@@ -28,8 +28,8 @@
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
 //   [[other_joint]] name, angle = {name, unit}; gear_ratio where its side is "motor" (any number;
-//                 of a robot's manifest its other joints): their motion is told, and with masses
-//                 what it changes of gravity is subtracted
+//                 of a robot's manifest its other joints): their motion is reported, and with
+//                 masses what it changes of gravity is subtracted
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
 //                 (optional); name = "#2": the second column; unit of the time: "iso8601",
 //                 "hh:mm:ss" too; time: plus = {name, unit} where it stands in two columns:

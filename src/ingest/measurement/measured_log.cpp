@@ -103,7 +103,7 @@ std::vector<log::LogTable> MeasuredLog::finish() && {
   }
   FreeNames names;
   for (log::LogTable& table : tables_) {
-    // The only one needs no name; two of one name would be told apart by nothing.
+    // The only one needs no name; nothing would distinguish two of one name.
     table.group = tables_.size() == 1 ? "" : names.next(table.group);
   }
   tables_.front().notes.insert(tables_.front().notes.begin(), all.begin(), all.end());

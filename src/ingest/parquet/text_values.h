@@ -13,7 +13,7 @@ namespace tribolog::ingest::parquet {
 /// Different words of one column; where there are more of them, they are no words.
 inline constexpr std::size_t most_words = 4096;
 
-/// The first text tells which it is; a column that then has others is not read.
+/// The first text shows which it is; a column that then has others is not read.
 class TextValues {
  public:
   /// @return the word's place in words(), or seconds since origin(); NaN of an empty text, and

@@ -53,7 +53,7 @@ inline constexpr double most_bad_rows = 0.01;
 std::string to_string(Delimiter delimiter);
 
 /// The delimiter under which the header and the first rows have the same number of columns.
-/// @param mark with a decimal comma, commas are none.
+/// @param mark with a decimal comma, commas do not delimit.
 /// @throw InputError if two delimiters fit equally well.
 Delimiter sniff_delimiter(std::string_view text, const std::string& file,
                           DecimalMark mark = DecimalMark::point);
@@ -61,7 +61,7 @@ Delimiter sniff_delimiter(std::string_view text, const std::string& file,
 Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark mark);
 
 /// Passes a first line such as "sep=;", in which a log states its delimiter for Excel.
-/// @return that; nothing where the line is none, or the delimiter no known one.
+/// @return that; nothing where the line states none, or an unknown one.
 std::optional<Delimiter> take_stated_delimiter(RowCursor& cursor);
 
 /// Whether numbers in the first rows have decimal commas and cannot be read otherwise: no commas

@@ -184,13 +184,13 @@ void read_rows_above(const std::vector<Row>& above, std::size_t columns, Decimal
 }
 
 /// Whether the log is read as it is: the first row names the columns, units may stand below. What
-/// is wrong with either is told there.
+/// is wrong with either is reported there.
 bool is_plain(const std::vector<Row>& rows, std::size_t first, DecimalMark mark) {
   if (first == 0) return true;
   const bool is_sentence = rows.front().fields.size() == 1;
   if (first == 1 && !is_sentence) return true;  // names of other columns, or an open quote
   if (!are_alike(rows.front().fields, rows[first].fields)) return false;
-  // Cells that are no numbers are told of where they stand.
+  // Cells that are no numbers are reported where they stand.
   const bool has_numbers =
       std::any_of(rows.begin() + 1, rows.begin() + static_cast<std::ptrdiff_t>(first),
                   [&](const Row& row) { return !is_of_words(row.fields, mark); });

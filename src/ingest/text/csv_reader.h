@@ -2,14 +2,14 @@
 // Columns of numbers from a log in CSV or a dialect of it.
 //
 // Accepted: UTF-8 with or without byte order mark; lines ending with LF, CR LF or CR; comma,
-// semicolon, tab or blanks between the columns (found out, or stated, and told in `delimiter`); one
-// header row with the columns' names, units in brackets allowed, or in a row of their own below;
-// names in a comment above the first row; none, if columns are asked for by their position, and of
-// what `ros2 topic echo --csv` writes; a first line "sep=;"; quoted fields within a line; comments
-// with `#`, `%` and `//`; blank lines; a delimiter after the last column. Numbers are read the same
-// under every locale, with a decimal point unless commas are stated. Empty fields, nan, inf, null,
-// dashes and the like are gaps. A last row without line end that is cut off is left out and
-// counted. Everything else is refused with the line and column where it stands.
+// semicolon, tab or blanks between the columns (found out, or stated, and returned in `delimiter`);
+// one header row with the columns' names, units in brackets allowed, or in a row of their own
+// below; names in a comment above the first row; none, if columns are asked for by their position,
+// and of what `ros2 topic echo --csv` writes; a first line "sep=;"; quoted fields within a line;
+// comments with `#`, `%` and `//`; blank lines; a delimiter after the last column. Numbers are read
+// the same under every locale, with a decimal point unless commas are stated. Empty fields, nan,
+// inf, null, dashes and the like are gaps. A last row without line end that is cut off is left out
+// and counted. Everything else is refused with the line and column where it stands.
 
 #include <string>
 #include <string_view>

@@ -173,7 +173,7 @@ class RowReader {
     expected_line_ = cursor_.line() + 1;
   }
 
-  /// Any row; `is_unclear_` where nothing tells what its numbers are.
+  /// Any row; `is_unclear_` where nothing says what its numbers are.
   /// @return false for a last row that is cut off. @throw InputError
   bool read_any_row() {
     const Location line{table_.file, cursor_.line(), 0};

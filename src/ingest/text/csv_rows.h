@@ -38,7 +38,7 @@ std::optional<std::vector<Field>> names_in_comment(std::string_view comment, std
 /// each joint or, where the message has none, a single empty cell.
 class EchoedJointStates {
  public:
-  /// @param rows the first ones of a log. @return nothing for rows that are none. The joints are
+  /// @param rows the first ones of a log. @return nothing for other rows. The joints are
   /// those that most rows have.
   static std::optional<EchoedJointStates> in(const std::vector<std::vector<Field>>& rows);
   /// Whether the first row may be one; if not, in() finds none.

@@ -27,7 +27,7 @@ bool is_whole_number(const Field& field) {
          std::all_of(field.text.begin(), field.text.end(), is_digit);
 }
 
-/// The joints that a row names; none: it is no such message.
+/// The joints that a row names; empty: it is another message.
 std::vector<std::string> joints_of(const std::vector<Field>& row) {
   if (row.size() <= before_names || !is_whole_number(row[0]) || !is_whole_number(row[1]) ||
       is_whole_number(row[2])) {

@@ -75,7 +75,7 @@ std::optional<ClockReading> read_time_of_day(std::string_view field);
 /// of day and month is beyond doubt. Nothing for anything else, or a day that does not exist.
 std::optional<ClockReading> read_date(std::string_view field);
 
-/// As the column's reading says. Nothing for a field that is none, and for a reading that is no
+/// As the column's reading says. Nothing for a field without it, and for a reading that is no
 /// time.
 std::optional<ClockReading> read_time(std::string_view field, log::ColumnReading reading,
                                       DecimalMark mark = DecimalMark::point);

@@ -44,8 +44,8 @@ struct PlainRows {
   bool any_cr_lf{};               ///< or CR LF.
 };
 
-/// Reads rows from the start of `text` until its end or the first line that is none: a blank one, a
-/// comment, quotes, text, another number of fields, a lone CR, no line end.
+/// Reads rows from the start of `text` until its end or the first line that is not a row: a blank
+/// one, a comment, quotes, text, another number of fields, a lone CR, no line end.
 /// @param rows is overwritten; its memory is used again.
 void read_plain_rows(std::string_view text, const PlainLayout& layout, PlainRows& rows);
 

@@ -15,7 +15,8 @@ constexpr double smallest_travel = 1e-3;      // of the widest: single strokes b
 constexpr double smallest_varying = 0.05;     // of the widest: smaller ones need no mention
 constexpr std::size_t fewest_samples = 20;    // that the reader of recordings takes
 constexpr double smallest_travel_floors = 6;  // of the noise floor
-constexpr double small_beside_range = 0.02;   // an oscillation that needs fewer strokes to be told
+constexpr double small_beside_range =
+    0.02;  // an oscillation that needs fewer strokes to be recognised
 constexpr std::size_t few_strokes = 3;
 constexpr std::size_t several_strokes = 5;
 constexpr double slow_period_s = 5;            // steady strokes to and fro, slower: runs, not an

@@ -222,7 +222,7 @@ void propose_none(const TableSurvey& table, EffortProposal& proposal) {
                                list_of_names(voltages, 6) + ").");
   }
   proposal.not_understood = not_understood(table);
-  for (const std::string& told : proposal.not_understood) proposal.remarks.push_back(told);
+  for (const std::string& column : proposal.not_understood) proposal.remarks.push_back(column);
   proposal.remarks.push_back(
       "Record the motor current or the torque at every sample, and state it here and in "
       "[columns].");
@@ -277,20 +277,20 @@ std::string foreign_unit_in_words(const TableSurvey& table,
 }
 
 std::vector<std::string> not_understood(const TableSurvey& table) {
-  std::vector<std::string> told;
+  std::vector<std::string> remarks;
   for (const ingest::layout::ForeignUnit& foreign : table.foreign) {
     if (foreign.quantity != ingest::log::Quantity::torque &&
         foreign.quantity != ingest::log::Quantity::current) {
       continue;
     }
     const ColumnSurvey& column = table.columns[foreign.column];
-    told.push_back(fmt::format(
+    remarks.push_back(fmt::format(
         "column {} looks like {} in a unit that is not known: --effort-unit states what one of it "
         "is, '{}' say",
         in_quotes(column.name), ingest::log::to_string(foreign.quantity),
         ingest::log::example_of_multiple(foreign.quantity)));
   }
-  if (!told.empty()) return told;
+  if (!remarks.empty()) return remarks;
   std::vector<std::string> unknown;
   const std::vector<std::string> voltages = voltages_of(table);
   for (const ColumnSurvey& column : table.columns) {
@@ -300,10 +300,11 @@ std::vector<std::string> not_understood(const TableSurvey& table) {
                         std::find(voltages.begin(), voltages.end(), column.name) == voltages.end();
     if (may_be) unknown.push_back(column.name);
   }
-  if (unknown.empty()) return told;
-  told.push_back("columns that were not understood: " + list_of_names(unknown, 8) +
-                 "; if one is the torque or the current: --column effort=NAME --effort-unit UNIT");
-  return told;
+  if (unknown.empty()) return remarks;
+  remarks.push_back(
+      "columns that were not understood: " + list_of_names(unknown, 8) +
+      "; if one is the torque or the current: --column effort=NAME --effort-unit UNIT");
+  return remarks;
 }
 
 EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
@@ -393,8 +394,8 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   // A stated kind says nothing of the unit.
   const bool is_stated = (options.effort_kind && meaning.unit_is_stated) || is_taken_as_current ||
                          (is_current && meaning.unit_is_stated);
-  const bool is_one_of_several = (column->has_rivals() && !is_stated_column) ||
-                                 (angle->has_rivals() && !states(options.columns, "angle"));
+  const bool is_one_of_several = (column->is_one_of_several() && !is_stated_column) ||
+                                 (angle->is_one_of_several() && !states(options.columns, "angle"));
   // What a register holds is a guess until the user has looked at it.
   const bool is_of_register = column->of_register.has_value() && !options.registers_are_confirmed;
   if (is_of_register) {

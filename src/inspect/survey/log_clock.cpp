@@ -193,9 +193,9 @@ void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& ta
   if (!how.stated.rate_Hz || !table.clock) return;
   const auto counter = lossy_counter_in(data, table);
   if (!counter) return;
-  const ColumnSurvey& told_by = table.columns[counter->column];
+  const ColumnSurvey& named_by = table.columns[counter->column];
   if (!counter->is_usable) {
-    table.counter = told_by.name;
+    table.counter = named_by.name;
     return;
   }
   // The made clock is the last column.
@@ -207,8 +207,8 @@ void find_clock(const HowRead& how, ingest::log::LogTable& data, TableSurvey& ta
                  [&](double value) { return value * unit_s; });
   table.clock =
       survey_clock(data.columns[*table.time], present(table.columns[*table.time].meaning));
-  table.clock->column = told_by.name;
-  table.clock->key = told_by.key;
+  table.clock->column = named_by.name;
+  table.clock->key = named_by.key;
   table.clock->is_counter = true;
   table.clock->seconds_per_count = unit_s;
 }

@@ -328,7 +328,7 @@ void name_joints_by_place(const ColumnGroups& groups, std::vector<ColumnSurvey>&
   }
 }
 
-/// Where an effort is said to be there and no name tells it, in columns that come in groups.
+/// Where an effort is said to be there and no name says so, in columns that come in groups.
 void put_effort_by_place(const StatedColumns& stated, const ingest::log::LogTable& data,
                          TableSurvey& table) {
   using enum ingest::log::Quantity;
@@ -434,7 +434,7 @@ void put_other_angles(const JoinedFiles& joined, const StatedColumns& stated,
   }
 }
 
-/// Where the columns of a set's files stand, and which were told by the files' names.
+/// Where the columns of a set's files stand, and which were named by the files.
 void place_in_files(const JoinedFiles& joined, const ingest::log::LogTable& data,
                     const StatedColumns& stated, TableSurvey& table) {
   for (std::size_t k = 0; k < joined.files.size(); ++k) {

@@ -1,6 +1,6 @@
 #pragma once
-// What a log holds, as far as it tells by itself: format, tables, columns, clock, and the motion of
-// each joint; and how that is told to people and to programs. Guesses are marked as such.
+// What a log holds, as far as it shows by itself: format, tables, columns, clock, and the motion of
+// each joint; and how that is stated to people and to programs. Guesses are marked as such.
 
 #include <cstddef>
 #include <optional>
@@ -42,9 +42,10 @@ struct ClockSurvey {
   /// It counts samples of the rate that was stated: a lost one shows.
   bool is_counter{};
   double seconds_per_count{};  ///< Of a counter.
-  bool unit_is_stated{};  ///< By the header or the logger; else told by the magnitude of its steps.
+  bool unit_is_stated{};  ///< By the header or the logger; else guessed by the magnitude of its
+                          ///< steps.
   bool is_proven{};       ///< Not stated, but the log's other numbers leave no other unit.
-  std::string unit_by{};  ///< What an unstated unit was told by; empty: its steps.
+  std::string unit_by{};  ///< What an unstated unit was guessed by; empty: its steps.
   double seconds_per_unit{1};
   double origin{};  ///< In the clock's unit, taken off; 0 unless it counts from 1970.
   double first_s{};
@@ -78,10 +79,10 @@ struct ColumnSurvey {
   std::string file;  ///< In which it stands, where not in the log's own; else empty.
   std::string unit;  ///< In brackets behind it or below; empty: none.
   std::optional<ingest::layout::ColumnMeaning> meaning;
-  std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
-  /// Of an effort: nothing but its place or its file's name tells that it is one.
+  std::string guessed_by;  ///< What the meaning was guessed by, where not by the name; else empty.
+  /// Of an effort: nothing but its place or its file's name says that it is one.
   bool is_guess{};
-  std::string unit_by;    ///< What an unstated unit was told by; empty: nothing.
+  std::string unit_by;    ///< What an unstated unit was guessed by; empty: nothing.
   bool unit_is_proven{};  ///< Not stated, but the log's other numbers leave no other.
   std::size_t gaps{};     ///< Rows without a number.
   double lowest{};        ///< NaN where all rows are gaps.
@@ -100,13 +101,13 @@ struct ColumnSurvey {
   [[nodiscard]] bool is_certain() const {
     return meaning && (meaning->unit_is_stated || unit_is_proven) && !side_is_open;
   }
-  [[nodiscard]] bool has_rivals() const { return file.empty() && key != name; }
+  [[nodiscard]] bool is_one_of_several() const { return file.empty() && key != name; }
   [[nodiscard]] bool is_constant() const { return distinct == 1; }
 };
 
 /// One joint's columns and what they do.
 struct JointSurvey {
-  std::string name;  ///< "0", "elbow"; empty: the log tells none.
+  std::string name;  ///< "0", "elbow"; empty: the log has none.
   std::size_t angle{};
   std::optional<std::size_t> speed;
   std::optional<std::size_t> effort;

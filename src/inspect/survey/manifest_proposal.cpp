@@ -294,7 +294,7 @@ class ManifestText {
     if (!with_comments) return entry;
     std::string note;
     if (!column.guessed_by.empty()) note = "guessed: " + column.guessed_by;
-    if (column.has_rivals()) {
+    if (column.is_one_of_several()) {
       note += std::string(note.empty() ? "" : "; ") + "one of several columns called " +
               in_quotes(column.name);
     }
@@ -456,18 +456,19 @@ namespace {
 /// What is written with `confirmed = false`, and columns that are left out for their unit.
 std::vector<std::string> only_proposed(const std::vector<LogSurvey>& logs,
                                        const ManifestProposal& proposal) {
-  std::vector<std::string> told;
+  std::vector<std::string> unproven;
   const JointInLog& first = proposal.in_logs.front();
   const TableSurvey& table = table_of(logs, first);
   const ColumnSurvey& angle = table.columns[joint_of(logs, first).angle];
   const ingest::layout::ColumnMeaning& meaning = present(angle.meaning);
   if (!meaning.unit_is_stated && !angle.unit_is_proven) {
-    told.push_back("the angle's unit, " + meaning.unit + " (--angle-unit)");
+    unproven.push_back("the angle's unit, " + meaning.unit + " (--angle-unit)");
   }
-  if (angle.side_is_open) told.emplace_back("the angle's side of the gear, joint (--angle-side)");
+  if (angle.side_is_open)
+    unproven.emplace_back("the angle's side of the gear, joint (--angle-side)");
   const ClockSurvey& clock = present(table.clock);
-  if (!clock.is_certain()) told.push_back("the clock's unit, " + clock.unit + " (--time-unit)");
-  return told;
+  if (!clock.is_certain()) unproven.push_back("the clock's unit, " + clock.unit + " (--time-unit)");
+  return unproven;
 }
 
 /// What would have to be stated for a proposal without guesses.

@@ -108,9 +108,9 @@ struct ManifestProposal {
   std::vector<std::string> moves_too;  ///< Other joints that move beside it.
   RoleProposal roles;
   EffortProposal effort;
-  /// What no log tells and nobody stated: options that would, with their values as guessed.
+  /// What no log shows and nobody stated: options that would, with their values as guessed.
   std::vector<std::string> open{};
-  /// What no log tells and nothing proves, in words: "the angle's unit, rad".
+  /// What no log shows and nothing proves, in words: "the angle's unit, rad".
   std::vector<std::string> only_proposed{};
   std::string text;  ///< TOML that read_manifest() takes, but for a torque
                      ///< constant nobody stated, which is missing.

@@ -25,7 +25,7 @@ struct PointColumns {
   std::size_t torque{};
 };
 
-/// The first that is measured, whatever joint its name tells: "friction torque".
+/// The first that is measured, whatever joint its name states: "friction torque".
 std::optional<std::size_t> first_of(const TableSurvey& table, Quantity quantity) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const auto& meaning = table.columns[k].meaning;

@@ -129,13 +129,13 @@ std::vector<RowsOfOne> rows_of_each(const std::string& path, ingest::log::LogFor
   const bool has_words = format == ingest::log::LogFormat::text ||
                          format == ingest::log::LogFormat::json ||
                          format == ingest::log::LogFormat::parquet;
-  auto told_by = has_words ? column_of_joints(table) : std::nullopt;
-  const bool are_joints = told_by.has_value();
-  if (!told_by) told_by = column_of_recordings(table);
-  if (!told_by) return {};
-  const auto words = words_of(path, format, rules, table, *told_by);
+  auto named_by = has_words ? column_of_joints(table) : std::nullopt;
+  const bool are_joints = named_by.has_value();
+  if (!named_by) named_by = column_of_recordings(table);
+  if (!named_by) return {};
+  const auto words = words_of(path, format, rules, table, *named_by);
   if (!words) return {};
-  const std::string key = survey_column(table.columns[*told_by], table.header).key;
+  const std::string key = survey_column(table.columns[*named_by], table.header).key;
   std::vector<std::vector<std::size_t>> rows(words->words.size());
   for (std::size_t row = 0; row < table.rows; ++row) {
     if (!std::isnan(words->values[row])) {
@@ -145,7 +145,7 @@ std::vector<RowsOfOne> rows_of_each(const std::string& path, ingest::log::LogFor
   std::vector<RowsOfOne> all;
   for (std::size_t word = 0; word < rows.size(); ++word) {
     RowsOfOne one{ingest::log::with_rows(table, rows[word]), key, words->words[word], !are_joints};
-    one.table.columns.erase(one.table.columns.begin() + static_cast<std::ptrdiff_t>(*told_by));
+    one.table.columns.erase(one.table.columns.begin() + static_cast<std::ptrdiff_t>(*named_by));
     if (word > 0) one.table.notes.clear();
     all.push_back(std::move(one));
   }

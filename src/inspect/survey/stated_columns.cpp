@@ -80,9 +80,9 @@ void put(ColumnMeaning meaning, ingest::layout::LogLayout& layout) {
   std::erase_if(layout.columns, [&](const ColumnMeaning& known) {
     const bool is_same = known.quantity == meaning.quantity ||
                          (is_effort(known.quantity) && is_effort(meaning.quantity));
-    const bool is_rival = is_same && !known.is_target &&
+    const bool is_other = is_same && !known.is_target &&
                           (meaning.quantity == Quantity::angle || known.joint == meaning.joint);
-    return known.column == meaning.column || is_rival;
+    return known.column == meaning.column || is_other;
   });
   std::erase_if(layout.foreign, [&](const ingest::layout::ForeignUnit& foreign) {
     return foreign.column == meaning.column;

@@ -222,7 +222,9 @@ std::string faults_of(const TableSurvey& table) {
                                                          : "; no torque follows from " +
                                                                list_of_names(voltages, 6)) +
                                        ".");
-    for (const std::string& told : not_understood(table)) text += paragraph("effort?", told + ".");
+    for (const std::string& column : not_understood(table)) {
+      text += paragraph("effort?", column + ".");
+    }
   }
   return text;
 }
@@ -270,13 +272,13 @@ std::string motion_in_short(const TableSurvey& table, const std::string& joint_n
   const JointSurvey* joint = joint_in(table, joint_name);
   if (joint == nullptr) return "no angle";
   std::string words;
-  std::size_t told = 0;
+  std::size_t shown = 0;
   for (const motion::MotionSegment& s : joint->segments) {
     if (s.kind == motion::MotionKind::rest || s.kind == motion::MotionKind::varying) continue;
-    if (told++ == segments_in_row) return words + "; ...";
+    if (shown++ == segments_in_row) return words + "; ...";
     words += (words.empty() ? "" : "; ") + motion::to_string(s.kind) + " " + describe(s);
   }
-  if (told > 0) return words;
+  if (shown > 0) return words;
   return moves(*joint) ? "other motion" : "at rest";
 }
 

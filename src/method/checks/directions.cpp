@@ -6,6 +6,7 @@
 
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
+#include "method/motion/plateaus.h"
 
 namespace tribolog::method::checks {
 namespace {
@@ -55,7 +56,6 @@ DataCheck check_directions(const CheckedDataset& data, joint::Role role, CheckNa
 /// Share of the plateaus' travel that is also covered by a plateau of the opposite direction at the
 /// same speed.
 double share_with_a_partner(const std::vector<const CheckedRecording*>& recordings) {
-  constexpr double same_speed = 0.05;
   struct Travel {
     double speed, low, high;
   };
@@ -72,7 +72,7 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   for (const Travel& way : ways) {
     double best = 0;
     for (const Travel& other : ways) {
-      if (std::abs(other.speed / way.speed + 1) > same_speed) continue;
+      if (std::abs(other.speed / way.speed + 1) > motion::same_speed) continue;
       best = std::max(best, std::min(way.high, other.high) - std::max(way.low, other.low));
     }
     shared += best;

@@ -159,8 +159,8 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
 // How many different speeds the runs at constant speed hold.
 
 DataCheck check_run_speeds(const CheckedDataset& data) {
-  constexpr double same_speed = 1.1;  // ratio of two speeds that count as one
-  constexpr std::size_t fewest = 5;   // the curve of eq. (6) has five parameters
+  constexpr double least_ratio = 1.1;  // of a speed to the next slower one that it differs from
+  constexpr std::size_t fewest = 5;    // the curve of eq. (6) has five parameters
   constexpr std::size_t fewest_for_a_line = 3;
   DataCheck check;
   check.name = CheckName::run_speeds;
@@ -176,7 +176,7 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
   std::size_t different = 0;
   double last = 0;
   for (const double speed : speeds) {
-    if (speed <= same_speed * last) continue;
+    if (speed <= least_ratio * last) continue;
     ++different;
     last = speed;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "method/motion/plateaus.h"
 #include "statistics/sampled_signal.h"
 
 namespace tribolog::method::checks {
@@ -11,10 +12,9 @@ namespace {
 constexpr std::size_t blocks_per_run = 20;
 constexpr std::size_t fewest_per_block = 5;
 constexpr std::size_t fewest_on_ceiling = 3;
-constexpr double same = 4;        // standard errors
-constexpr double different = 10;  // the same
-constexpr double far_apart = 5;   // times the spread of those on the ceiling
-constexpr double same_speed = 0.01;
+constexpr double same = 4;             // standard errors
+constexpr double different = 10;       // the same
+constexpr double far_apart = 5;        // times the spread of those on the ceiling
 constexpr double least_share = 0.15;   // of the speeds: among many a few lie together by chance
 constexpr double least_overlap = 0.5;  // of the angles of the two directions
 // Of a run that is cut off, as long as it stays at the ceiling; the top of a sine over a whole
@@ -83,7 +83,7 @@ std::vector<AtSpeed> pairs_of(const std::vector<Extent>& extents, double sign) {
     if (taken[i]) continue;
     for (std::size_t k = i + 1; k < extents.size(); ++k) {
       const double apart = std::abs(extents[i].speed_rad_s + extents[k].speed_rad_s);
-      if (taken[k] || apart > same_speed * std::abs(extents[i].speed_rad_s) ||
+      if (taken[k] || apart > motion::same_speed * std::abs(extents[i].speed_rad_s) ||
           !share_their_angles(extents[i], extents[k])) {
         continue;
       }

@@ -72,7 +72,7 @@ constexpr std::size_t shortest_held = 25;     // samples
 constexpr std::size_t longest_by_chance = 3;  // of nine tenths of all stretches of equal values
 constexpr double fewest_steps = 3;            // of the angle, passed meanwhile: the joint moves
 
-/// Does the joint move from sample @p first up to @p last? A flicker of the encoder is none.
+/// Does the joint move from sample @p first up to @p last? A flicker of the encoder is no motion.
 bool moves(const std::vector<double>& q_rad, std::size_t first, std::size_t last) {
   double low = q_rad[first], high = low, step = 0;
   for (std::size_t i = first + 1; i < last; ++i) {

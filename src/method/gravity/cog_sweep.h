@@ -8,7 +8,7 @@
 // recorded.
 //
 // It is a reading of one sweep, as the paper's: its interval holds the scatter of the samples and
-// nothing else. What hoses, gears and sensors add is told from gravity by the model of all
+// nothing else. What hoses, gears and sensors add is separated from gravity by the model of all
 // recordings (method/model).
 //
 // Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone

@@ -91,7 +91,7 @@ std::vector<RampRow> rows_of(const BreakAwayResult& result, const KnownOfRamps& 
   std::vector<double> angles;
   for (const BreakAwayRamp& ramp : result.ramps) {
     const bool has_value = !result.is_level || ramp.level_Nm;
-    // Without gravity taken off a bound is none of friction.
+    // Without gravity taken off it bounds friction and gravity together.
     if (ramp.broke_away ? !has_value : !known.gravity) continue;
     RampRow row;
     row.is_rising = ramp.is_rising;

@@ -21,7 +21,7 @@ constexpr double fewest_steps = 20;      // across which a speed is taken
 constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
 // Where a ramp ends before break-away is seen, it may be sliding from this yield on.
 constexpr double yield_that_may_slide = 5;
-constexpr double torque_on = 0.1;  // share of the largest torque that tells the direction
+constexpr double torque_on = 0.1;  // share of the largest torque that shows the direction
 
 /// How far the torque gets from its initial value.
 double largest_change_Nm(const joint::Recording& r) {

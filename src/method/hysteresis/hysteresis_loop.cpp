@@ -186,7 +186,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
 /// A motion that begins with its full speed shows the bristle's damping in its first samples alone,
 /// and there a lag moves the torque from one to the next.
 double start_that_a_lag_hides_s(const joint::Recording& loop, const LoopTiming& timing) {
-  constexpr double intervals = 4;  // over which a lag that is none of whole samples spreads a jump
+  constexpr double intervals = 4;  // over which a lag of part of a sample spreads a jump
   if (timing.half_width_s == 0) return 0;
   return timing.half_width_s + intervals * statistics::median_interval(loop.t_s);
 }

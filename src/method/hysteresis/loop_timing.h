@@ -18,7 +18,7 @@ namespace tribolog::method::hysteresis {
 
 struct LoopTiming {
   double lag_s{};         ///< Taken off; 0: none is beyond doubt. > 0: the torque is late.
-  double half_width_s{};  ///< 95 %; 0: it is known that there is none.
+  double half_width_s{};  ///< 95 %; 0: known to be zero.
 };
 
 /// @param lag_s absent: it is stated that there is none, or nothing shows it.

@@ -26,7 +26,7 @@ statistics::Estimate at_the_runs(const statistics::Estimate& recorded,
 
 /// Static and Coulomb torque as they are at the mean load, place and time of the runs; the bristle
 /// stays that of the loops but for the torque's gain there: whether the load stiffens it, or acts
-/// beside it, no recording tells.
+/// beside it, no recording shows.
 /// @param friction by which share of itself it is logged as another where the loops were recorded;
 /// absent: not known, and nothing is changed.
 /// @param gain by which share of itself a change of the torque is logged too large there.

@@ -177,7 +177,7 @@ double systematic_of_traced(const joint::Recording& recording, const LuGreInput&
                   std::sqrt(std::max(0.0, unexplained)));
 }
 
-/// Whether a loop shows so much of another contact that it may be told which.
+/// Whether a loop shows enough of another contact to identify which.
 bool leaves_what_repeats(const LuGreFit& fit) {
   constexpr double least = 1e-3;  // of a loop's height
   const LuGreLoop* worst = fit.worst_described();
@@ -191,12 +191,12 @@ double systematic_of_all(const LuGreFit& fit) {
   return std::sqrt(squares / static_cast<double>(fit.loops.size()));
 }
 
-/// Local parameters from which a recording's model can be told from its first sample on. Behind a
-/// start that is left out nothing but a remainder of its deflection is compared, and what least
+/// Local parameters from which a recording's model can be followed from its first sample on. Behind
+/// a start that is left out nothing but a remainder of its deflection is compared, and what least
 /// squares makes of that need not be a deflection that a bristle holds: T_s/sigma0 is the largest
 /// (eq. (4)); beyond it the arm is taken to start from rest.
-LuGreLocal told_from_the_start(const LuGreLoopModel& model, const LuGreShared::Vector& shared,
-                               LuGreLocal local) {
+LuGreLocal followed_from_the_start(const LuGreLoopModel& model, const LuGreShared::Vector& shared,
+                                   LuGreLocal local) {
   const double largest_rad = LuGreShared::largest_deflection_rad(shared);
   if (model.rows_left_out() > 0 && std::abs(local.start_rad) > largest_rad) local.start_rad = 0;
   return local;
@@ -219,10 +219,11 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     LuGreSignals signals;
     const LuGreLoopModel& model = problem.models()[r];
     Eigen::VectorXd residuals = model.residuals(climb.point.shared, climb.point.locals[r]);
-    const LuGreLocal told = told_from_the_start(model, climb.point.shared, climb.point.locals[r]);
+    const LuGreLocal local =
+        followed_from_the_start(model, climb.point.shared, climb.point.locals[r]);
     if (model.rows_left_out() > 0) {
       residuals.head(model.rows_left_out()) =
-          model.residuals(climb.point.shared, told).head(model.rows_left_out());
+          model.residuals(climb.point.shared, local).head(model.rows_left_out());
     }
     const auto part = residuals.tail(model.rows() - model.rows_left_out());
     loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(part.size()));
@@ -247,7 +248,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
           climb.point.locals[r].gravity_Nm, half_width(column), {"interval.lugre_fit_blocks"});
       // The loop shows the deflection at its start within an interval; where that holds zero, the
       // arm started from rest and z = 0 is the simpler truth.
-      loop.start_deflection_rad = told.start_rad;
+      loop.start_deflection_rad = local.start_rad;
       const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
                                ? 0.0
                                : loop.start_deflection_rad;

@@ -22,14 +22,14 @@
 
 #include "base/statement.h"
 #include "joint/recording.h"
-#include "method/hysteresis/contact_rivals.h"
+#include "method/hysteresis/contact_comparison.h"
 #include "method/hysteresis/cycle_misfit.h"
+#include "method/hysteresis/fall_of_damping.h"
 #include "method/hysteresis/loop_effects.h"
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/loop_timing.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
-#include "method/hysteresis/lugre_rivals.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/estimate.h"
@@ -118,8 +118,8 @@ struct LuGreLoop {
   std::optional<TracedLoop> traced;  ///< Only with a spline.
 };
 
-/// Share of a loop's height from which on what LuGre leaves of it tells of another contact: a joint
-/// whose loop differs by 0.6 % can be 26 % stiffer or softer
+/// Share of a loop's height from which on what LuGre leaves of it indicates another contact: a
+/// joint whose loop differs by 0.6 % can be 26 % stiffer or softer
 /// (tests/identify/other_friction_test.cpp).
 inline constexpr double lugre_misfit = 0.005;
 

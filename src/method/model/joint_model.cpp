@@ -416,7 +416,8 @@ class Fit {
       p.gravity_sin_Nm = value_of("gravity", 1);
     }
     p.inertia_kgm2 = value_of("inertia", 0);
-    // One that no acceleration shows is none: else jumps of the acceleration would tell of a lag.
+    // An inertia that no acceleration shows is set to zero: else jumps of the acceleration would
+    // look like a lag.
     if (const std::size_t e = m_.find("inertia"); e < m_.effects.size()) {
       constexpr double least_certainty = 2;
       const double unknown = std::pow(least_certainty / p.inertia_kgm2, 2) *

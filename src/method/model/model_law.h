@@ -1,7 +1,7 @@
 #pragma once
 // The law of sliding friction over the speed that a joint's model finds likeliest, its likeliest
-// rivals of other forms, and what all laws that its recordings do not exclude say of the Stribeck
-// dip:
+// candidate laws of other forms, and what all laws that its recordings do not exclude say of the
+// Stribeck dip:
 //
 //   F(v) = level + rise (v / vmax)^power + bend (v / vmax)^2 + excess exp(-(v / ws)^d)
 

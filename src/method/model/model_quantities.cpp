@@ -435,7 +435,7 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
 namespace {
 
 /// The effect of a lag that a model shows beyond doubt. Absent: it shows none; or so large a one
-/// that it is none; or starts and stops do not show the inertia either, and no corner tells its
+/// that it is zero; or starts and stops do not show the inertia either, and no corner shows its
 /// lag.
 std::optional<ModelEffect> plain_lag_of(const JointModel& model) {
   constexpr double widest_inertia = 0.25;

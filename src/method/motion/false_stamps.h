@@ -1,7 +1,7 @@
 #pragma once
 // Time stamps of writing in place of sampling: a drive that samples evenly, and a logger that
 // stamps each row when it gets round to it. Speeds from such stamps scatter, and so does where a
-// reversal lies. The angle tells: while the joint moves, it is smooth over the time of its
+// reversal lies. The angle shows it: while the joint moves, it is smooth over the time of its
 // sampling, and rough over any other.
 //
 // Such stamps are replaced by the even clock that runs through them; samples that were lost stay

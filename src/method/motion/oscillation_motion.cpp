@@ -302,7 +302,7 @@ class HigherOrders {
   }
 
  private:
-  static constexpr int enough = 12;        // orders, for the highest to be none of the motion
+  static constexpr int enough = 12;        // orders, for the highest to be noise alone
   static constexpr double matters = 1e-6;  // of the first
   [[nodiscard]] bool are_enough() const { return most_ >= enough; }
   [[nodiscard]] double amplitude(int k) const {

@@ -11,6 +11,10 @@
 
 namespace tribolog::method::motion {
 
+/// Speeds whose relative difference is smaller count as one: of runs in both directions, of runs at
+/// one commanded speed.
+inline constexpr double same_speed = 0.03;
+
 struct Plateau {
   std::size_t first{};   ///< Index of the first sample.
   std::size_t last{};    ///< One past the last.

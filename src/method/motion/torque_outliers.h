@@ -6,7 +6,7 @@
 // median absolute deviation of a wider window or of the recording's white noise, whichever is
 // larger. A step of friction at a reversal agrees with one side and is kept; so is a sample near
 // which the joint accelerates or decelerates unusually. A sample that is off by
-// more than four times the torque's usual range, and its usual size, is none of the joint's,
+// more than four times the torque's usual range, and its usual size, is not the joint's,
 // wherever it is.
 //
 // It fails where the log is too coarse for the joint: spikes may then be its motion. A recording

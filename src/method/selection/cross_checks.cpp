@@ -77,7 +77,7 @@ CrossChecksResult cross_check(const hysteresis::SurrogateMassesResult& masses,
                               const hysteresis::HysteresisResult& loops, double gear_ratio) {
   CrossChecksResult out;
   const hysteresis::SurrogateMass* ours = masses.find(recommended);
-  // Shares of a gravity that cannot be told from none say nothing.
+  // Shares of a gravity that may be zero say nothing.
   if (ours == nullptr || !(ours->gravity_Nm.low > 0)) return out;
   const bool has_no_sine = is_no_sine(loops);
   const bool rests_on_loops = is_of_loops(*recommended);

@@ -10,8 +10,8 @@ namespace {
 
 using hysteresis::Estimator;
 
-std::vector<Estimator> rivals_of(Estimator chosen, Estimator recommended,
-                                 const hysteresis::SurrogateMassesResult& masses) {
+std::vector<Estimator> within_noise_of(Estimator chosen, Estimator recommended,
+                                       const hysteresis::SurrogateMassesResult& masses) {
   const hysteresis::SurrogateMass* centre = masses.find(recommended);
   const hysteresis::SurrogateMass* nearest = masses.find(chosen);
   if (centre == nullptr || nearest == nullptr) return {};
@@ -19,13 +19,13 @@ std::vector<Estimator> rivals_of(Estimator chosen, Estimator recommended,
     const double half = (mass.mass_kg.high - mass.mass_kg.low) / 2;
     return std::abs(mass.mass_kg.value - centre->mass_kg.value) + side * half;
   };
-  std::vector<Estimator> rivals;
+  std::vector<Estimator> others;
   for (const Estimator other : hysteresis::loop_points) {
     const hysteresis::SurrogateMass* mass = masses.find(other);
     if (mass == nullptr || other == chosen) continue;
-    if (distance(*mass, -1) < distance(*nearest, +1)) rivals.push_back(other);
+    if (distance(*mass, -1) < distance(*nearest, +1)) others.push_back(other);
   }
-  return rivals;
+  return others;
 }
 
 struct Recommendation {
@@ -54,11 +54,11 @@ Statement in_sentences(const std::vector<Statement>& sentences) {
   return {"selection.why", {{"sentences", sentences}}};
 }
 
-Statement left_to_noise(Estimator chosen, const std::vector<Estimator>& rivals) {
+Statement left_to_noise(Estimator chosen, const std::vector<Estimator>& others) {
   std::vector<Statement> points;
-  points.reserve(rivals.size());
-  for (const Estimator rival : rivals) {
-    points.emplace_back(Code::of("estimator." + to_string(rival)));
+  points.reserve(others.size());
+  for (const Estimator other : others) {
+    points.emplace_back(Code::of("estimator." + to_string(other)));
   }
   return {"selection.left_to_noise", {{"rivals", points}, {"point", to_string(chosen)}}};
 }
@@ -104,7 +104,7 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
       out.q_c_corrected_rad = -q_peak_rad->value - (chosen->q_rad - q_peak_rad->value);
     }
   }
-  out.paper_rule_rivals = rivals_of(*out.paper_rule, *out.recommended, masses);
+  out.paper_rule_rivals = within_noise_of(*out.paper_rule, *out.recommended, masses);
   const QualityError* ours = errors.find(out.recommended);
   if (ours != nullptr) {
     why.push_back({"selection.quality_errors",

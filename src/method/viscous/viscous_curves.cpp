@@ -244,7 +244,7 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
     double best = least_overlap;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const double ratio = -runs[k].speed_rad_s / runs[i].speed_rad_s;
-      if (runs[k].partner >= 0 || std::abs(ratio - 1) > same_speed) continue;
+      if (runs[k].partner >= 0 || std::abs(ratio - 1) > motion::same_speed) continue;
       const double low = std::max(runs[i].lowest_rad, runs[k].lowest_rad);
       const double high = std::min(runs[i].highest_rad, runs[k].highest_rad);
       const double overlap = (high - low) / (runs[i].highest_rad - runs[i].lowest_rad);
@@ -282,7 +282,7 @@ std::vector<std::vector<std::size_t>> repeated_points(const joint::FrictionPoint
   for (const std::size_t i : order) {
     const double speed = points.speed_rad_s[i];
     const double first = groups.empty() ? nan : points.speed_rad_s[groups.back().front()];
-    if (!(std::abs(speed - first) <= same_speed * std::abs(first))) groups.emplace_back();
+    if (!(std::abs(speed - first) <= motion::same_speed * std::abs(first))) groups.emplace_back();
     groups.back().push_back(i);
   }
   return groups;
@@ -335,7 +335,7 @@ void pair_by_speed(std::vector<ConstantSpeedRun>& runs, bool is_free) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     ConstantSpeedRun& rising = runs[i];
     if ((rising.has_angle() && !is_free) || rising.speed_rad_s < 0) continue;
-    double nearest = same_speed;
+    double nearest = motion::same_speed;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const ConstantSpeedRun& other = runs[k];
       if (other.has_angle() != rising.has_angle() || other.partner >= 0) continue;

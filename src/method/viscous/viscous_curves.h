@@ -20,9 +20,6 @@
 
 namespace tribolog::method::viscous {
 
-/// Speeds whose relative difference is smaller count as one.
-inline constexpr double same_speed = 0.03;
-
 /// One plateau, or one angle bin of a paired sweep in one direction, or a friction point that was
 /// read elsewhere: its angles are NaN, and it contains no gravity (mean_cos is 0).
 struct ConstantSpeedRun {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "method/motion/plateaus.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/block_regression.h"
 #include "statistics/levenberg_marquardt.h"
@@ -85,7 +86,7 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, Sta
   std::vector<std::size_t> blocks(points.size(), 0);
   double first_rad_s = points.front().speed_rad_s;
   for (std::size_t i = 1; i < blocks.size(); ++i) {
-    const bool is_new = points[i].speed_rad_s > (1 + same_speed) * first_rad_s;
+    const bool is_new = points[i].speed_rad_s > (1 + motion::same_speed) * first_rad_s;
     if (is_new) first_rad_s = points[i].speed_rad_s;
     blocks[i] = blocks[i - 1] + (is_new ? 1 : 0);
   }

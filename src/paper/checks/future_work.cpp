@@ -99,12 +99,12 @@ PaperItem check_future_work(const PapersJoint& joint) {
   constexpr double times_as_large = 100;
   const LuGreFit small = by_loop_alone(joint.scenario, as_printed);
   const LuGreFit large = by_loop_alone(joint.scenario, times_as_large * as_printed);
-  item.told = compare(joint, small, tr("The paper's oscillation"), item.checks);
+  item.unchecked = compare(joint, small, tr("The paper's oscillation"), item.checks);
   for (std::string& text :
        compare(joint, large, tr("An oscillation 100 times as large"), item.checks)) {
-    item.told.push_back(std::move(text));
+    item.unchecked.push_back(std::move(text));
   }
-  item.told.push_back(
+  item.unchecked.push_back(
       tr("Not met by a loop alone: q_peak and with it the surrogate mass, which need a sweep or "
          "runs at several angles. Real logs are in docs/real_logs.md of the program's source."));
   return item;

@@ -59,7 +59,7 @@ namespace {
 
 constexpr double half_last_place_Nm = 5e-6;  ///< Of torques given to five decimals.
 constexpr auto names = method::hysteresis::loop_points;
-/// With inertia and Stribeck effect, by an implicit solver that is none of this program's.
+/// With inertia and Stribeck effect, by an implicit solver from another library.
 constexpr double whole[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883};
 
 /// How fast torque changes where a point is read [N·m/s].

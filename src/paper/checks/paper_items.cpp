@@ -50,7 +50,7 @@ Checks check_conclusions(const PapersJoint& joint) {
                    Kind::print, is_dropping_better, tr("dropping"), tr("rising"))};
 }
 
-std::vector<std::string> told_in_conclusions(const PapersJoint& joint) {
+std::vector<std::string> unchecked_in_conclusions(const PapersJoint& joint) {
   return {
       tr("“The measurement falls at the moment in which the value of asperities equals zero”: B "
          "is that moment while the arm drops. Friction left there, σ₁ dz/dt + σ₂ ω, puts its "
@@ -140,7 +140,7 @@ simulate::Scenario stiffer_joint(const simulate::Scenario& scenario) {
   return stiffer;
 }
 
-std::vector<std::string> told_of_table_2(const PapersJoint& joint) {
+std::vector<std::string> unchecked_of_table_2(const PapersJoint& joint) {
   std::array<double, 6> torques_Nm{};
   for (std::size_t i = 0; i < torques_Nm.size(); ++i) {
     torques_Nm.at(i) = joint.point(method::hysteresis::loop_points.at(i)).torque_Nm;
@@ -161,7 +161,7 @@ std::vector<std::string> told_of_table_2(const PapersJoint& joint) {
                "%")}})};
 }
 
-std::vector<std::string> told_of_points(const PapersJoint& joint) {
+std::vector<std::string> unchecked_of_points(const PapersJoint& joint) {
   const friction::LuGreFriction::Parameters& p = bristles_of(joint.scenario).parameters();
   const double top_speed = joint.oscillation_speed_rad_s(0);
   const double bias_Nm = (p.bristle_damping_Nms_rad + p.viscous_Nms_rad) * top_speed;
@@ -174,7 +174,7 @@ std::vector<std::string> told_of_points(const PapersJoint& joint) {
               {"bias", with_unit(wording::significant(bias_Nm, 3), "N·m")}})};
 }
 
-std::vector<std::string> told_of_rates() {
+std::vector<std::string> unchecked_of_rates() {
   return {
       tr("E and F are where dz/dt is largest while z < 0, and smallest while z > 0. The "
          "largest dz/dt of all is at A: there the drive jumps from rest to its full speed, and "
@@ -182,7 +182,7 @@ std::vector<std::string> told_of_rates() {
 }
 
 /// What the rough sweep leaves out, and why.
-std::vector<std::string> told_of_sweep(const PapersJoint& joint) {
+std::vector<std::string> unchecked_of_sweep(const PapersJoint& joint) {
   const joint::Recording& log = joint.recording(joint::Role::rough_sweep);
   const double planned = present(joint.scenario.rough_sweep).speed_rad_s;
   constexpr double constant = 1e-6;  // of the speed
@@ -199,22 +199,22 @@ std::vector<std::string> told_of_sweep(const PapersJoint& joint) {
           {"unsteady", unsteady}})};
 }
 
-std::vector<std::string> told_of_presliding() {
+std::vector<std::string> unchecked_of_presliding() {
   return {
       tr("Amplitudes ±1.425 N, ±1.3 N, ±1 N and frequencies 1 Hz, 10 Hz, 25 Hz are taken from "
          "print.")};
 }
 
 PaperItem equation(int number, std::string title, Checks checks, std::string remark = "",
-                   std::vector<std::string> told = {}) {
-  return {ItemKind::equation, number,         std::move(title), std::move(remark),
-          std::move(checks),  std::move(told)};
+                   std::vector<std::string> unchecked = {}) {
+  return {ItemKind::equation,  number, std::move(title), std::move(remark), std::move(checks),
+          std::move(unchecked)};
 }
 
 PaperItem table(int number, std::string title, Checks checks, std::string remark,
-                std::vector<std::string> told) {
-  return {ItemKind::table,   number,         std::move(title), std::move(remark),
-          std::move(checks), std::move(told)};
+                std::vector<std::string> unchecked) {
+  return {ItemKind::table,     number, std::move(title), std::move(remark), std::move(checks),
+          std::move(unchecked)};
 }
 
 /// What is drawn that print does not show, and why; empty: nothing.
@@ -260,7 +260,7 @@ class Figures {
     return *found;
   }
   [[nodiscard]] PaperItem item(int number, Checks checks, std::string remark = "",
-                               std::vector<std::string> told = {}) const {
+                               std::vector<std::string> unchecked = {}) const {
     std::string remarks = drawn_otherwise(number);
     if (!remarks.empty() && !remark.empty()) remarks += " ";
     return {ItemKind::figure,
@@ -268,7 +268,7 @@ class Figures {
             (*this)[number].title,
             remarks + remark,
             std::move(checks),
-            std::move(told),
+            std::move(unchecked),
             drawings::figure_captions.at(static_cast<std::size_t>(number) - 1)};
   }
 
@@ -305,7 +305,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
        {figure.item(4, check_lugre_diagram(joint)),
         table(1, tr("Parameters of the LuGre model"), {},
               tr("In print σ₀ = 1·10⁻⁵ N/m and σ₁ = 1·10⁻¹⁰ N·s/m."), remarks_on_table_1()),
-        figure.item(5, check_presliding_chart(joint), "", told_of_presliding())}},
+        figure.item(5, check_presliding_chart(joint), "", unchecked_of_presliding())}},
       {"2.3",
        tr("Model of the driving system in the third robot joint"),
        {figure.item(6, check_drive_diagram(joint)),
@@ -328,7 +328,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
                  tr("In print n stands in the denominator, and the cosine is of q_c."))}},
       {"3.2",
        tr("Angular position of the centre of gravity"),
-       {figure.item(11, check_sweep_motion(joint), "", told_of_sweep(joint)),
+       {figure.item(11, check_sweep_motion(joint), "", unchecked_of_sweep(joint)),
         figure.item(12, check_motion_range(joint)),
         figure.item(13, check_rough_peak(joint), tr("Printed result: −22° = 0.383 rad.")),
         figure.item(14, check_precise_peak(joint),
@@ -339,10 +339,10 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
         figure.item(
             15, check_torque_loop(joint), "",
             {tr("Its six torques are those of table 2, and are compared with print there.")}),
-        figure.item(16, check_deflection_loop(joint), "", told_of_points(joint)),
-        figure.item(17, check_rate_loop(joint), "", told_of_rates()),
+        figure.item(16, check_deflection_loop(joint), "", unchecked_of_points(joint)),
+        figure.item(17, check_rate_loop(joint), "", unchecked_of_rates()),
         table(2, tr("Driving torques and surrogate masses"), check_table_2(joint),
-              tr("In print r = 500 m; the rows hold for 0.5 m."), told_of_table_2(joint))}},
+              tr("In print r = 500 m; the rows hold for 0.5 m."), unchecked_of_table_2(joint))}},
       {"3.4",
        tr("Viscous friction in the third robot joint"),
        {figure.item(18, check_candidate_curves(joint)),
@@ -355,7 +355,7 @@ std::vector<PaperSection> paper_items(const PapersJoint& joint,
       {"4",
        tr("Conclusion"),
        {{ItemKind::statement, 0, tr("What the paper concludes"), "", check_conclusions(joint),
-         told_in_conclusions(joint)},
+         unchecked_in_conclusions(joint)},
         check_future_work(joint)}},
   };
 }
@@ -453,9 +453,9 @@ int to_the_last_place(const std::vector<PaperSection>& sections) {
   return count;
 }
 
-int count_told(const std::vector<PaperSection>& sections) {
+int count_unchecked(const std::vector<PaperSection>& sections) {
   std::size_t count = 0;
-  for_each_item(sections, [&](const PaperItem& item) { count += item.told.size(); });
+  for_each_item(sections, [&](const PaperItem& item) { count += item.unchecked.size(); });
   return static_cast<int>(count);
 }
 

@@ -21,8 +21,8 @@ struct PaperItem {
   std::string title;   ///< What it is.
   std::string remark;  ///< What is misprinted or left open in it; may be empty.
   Checks checks;
-  /// What is so by definition, or was taken from print: told, for no check of it could fail.
-  std::vector<std::string> told;
+  /// What is so by definition, or was taken from print: no check of it could fail.
+  std::vector<std::string> unchecked;
   std::string printed_caption{};  ///< Of a figure.
 };
 
@@ -57,8 +57,8 @@ bool every_check_holds(const PaperItem& item);
 std::vector<const Check*> print_checks(const std::vector<PaperSection>& sections);
 /// Those of them that give a printed number to its last place.
 int to_the_last_place(const std::vector<PaperSection>& sections);
-/// How much is told instead of checked.
-int count_told(const std::vector<PaperSection>& sections);
+/// How many items are stated without a check.
+int count_unchecked(const std::vector<PaperSection>& sections);
 
 // The paper's figures, regenerated.
 

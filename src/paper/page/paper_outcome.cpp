@@ -69,10 +69,10 @@ std::string sentence_of(const RegeneratedPaper& paper, const std::vector<PaperTa
              {"to_the_last_place", checks::to_the_last_place(paper.sections)}}) +
          " " +
          tr("{holding_independent} of {independent_checks} independent computations agree with the "
-            "program; {told} definitions and values taken from print are told, not checked.",
+            "program; {unchecked} definitions and values taken from print are stated, not checked.",
             {{"holding_independent", independent.hold},
              {"independent_checks", independent.there},
-             {"told", checks::count_told(paper.sections)}}) +
+             {"unchecked", checks::count_unchecked(paper.sections)}}) +
          " " +
          tr("{figures} of {printed_figures} figures, {tables} of {printed_tables} tables and "
             "{equations} of {printed_equations} equations are here.",

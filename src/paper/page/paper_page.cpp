@@ -69,7 +69,7 @@ std::string paper_json(const RegeneratedPaper& paper) {
                        {"section", section.number},
                        {"title", item.title},
                        {"checks", list_of(item.checks)},
-                       {"told", item.told}});
+                       {"told", item.unchecked}});
     }
   }
   Json whole{{"schema", "tribolog-paper-2"},
@@ -129,8 +129,8 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
   const std::string caption = tr(
       "{item}: {holding_checks} of {checks} checks hold",
       {{"item", checks::item_name(item)}, {"holding_checks", tally.hold}, {"checks", tally.there}});
-  // Where all hold, their number says it. What is told without a check, or of the paper's words, is
-  // the item itself.
+  // Where all hold, their number says it. What is stated without a check, or of the paper's words,
+  // is the item itself.
   const bool is_folded = !item.checks.empty() && tally.hold == tally.there;
   report::engine::TemplateValues& place = is_folded ? out.add_section("FOLD") : out;
   if (is_folded) place.set("WHAT", caption);
@@ -140,12 +140,12 @@ void fill_item(const checks::PaperItem& item, const calibration::Calibration& ca
                          tr("Caption in print: “{caption}”.", {{"caption", item.printed_caption}}));
   }
   fill_checks(item.checks, item_anchor(item), caption, "CHECKS", details);
-  if (item.told.empty()) return;
+  if (item.unchecked.empty()) return;
   const bool is_of_words = item.kind == checks::ItemKind::statement;
-  report::engine::TemplateValues& told =
+  report::engine::TemplateValues& stated =
       (is_folded && is_of_words ? out.add_include("DETAILS", "paper_details.tpl") : details)
           .add_section("TOLD");
-  for (const std::string& text : item.told) told.add_section("ENTRY").set("TEXT", text);
+  for (const std::string& text : item.unchecked) stated.add_section("ENTRY").set("TEXT", text);
 }
 
 }  // namespace

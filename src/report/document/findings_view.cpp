@@ -31,7 +31,7 @@ bool holds(const Statement& statement, const Statement& part) {
 
 /// Whether the finding says what the reason rests on: the same, what the same check found, or what
 /// stands inside the reason ("nothing independent checks it: ...").
-bool tells(const Statement& finding, const Statement& reason) {
+bool explains(const Statement& finding, const Statement& reason) {
   if (finding == reason || holds(reason, finding)) return true;
   const auto* found = inside(finding, "found");
   const auto* of_reason = inside(reason, "found");
@@ -42,7 +42,7 @@ bool tells(const Statement& finding, const Statement& reason) {
 /// Whether a quantity's verdict rests on it.
 bool is_reason(const Statement& finding, const calibration::QuantityVerdict& q) {
   return std::any_of(q.reasons.begin(), q.reasons.end(),
-                     [&](const Statement& reason) { return tells(finding, reason); });
+                     [&](const Statement& reason) { return explains(finding, reason); });
 }
 
 /// Reasons that are no findings of their own say how little is known of a quantity. Before these
@@ -112,7 +112,7 @@ int NumberedFindings::number_of(const Statement& statement) const {
   const auto found = same != statements_.end()
                          ? same
                          : std::find_if(statements_.begin(), statements_.end(),
-                                        [&](const auto& one) { return tells(one, statement); });
+                                        [&](const auto& one) { return explains(one, statement); });
   return found == statements_.end() ? 0 : static_cast<int>(found - statements_.begin()) + 1;
 }
 

@@ -9,12 +9,12 @@
 namespace tribolog::report::document {
 
 /// First what lowers numbers that count, then notes; within these the verdict's findings in their
-/// order, then those reasons of quantities that no finding tells.
+/// order, then those reasons of quantities that no finding states.
 class NumberedFindings {
  public:
   explicit NumberedFindings(const calibration::Judgement& judgement);
 
-  /// The number of the finding that tells this, itself or as what it rests on; 0: none does.
+  /// The number of the finding that states this, itself or as what it rests on; 0: none does.
   [[nodiscard]] int number_of(const Statement& statement) const;
   /// On which a quantity's verdict rests, ascending, each once.
   [[nodiscard]] std::vector<int> numbers_of(const calibration::QuantityVerdict& quantity) const;

@@ -276,7 +276,7 @@ class KeyNumbers {
         number_row(at_joint(name), n_ * height_Nm, wording::torque_scale(n_ * height_Nm), from));
   }
 
-  /// A number that its verdict refuses is none to file.
+  /// A number that its verdict refuses is not to be filed.
   [[nodiscard]] bool refused(Quantity quantity) const {
     const calibration::QuantityVerdict* verdict = c_.judgement.find(quantity);
     return verdict != nullptr && verdict->verdict == calibration::Verdict::not_identifiable;

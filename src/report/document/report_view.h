@@ -33,7 +33,7 @@ struct Section {
   Outcome outcome{Outcome::absent};
   std::string status;      ///< The outcome in words: "not identifiable".
   std::string reason;      ///< Of the stage's report; may be empty if done.
-  int finding{};           ///< That tells the reason, by its number; 0: none does.
+  int finding{};           ///< Number of the finding that states the reason; 0: none does.
   std::string experiment;  ///< What would bring the missing numbers; empty if nothing is missing.
   std::vector<Fact> facts;
   std::vector<Table> tables;

@@ -106,7 +106,7 @@ std::vector<QuantityRow> quantity_rows(const calibration::Calibration& c,
     row.words = wording::words_for("quantity", to_string(q.quantity));
     row.outcome = is_merely_absent(q) ? Outcome::absent : elements::outcome_of(q.verdict);
     row.verdict_word = elements::verdict_in_words(q.verdict);
-    // A number that its verdict refuses is none to file.
+    // A number that its verdict refuses is not to be filed.
     if (q.verdict != calibration::Verdict::not_identifiable) {
       add_estimate(q, c.manifest.drive.gear_ratio(), row);
       if (q.quantity == joint::Quantity::viscous_curve && !c.model.law.empty()) {

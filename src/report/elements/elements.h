@@ -41,7 +41,7 @@ struct Fact {
 struct FigureCard {
   std::string id;
   std::string title;    ///< "Friction hysteresis"
-  int paper_number{};   ///< 0: it is none of the paper's.
+  int paper_number{};   ///< 0: not a figure of the paper.
   std::string heading;  ///< "Figure 15: Friction hysteresis"
   std::string caption;
   std::string how_to_read;

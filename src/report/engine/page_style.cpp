@@ -96,7 +96,7 @@ bool is_own_style(std::string_view style) {
 
 const std::string& own_script() {
   static const std::string script = [] {
-    // A block: its names are none of the page's.
+    // A block: its names do not clash with the page's.
     std::string all = "\"use strict\";\nif (document.getElementById(\"tribolog-loops\")) {\n";
     for (const char* const part : viewer_parts) all += without_indentation(embedded_file(part));
     return all + "}\n";

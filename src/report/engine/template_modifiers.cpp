@@ -169,7 +169,7 @@ void append_escaped(std::string& html, char c) {
 
 namespace {
 
-/// A line breaks at none of its hyphens.
+/// Without line breaks at its hyphens.
 void append_date(std::string& html, std::string_view date) {
   html.append("<span class=\"date\">").append(date).append("</span>");
 }

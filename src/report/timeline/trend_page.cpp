@@ -240,23 +240,23 @@ std::string joint_words(const history::JointTrend& t) {
 }
 
 std::vector<std::string> change_sentences(const history::JointTrend& t) {
-  struct Told {
+  struct Change {
     const history::QuantityTrend* quantity;
     const history::FoundChange* change;
   };
-  std::vector<Told> all;
+  std::vector<Change> all;
   for (const history::QuantityTrend& q : t.quantities) {
     for (const history::FoundChange& c : q.changes) all.push_back({&q, &c});
   }
-  const auto percent = [](const Told& told) { return std::abs(told.change->percent.value_or(0)); };
-  std::stable_sort(all.begin(), all.end(), [&](const Told& a, const Told& b) {
+  const auto percent = [](const Change& one) { return std::abs(one.change->percent.value_or(0)); };
+  std::stable_sort(all.begin(), all.end(), [&](const Change& a, const Change& b) {
     const bool is_standing = a.change->back.empty();
     if (is_standing != b.change->back.empty()) return is_standing;
     return percent(a) > percent(b);
   });
   std::vector<std::string> sentences;
-  for (const Told& told : all) {
-    sentences.push_back(wording::as_sentence(change_words(*told.quantity, *told.change)));
+  for (const Change& one : all) {
+    sentences.push_back(wording::as_sentence(change_words(*one.quantity, *one.change)));
   }
   std::vector<const history::QuantityTrend*> apart;
   for (const history::QuantityTrend& q : t.quantities) {
@@ -411,7 +411,7 @@ std::string rest_words(const history::JointTrend& t) {
 Outcomes outcomes_of(const std::vector<history::JointTrend>& trends, history::TrendState worst) {
   Outcomes out;
   const bool are_many = trends.size() > 1;
-  const auto told = [&](const history::JointTrend& t, const std::string& change) {
+  const auto sentence_of = [&](const history::JointTrend& t, const std::string& change) {
     return are_many ? title_of(t) + ": " + change : change;
   };
   if (worst == history::TrendState::steady) {
@@ -433,9 +433,9 @@ Outcomes outcomes_of(const std::vector<history::JointTrend>& trends, history::Tr
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const bool is_first = out.sentence.empty() && t.state() == worst && i == 0;
       if (is_first) {
-        out.sentence = told(t, changes[i]) + rest_words(t);
+        out.sentence = sentence_of(t, changes[i]) + rest_words(t);
       } else {
-        out.others.push_back(told(t, changes[i]));
+        out.others.push_back(sentence_of(t, changes[i]));
       }
     }
   }

@@ -1,12 +1,12 @@
 // Which of two fits leaves less: sure where it is, and not sure where it is chance.
 
-#include "statistics/rival_fits.h"
+#include "statistics/fit_comparison.h"
 
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
 
-namespace tribolog::rival_fits_test {
+namespace tribolog::fit_comparison_test {
 namespace {
 
 constexpr Eigen::Index rows = 1000;
@@ -56,4 +56,4 @@ TEST(RivalFits, NobodyBeatsHimself) {
 }
 
 }  // namespace
-}  // namespace tribolog::rival_fits_test
+}  // namespace tribolog::fit_comparison_test

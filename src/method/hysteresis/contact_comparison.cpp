@@ -1,4 +1,4 @@
-#include "method/hysteresis/contact_rivals.h"
+#include "method/hysteresis/contact_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "base/enum_text.h"
 #include "friction/catalogue.h"
+#include "statistics/fit_comparison.h"
 #include "statistics/linear_systems.h"
-#include "statistics/rival_fits.h"
 
 namespace tribolog::method::hysteresis {
 namespace {
@@ -64,7 +64,7 @@ struct Fall {
 
 /// A law at the rows that are compared.
 struct Fitted {
-  ContactCandidate rival;
+  ContactCandidate candidate;
   Eigen::VectorXd residuals;
 };
 
@@ -122,7 +122,7 @@ class Comparison {
       keep_better(solved(start), best);
     }
     if (!best || !(lugre_.shared(LuGreShared::fall) > 0)) return best;
-    const double level = std::log(best->rival.static_Nm / best->rival.stiffness_Nm_rad);
+    const double level = std::log(best->candidate.static_Nm / best->candidate.stiffness_Nm_rad);
     for (const double of_peak : {0.3, 1.0}) {
       Eigen::VectorXd start(4);
       start << level, 0, 1.5, std::log(of_peak * peak_speed_rad_s_);
@@ -157,7 +157,8 @@ class Comparison {
     return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
   }
   static void keep_better(std::optional<Fitted> one, std::optional<Fitted>& best) {
-    if (one && (!best || one->rival.residual_Nm < best->rival.residual_Nm)) best = std::move(one);
+    if (one && (!best || one->candidate.residual_Nm < best->candidate.residual_Nm))
+      best = std::move(one);
   }
 
   /// Columns of what acts besides the contact, behind `before` others that are left open.
@@ -225,7 +226,7 @@ class Comparison {
     if (!(found(0) > 0)) return std::nullopt;
     Fitted out{{ContactLaw::elasto_plastic, found(0), found(0) * deflection_rad, 0},
                columns * found - measured_};
-    out.rival.residual_Nm = rms(out.residuals);
+    out.candidate.residual_Nm = rms(out.residuals);
     return out;
   }
 
@@ -273,9 +274,9 @@ class Comparison {
     Fitted out{{ContactLaw::maxwell_slip, found.head(elements + 1).sum(), 0, 0},
                columns * found - measured_};
     for (Eigen::Index k = 0; k < elements; ++k) {
-      out.rival.static_Nm += found(k) * slips_at[static_cast<std::size_t>(k)];
+      out.candidate.static_Nm += found(k) * slips_at[static_cast<std::size_t>(k)];
     }
-    out.rival.residual_Nm = rms(out.residuals);
+    out.candidate.residual_Nm = rms(out.residuals);
     return out;
   }
 
@@ -337,9 +338,9 @@ class Comparison {
 std::string to_string(ContactLaw law) { return own_name(law); }
 
 const ContactCandidate* ContactComparison::find(ContactLaw law) const {
-  const auto it = std::find_if(rivals.begin(), rivals.end(),
-                               [&](const ContactCandidate& rival) { return rival.law == law; });
-  return it == rivals.end() ? nullptr : &*it;
+  const auto it = std::find_if(candidates.begin(), candidates.end(),
+                               [&](const ContactCandidate& one) { return one.law == law; });
+  return it == candidates.end() ? nullptr : &*it;
 }
 
 ContactComparison compare_contacts(const std::vector<LuGreInput>& loops,
@@ -351,23 +352,23 @@ ContactComparison compare_contacts(const std::vector<LuGreInput>& loops,
   const Comparison comparison(loops, problem, block_of_row, lugre, gear_ratio, q_peak_rad);
   if (!comparison.is_possible()) return out;
   std::vector<Fitted> all{comparison.lugre()};
-  for (std::optional<Fitted> rival : {comparison.elasto_plastic(), comparison.maxwell_slip()}) {
-    if (rival) all.push_back(std::move(*rival));
+  for (std::optional<Fitted> fitted : {comparison.elasto_plastic(), comparison.maxwell_slip()}) {
+    if (fitted) all.push_back(std::move(*fitted));
   }
   constexpr double least_gain = 0.005;  // noise is most of what they leave
   constexpr double least_share = 0.5;
-  const double lugre_leaves = std::pow(all.front().rival.residual_Nm, 2);
-  const auto takes_it_up = [&](const ContactCandidate& rival) {
-    return rival.law == ContactLaw::lugre ||
-           lugre_leaves - std::pow(rival.residual_Nm, 2) > least_share * std::pow(systematic_Nm, 2);
+  const double lugre_leaves = std::pow(all.front().candidate.residual_Nm, 2);
+  const auto takes_it_up = [&](const ContactCandidate& candidate) {
+    return candidate.law == ContactLaw::lugre || lugre_leaves - std::pow(candidate.residual_Nm, 2) >
+                                                     least_share * std::pow(systematic_Nm, 2);
   };
   for (const Fitted& one : all) {
-    out.rivals.push_back(one.rival);
+    out.candidates.push_back(one.candidate);
     const bool wins = std::all_of(all.begin(), all.end(), [&](const Fitted& other) {
       return &other == &one || statistics::leaves_less(one.residuals, other.residuals,
                                                        comparison.blocks(), least_gain);
     });
-    if (wins && all.size() > 1 && takes_it_up(one.rival)) out.winner = one.rival.law;
+    if (wins && all.size() > 1 && takes_it_up(one.candidate)) out.winner = one.candidate.law;
   }
   return out;
 }

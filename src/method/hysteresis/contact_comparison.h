@@ -11,7 +11,7 @@
 //
 // What happens before a loop has run through its travel twice depends on where its contact started
 // and is not compared. A law is named only where its residuals are smaller than both others',
-// beyond doubt (statistics/rival_fits.h).
+// beyond doubt (statistics/fit_comparison.h).
 
 #include <cstddef>
 #include <optional>
@@ -36,10 +36,10 @@ struct ContactCandidate {
 };
 
 struct ContactComparison {
-  std::vector<ContactCandidate> rivals;  ///< LuGre first; empty: there was no contest.
+  std::vector<ContactCandidate> candidates;  ///< LuGre first; empty: none were compared.
   std::optional<ContactLaw> winner;
 
-  /// @return nullptr: it did not compete
+  /// @return nullptr: it was not compared
   [[nodiscard]] const ContactCandidate* find(ContactLaw law) const;
 };
 

@@ -1,4 +1,4 @@
-#include "statistics/rival_fits.h"
+#include "statistics/fit_comparison.h"
 
 #include <cmath>
 #include <map>

@@ -1,6 +1,6 @@
 // The contest of contacts: each wins on its own loops, and nobody is called where LuGre is right.
 
-#include "method/hysteresis/contact_rivals.h"
+#include "method/hysteresis/contact_comparison.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 
-namespace tribolog::contact_rivals_test {
+namespace tribolog::contact_comparison_test {
 namespace {
 
 using method::hysteresis::ContactLaw;
@@ -59,15 +59,15 @@ TEST(ContactRivals, EachIsNamedOnItsOwnLoops) {
 // One loop of one size tells a contact with two memories from one with many only if noise is low.
 TEST(ContactRivals, WhereNoiseHidesWhichItIsNobodyIsNamed) {
   const method::hysteresis::LuGreFit fit = test::fit_loops(with_contact("elasto_plastic", 1.0));
-  EXPECT_EQ(fit.contacts.rivals.size(), 3U);
+  EXPECT_EQ(fit.contacts.candidates.size(), 3U);
   EXPECT_TRUE(!fit.contacts.winner || fit.contacts.winner == ContactLaw::elasto_plastic);
 }
 
 TEST(ContactRivals, ThereIsNoContestWhereLuGreLeavesNothing) {
   const method::hysteresis::LuGreFit fit = test::fit_loops(with_contact("lugre", 1.0));
-  EXPECT_TRUE(fit.contacts.rivals.empty());
+  EXPECT_TRUE(fit.contacts.candidates.empty());
   EXPECT_FALSE(fit.contacts.winner);
 }
 
 }  // namespace
-}  // namespace tribolog::contact_rivals_test
+}  // namespace tribolog::contact_comparison_test

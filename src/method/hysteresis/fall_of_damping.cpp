@@ -1,4 +1,4 @@
-#include "method/hysteresis/lugre_rivals.h"
+#include "method/hysteresis/fall_of_damping.h"
 
 #include <cmath>
 #include <numbers>
