@@ -68,6 +68,9 @@ std::function<Run()> add_review(CLI::App& app);
 /// Adds `tribolog export`. @return as add_archive().
 std::function<Run()> add_export_of_file(CLI::App& app);
 
+/// Adds `tribolog apply`. @return as add_archive().
+std::function<Run()> add_apply(CLI::App& app);
+
 /// JSON to standard output, also with --quiet: it was asked for.
 void print_json(const std::string& json);
 

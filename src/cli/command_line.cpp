@@ -152,6 +152,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   const auto chosen_of_archive = add_archive(app);
   const auto chosen_review = add_review(app);
   const auto chosen_export = add_export_of_file(app);
+  const auto chosen_apply = add_apply(app);
   const auto chosen_manifest = add_manifest(app);
   const auto chosen_schema = add_schema(app);
   const auto chosen_help = add_help(app);
@@ -178,6 +179,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (const Run run = chosen_of_archive()) return run({arguments, console});
   if (const Run run = chosen_review()) return run({arguments, console});
   if (const Run run = chosen_export()) return run({arguments, console});
+  if (const Run run = chosen_apply()) return run({arguments, console});
   for (const auto& chosen :
        {chosen_manifest, chosen_schema, chosen_help, chosen_completion, chosen_manual}) {
     if (const Run run = chosen()) return run({arguments, console});

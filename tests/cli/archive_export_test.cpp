@@ -29,6 +29,9 @@ class ArchivedDataset {
     id = list["calibrations"][0]["id"].get<std::string>();
   }
   [[nodiscard]] std::string file(const std::string& name) const { return dataset_.file(name); }
+  std::string write(const std::string& name, const std::string& text) const {
+    return dataset_.scratch().write(name, text);
+  }
   [[nodiscard]] ProgramRun run(const std::string& command) const {
     return run_shell(program + "archive " + command + " --archive '" + file("a.tribolog") + "'");
   }
@@ -37,6 +40,32 @@ class ArchivedDataset {
  private:
   SmallDataset dataset_;
 };
+
+// The user's own model: one joint's numbers, all else as it is; refused, the output stays.
+TEST(Apply, ChangesTheJointsNumbersAlone) {
+  const ArchivedDataset archived;
+  const std::string head = "<robot name=\"r\">\n <joint name=\"elbow\" type=\"revolute\">";
+  const std::string foot = "</joint>\n</robot>\n";
+  (void)archived.write("arm.urdf", head + "<dynamics damping=\"9\"/>" + foot);
+  const std::string out = archived.write("new.urdf", "old");
+  const auto apply = [&](const std::string& options) {
+    return run_shell(program + "apply '" + archived.file("cal.json") + "' '" +
+                     archived.file("arm.urdf") + "' -o '" + out + "' " + options);
+  };
+  const ProgramRun unnamed = apply("");
+  EXPECT_EQ(unnamed.status, 3) << unnamed.err;
+  EXPECT_NE(unnamed.err.find("has no joint of this name"), std::string::npos) << unnamed.err;
+  EXPECT_EQ(apply("--joint elbow --range 1e5:2e5").status, 2);
+  EXPECT_EQ(apply("--joint elbow --range 3").status, 2);
+  EXPECT_EQ(read_text(out), "old");
+  const ProgramRun done = apply("--joint elbow --doubtful-too");
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("URDF, joint elbow:\n  damping: 9 -> "), std::string::npos) << done.out;
+  const std::string made = read_text(out);
+  EXPECT_TRUE(made.starts_with(head + "<dynamics damping=\"")) << made;
+  EXPECT_TRUE(made.ends_with("\"/>" + foot)) << made;
+  EXPECT_NE(made.find("\" friction=\""), std::string::npos) << made;
+}
 
 // Without an archive: from the calibration, or from the report that carries it.
 TEST(ExportOfAFile, IsThatOfTheArchive) {
@@ -151,7 +180,7 @@ TEST(ArchiveExport, RefusesInOneLine) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     return run.err;
   };
-  EXPECT_NE(refusal(id + " --format modelica").find("Viscous curve is not_identifiable"),
+  EXPECT_NE(refusal(id + " --format modelica").find("Viscous curve is not identifiable"),
             std::string::npos);
   EXPECT_NE(refusal(id + " --format modelica --doubtful-too").find("no friction curve"),
             std::string::npos);

@@ -79,8 +79,8 @@ const std::vector<Call>& calls() {
        "tribolog --help"},
       {"nonsense", 2,
        "'nonsense' is no command of tribolog; commands: inspect, init, simulate, identify, "
-       "figures, report, show, models, paper, plan, study, archive, review, export, manifest, "
-       "schema, help, version; "
+       "figures, report, show, models, paper, plan, study, archive, review, export, apply, "
+       "manifest, schema, help, version; "
        "see tribolog --help"},
       {"figures dataset.toml extra -o f", 2,
        "'extra' is one argument too many: tribolog figures takes DATASET; see tribolog figures "
@@ -155,7 +155,8 @@ const std::vector<Call>& calls() {
        "mean 'doubtful'?; see tribolog report --help"},
       {"export report.html --format cvs", 2,
        "--format: 'cvs' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, modelica, ros2; did you mean 'csv'?; see tribolog export --help"},
+       "mjcf, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; did you mean "
+       "'csv'?; see tribolog export --help"},
       {"study -o s.html --factor cycle", 2,
        "--factor: 'cycle' is not usable, expected one of torque_noise, torque_step, encoder, "
        "ripple_one_position, ripple_eight_positions, amplitude, cycles; did you mean 'cycles'?; "
@@ -319,7 +320,8 @@ const std::vector<Call>& calls() {
        "calibration (JSON)"},
       {"export report.html --format jsno", 2,
        "--format: 'jsno' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, modelica, ros2; did you mean 'json'?; see tribolog export --help"},
+       "mjcf, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; did you mean "
+       "'json'?; see tribolog export --help"},
       {"archive list --archive=", 2,
        "--archive: the value is empty; state one, or leave the option out; see tribolog archive "
        "list --help"},

@@ -21,25 +21,29 @@ using test::refusal_of;
 
 TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
   exports::results::ArchivedJoint joint = test::export_sample();
+  joint.calibration = "{}";  // without friction at speeds, to which a line could be laid
   test::quantity_of(joint, "coulomb_torque").verdict = calibration::Verdict::doubtful;
   for (auto* const make :
        {exports::results::urdf_joint, exports::results::sdf_joint, exports::results::mjcf_joint}) {
     const std::string refusal = test::refusal_of<UsageError>([&] { return make(joint, {}); });
     EXPECT_EQ(refusal,
               "aaaaaaaaaa: not exported: Coulomb torque of 0.31 N·m (95 %: 0.3 to 0.32) is "
-              "doubtful; --doubtful-too exports it all the same");
+              "doubtful; --doubtful-too exports it all the same; the calibration holds no friction "
+              "at speeds");
     exports::results::SimulatorOptions options;
     options.doubtful_too = true;
     EXPECT_NE(make(joint, options).find("(95 %: 15 to 16), doubtful; archived × n"),
               std::string::npos);
     // What is not there, and what no simulator takes, cannot be asked for.
     exports::results::ArchivedJoint none = test::export_sample();
+    none.calibration = "{}";
     test::quantity_of(none, "viscous_coefficient").estimate.reset();
     EXPECT_NE(test::refusal_of<UsageError>([&] {
                 return make(none, options);
               }).find("Viscous coefficient was not identified"),
               std::string::npos);
     exports::results::ArchivedJoint negative = test::export_sample();
+    negative.calibration = "{}";
     test::quantity_of(negative, "viscous_coefficient").estimate =
         statistics::Estimate{-1, -2, 0.1, {}};
     EXPECT_NE(
@@ -53,7 +57,11 @@ TEST(ExportForSimulators, RefuseAmperes) {
   const exports::results::ArchivedJoint joint = test::ampere_sample();
   for (auto* const make :
        {exports::results::urdf_joint, exports::results::sdf_joint, exports::results::mjcf_joint,
-        exports::results::ros2_parameters, exports::results::modelica_friction}) {
+        exports::results::ros2_parameters, exports::results::modelica_friction,
+        exports::results::c_header, exports::results::python_module,
+        exports::results::simscape_script, exports::results::isaac_lab_config,
+        exports::results::usd_joint, exports::results::feed_forward_table,
+        exports::results::bam_parameters}) {
     for (const bool doubtful_too : {false, true}) {
       exports::results::SimulatorOptions options;
       options.doubtful_too = doubtful_too;
@@ -98,7 +106,14 @@ TEST(ExportForSimulators, ParametersOfRosAreDoublesAndWhatIsLeftOutHasAReason) {
   const std::string without = exports::results::ros2_parameters(joint, {});
   EXPECT_EQ(without.find("\n      coulomb_torque_Nm:"), std::string::npos) << without;
   EXPECT_NE(without.find("# coulomb_torque_Nm: left out: Coulomb torque of"), std::string::npos);
+  EXPECT_NE(text.find("      friction_speeds_rad_s: [0.2, 0.4, 0.6, 1.0, 1.8]\n"
+                      "      friction_torques_Nm: [16.0, 17.0, 18.0, 20.0, 24.0]\n"),
+            std::string::npos)
+      << text;
   for (calibration::Quantity& q : joint.quantities) q.verdict = calibration::Verdict::doubtful;
+  EXPECT_NE(exports::results::ros2_parameters(joint, {}).find("friction_torques_Nm: [16.0"),
+            std::string::npos);
+  joint.calibration = "{}";
   EXPECT_NE(test::refusal_of<UsageError>([&] {
               return exports::results::ros2_parameters(joint, {});
             }).find("no number is usable"),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibration/archived_calibration.h"
+#include "calibration/friction_speeds.h"
 #include "joint/drive.h"
 #include "joint/quantity.h"
 
@@ -27,6 +28,8 @@ struct ArchivedJoint {
 struct SimulatorOptions {
   bool doubtful_too{};  ///< Also numbers whose verdict is not usable.
   joint::Side side{joint::Side::joint};
+  /// Speeds of the joint over which a poorer law is to be the best; absent: all that are usable.
+  std::optional<calibration::SpeedRange> range_rad_s;
   /// Inertia of all that the joint moves about its axis [kg·m²], joint side: that of the links in
   /// the simulator's model.
   std::optional<double> arm_inertia_kgm2;

@@ -2,6 +2,7 @@
 // A calibration in other programs' formats.
 
 #include <string>
+#include <vector>
 
 #include "exports/results/archived_joint.h"
 
@@ -57,13 +58,16 @@ std::string latex_table(const ArchivedJoint& joint);
 /// @throw UsageError: the calibration's file is not archived, of which the certificate is made.
 std::string digital_certificate(const ArchivedJoint& joint);
 
-// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica. What is in amperes is in
-// none of them, whatever the options.
+// The joint's friction for simulators and programs. What is in amperes is in none of them, whatever
+// the options. Most take dry friction and a viscous coefficient alone: Coulomb torque and viscous
+// coefficient where both are usable, else the line nearest to the friction at the usable speeds,
+// which the comments call an approximation and whose largest error they state
+// (simulator_numbers.h).
 
 /// A robot of two links with the joint between them, which a parser of URDF loads; its `<dynamics>`
 /// is to be copied. Joint side: `damping` is the viscous coefficient [N·m·s/rad], `friction` the
-/// Coulomb torque [N·m].
-/// @throw UsageError: one of the two is missing, or not usable.
+/// dry friction [N·m].
+/// @throw UsageError: no friction is usable.
 std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
 
 /// The same as SDF, Gazebo's format: a model of two links with the joint between them.
@@ -71,20 +75,21 @@ std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
 std::string sdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
 
 /// The usable numbers at the joint as a YAML file of ROS 2 parameters, under `joint_friction`; each
-/// with its interval behind it, and what is left out with the reason.
+/// with its interval behind it, and what is left out with the reason; friction at speeds as two
+/// lists.
 /// @throw UsageError: none is usable.
 std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& options);
 
 // The joint's friction as MJCF, MuJoCo's format.
 
 /// A model of one body on one hinge, which MuJoCo loads; its `<joint>` is to be copied. Joint side:
-/// `damping` is the viscous coefficient [N·m·s/rad], `frictionloss` the Coulomb torque [N·m].
+/// `damping` is the viscous coefficient [N·m·s/rad], `frictionloss` the dry friction [N·m].
 ///
 /// `armature` is the rotor's inertia [kg·m²] as the joint feels it. The loop and the sweep show the
 /// inertia of rotor, gear and arm together, and a model has the arm's in its bodies: it is the
 /// identified one less `arm_inertia_kgm2`, and left out, with a comment, where that is not known or
 /// the difference is not above zero.
-/// @throw UsageError: viscous coefficient or Coulomb torque is missing, or not usable.
+/// @throw as urdf_joint().
 std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
 
 // The joint's friction curve for Modelica.
@@ -95,5 +100,41 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
 /// say: the bearing stands behind the gear (joint) or before it (motor).
 /// @throw UsageError: there is no curve, or it is not usable.
 std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+// The same for programs: friction at speeds as a table, and the line beside it. Each throws as
+// urdf_joint().
+
+/// A header of C99: numbers as macros, the table, and a function that interpolates it. Floats.
+std::string c_header(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// A module of Python 3 that needs no other.
+std::string python_module(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// A script of MATLAB: the parameters of Simscape's Rotational Friction block, with the largest
+/// error that its equation leaves, and the table for a lookup block, both directions.
+std::string simscape_script(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// The arguments of an actuator's configuration in Isaac Lab, Python.
+std::string isaac_lab_config(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// An `over` of USD with the attributes of PhysxJointAxisAPI. Its viscous coefficient is for
+/// degrees, as USD's angles are.
+std::string usd_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// CSV: a torque with its interval for each usable speed in both directions.
+std::string feed_forward_table(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+/// Parameters of Better Actuator Models (bam), its model m1, JSON.
+std::string bam_parameters(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+// All formats, by the names of the command line.
+
+struct ExportFormat {
+  const char* name;
+  const char* content;  ///< For the command's help, a phrase.
+  std::string (*text_of)(const ArchivedJoint& joint, const SimulatorOptions& options);
+};
+
+const std::vector<ExportFormat>& export_formats();
 
 }  // namespace tribolog::exports::results

@@ -13,6 +13,7 @@
 #include "calibration/read_calibration.h"
 #include "exports/results/archived_joint.h"
 #include "exports/results/calibration_exports.h"
+#include "exports/results/simulator_numbers.h"
 #include "wording/rounding.h"
 
 namespace tribolog::exports::results {
@@ -101,6 +102,27 @@ std::string csv_table(const ArchivedJoint& joint) {
                         calibration::conversion_words(row.side == joint::Side::joint ? 1 : 0));
     append_number(text, row.friction.speed_rad_s);
     text += "\n";
+  }
+  return text;
+}
+
+std::string feed_forward_table(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const std::vector<SpeedFriction> friction = needed_friction(joint, options);
+  std::string text;
+  for (const std::string& line : comment_lines(joint)) text += comment(line);
+  text += comment(
+      "Torque at the joint to apply against friction at a speed of the joint, the mean of both "
+      "directions; low and high: 95 % interval");
+  text += "speed_rad_s,torque_Nm,low_Nm,high_Nm\n";
+  const auto row = [](double sign, double speed, double torque, double low, double high) {
+    return fmt::format("{},{},{},{}\n", shortest(sign * speed), shortest(sign * torque),
+                       shortest(sign * low), shortest(sign * high));
+  };
+  for (auto f = friction.rbegin(); f != friction.rend(); ++f) {
+    text += row(-1, f->speed_rad_s, f->torque_Nm, f->high_Nm, f->low_Nm);
+  }
+  for (const SpeedFriction& f : friction) {
+    text += row(1, f.speed_rad_s, f.torque_Nm, f.low_Nm, f.high_Nm);
   }
   return text;
 }
