@@ -7,6 +7,7 @@
 
 #include "base/enum_text.h"
 #include "base/requirements.h"
+#include "calibration/friction_speeds.h"
 #include "joint/dataset.h"
 
 namespace tribolog::calibration {
@@ -48,7 +49,7 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
                                          double gear_ratio) {
   std::vector<SidedQuantity> all;
   for (const Quantity& quantity : quantities) {
-    if (quantity.unit.empty()) continue;
+    if (quantity.unit.empty() || speed_of_friction(quantity.name)) continue;
     const std::optional<int> power = gear_power(quantity.name);
     if (power == 0) {
       all.push_back({quantity, joint::Side::joint, 0});

@@ -141,7 +141,8 @@ struct SidedQuantity {
 /// @return nothing for an unknown quantity.
 std::optional<int> gear_power(const std::string& quantity);
 
-/// Each quantity that has a unit, on both sides or on the one to which it belongs.
+/// Each quantity that has a unit, on both sides or on the one to which it belongs; but friction at
+/// speeds, whose speeds have sides too (friction_speeds.h).
 std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities,
                                          double gear_ratio);
 

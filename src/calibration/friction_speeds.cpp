@@ -1,8 +1,13 @@
 #include "calibration/friction_speeds.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
 
 namespace tribolog::calibration {
 
@@ -38,6 +43,66 @@ std::vector<FrictionAtSpeed> evenly_in_log(const std::vector<FrictionAtSpeed>& a
   std::vector<FrictionAtSpeed> chosen;
   for (const std::size_t k : evenly_in_log(speeds_rad_s, count)) chosen.push_back(all[k]);
   return chosen;
+}
+
+namespace {
+
+constexpr std::string_view friction_prefix = "friction_at_";
+
+/// At a speed between two.
+FrictionAtSpeed between(const FrictionAtSpeed& a, const FrictionAtSpeed& b, double speed_rad_s) {
+  const double share =
+      std::log(speed_rad_s / a.speed_rad_s) / std::log(b.speed_rad_s / a.speed_rad_s);
+  const auto mean = [&](double statistics::Estimate::* member) {
+    return a.torque_Nm.*member + share * (b.torque_Nm.*member - a.torque_Nm.*member);
+  };
+  FrictionAtSpeed f = a.verdict < b.verdict ? b : a;
+  f.speed_rad_s = speed_rad_s;
+  f.torque_Nm.value = mean(&statistics::Estimate::value);
+  f.torque_Nm.low = mean(&statistics::Estimate::low);
+  f.torque_Nm.high = mean(&statistics::Estimate::high);
+  return f;
+}
+
+}  // namespace
+
+std::vector<FrictionAtSpeed> at_standard_speeds(const std::vector<FrictionAtSpeed>& all) {
+  std::vector<FrictionAtSpeed> made;
+  if (all.empty()) return made;
+  constexpr double rounding = 1e-3;  // a run commanded at 300 rad/s may be a little slower
+  const double first = all.front().speed_rad_s * (1 - rounding);
+  const double last = all.back().speed_rad_s * (1 + rounding);
+  if (!(first > 0)) return made;
+  for (int decade = static_cast<int>(std::floor(std::log10(first)));; ++decade) {
+    for (const double digit : {1.0, 3.0}) {
+      // As the nearest number to what it is called.
+      const double speed =
+          decade < 0 ? digit / std::pow(10.0, -decade) : digit * std::pow(10.0, decade);
+      if (speed < first) continue;
+      if (speed > last) return made;
+      const auto next = std::find_if(
+          all.begin(), all.end(), [&](const FrictionAtSpeed& f) { return f.speed_rad_s >= speed; });
+      if (next == all.begin() || next == all.end()) {
+        made.push_back(next == all.end() ? all.back() : all.front());
+        made.back().speed_rad_s = speed;
+      } else {
+        made.push_back(between(*(next - 1), *next, speed));
+      }
+    }
+  }
+}
+
+std::string friction_name(double speed_rad_s) {
+  return fmt::format("{}{:g}", friction_prefix, speed_rad_s);
+}
+
+std::optional<double> speed_of_friction(const std::string& name) {
+  if (!name.starts_with(friction_prefix)) return std::nullopt;
+  double speed = 0;
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data() + friction_prefix.size(), end, speed);
+  const bool is_speed = read.ec == std::errc() && read.ptr == end && speed > 0;
+  return is_speed ? std::optional(speed) : std::nullopt;
 }
 
 std::vector<SpeedRange> usable_ranges(const std::vector<FrictionAtSpeed>& all, std::size_t most) {

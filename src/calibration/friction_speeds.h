@@ -3,6 +3,8 @@
 // is usable.
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "calibration/quantity_verdict.h"
@@ -21,6 +23,20 @@ FrictionAtSpeed at_joint(FrictionAtSpeed at_motor, double gear_ratio);
 std::vector<std::size_t> evenly_in_log(const std::vector<double>& speeds_rad_s, std::size_t count);
 std::vector<FrictionAtSpeed> evenly_in_log(const std::vector<FrictionAtSpeed>& all,
                                            std::size_t count);
+
+// Friction of two calibrations is compared at the same speeds, whatever was recorded at: at 1, 3
+// and 10 rad/s of the motor and so on. An archive keeps it as quantities of these names.
+
+/// Of those speeds the ones from the first to the last recorded, between two recorded ones by a
+/// power of the speed; the verdict is the worse of the two.
+/// @param all rising speed.
+std::vector<FrictionAtSpeed> at_standard_speeds(const std::vector<FrictionAtSpeed>& all);
+
+/// "friction_at_10" [rad/s].
+std::string friction_name(double speed_rad_s);
+
+/// The speed in such a name [rad/s]; nothing for another quantity's.
+std::optional<double> speed_of_friction(const std::string& name);
 
 struct SpeedRange {
   double low_rad_s{};

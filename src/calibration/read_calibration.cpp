@@ -12,8 +12,10 @@
 #include "base/closest_match.h"
 #include "base/enum_text.h"
 #include "base/error.h"
+#include "calibration/friction_speeds.h"
 #include "calibration/json_values.h"
 #include "ingest/text/fields.h"
+#include "joint/quantity.h"
 #include "statistics/order_statistics.h"
 
 namespace tribolog::calibration {
@@ -393,6 +395,13 @@ std::map<std::string, std::vector<StatedInfluence>> read_influences(const std::s
 
 NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {
   RecordedCalibration read = read_calibration(json, file);
+  const std::string unit =
+      unit_of(joint::Quantity::coulomb_torque, torque_unit_of(read.quantities));
+  for (const FrictionAtSpeed& f : at_standard_speeds(read.curves.friction_at_speed)) {
+    read.quantities.push_back({friction_name(f.speed_rad_s),
+                               fmt::format("Friction at {:g} rad/s", f.speed_rad_s), unit,
+                               f.verdict, f.torque_Nm});
+  }
   return {std::move(read.facts),
           std::move(read.quantities),
           std::move(read.inputs),

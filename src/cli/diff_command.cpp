@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include <CLI/CLI.hpp>
 
+#include "calibration/friction_speeds.h"
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/drawing.h"
@@ -30,6 +34,24 @@ calibration::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
   return json ? calibration::read_curves(*json) : calibration::RecordedCurves{};
 }
 
+/// A torque constant that is wrong changes friction at every speed by the same share as gravity.
+void scale_to_friction(std::vector<calibration::Quantity>& quantities) {
+  const auto gravity =
+      std::find_if(quantities.begin(), quantities.end(), [](const calibration::Quantity& q) {
+        return q.name == to_string(joint::Quantity::gravity_torque) && q.estimate &&
+               q.estimate->value != 0;
+      });
+  if (gravity == quantities.end()) return;
+  for (calibration::Quantity& q : quantities) {
+    if (!calibration::speed_of_friction(q.name) || !q.estimate) continue;
+    for (calibration::StatedInfluence influence : gravity->influences) {
+      if (influence.name != "torque_constant") continue;
+      influence.standard_uncertainty *= std::abs(q.estimate->value / gravity->estimate->value);
+      q.influences.push_back(std::move(influence));
+    }
+  }
+}
+
 /// With what the manifests state of their errors.
 calibration::Measured measured(archive::store::CalibrationArchive& kept, const std::string& id) {
   const calibration::Entry entry = kept.find(id);
@@ -41,6 +63,7 @@ calibration::Measured measured(archive::store::CalibrationArchive& kept, const s
     const auto of_quantity = influences.find(quantity.name);
     if (of_quantity != influences.end()) quantity.influences = of_quantity->second;
   }
+  scale_to_friction(made.quantities);
   return made;
 }
 

@@ -4,7 +4,12 @@
 #include <cstdio>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "calibration/friction_speeds.h"
 #include "wording/rounding.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 
@@ -32,6 +37,14 @@ wording::AxisScale quantity_axis(const std::string& unit, double largest) {
   }
   const wording::Scale scale = wording::quantity_scale(unit, largest);
   return {scale.factor, scale.unit};
+}
+
+std::string quantity_words(const std::string& name, const std::string& words) {
+  if (const auto speed_rad_s = calibration::speed_of_friction(name)) {
+    return wording::tr("Friction at {speed}",
+                       {{"speed", wording::with_unit(fmt::format("{:g}", *speed_rad_s), "rad/s")}});
+  }
+  return wording::words_for("quantity", name, words);
 }
 
 }  // namespace tribolog::figures

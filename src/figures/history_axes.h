@@ -13,4 +13,7 @@ double day_of(const std::string& utc);
 /// Angles in degrees, torques and what is made of them with a prefix, all else as it is.
 wording::AxisScale quantity_axis(const std::string& unit, double largest);
 
+/// What an archived quantity is called: "Coulomb torque", "Friction at 10 rad/s".
+std::string quantity_words(const std::string& name, const std::string& words);
+
 }  // namespace tribolog::figures

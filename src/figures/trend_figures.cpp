@@ -1,16 +1,19 @@
 #include "figures/trend_figures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/requirements.h"
+#include "calibration/friction_speeds.h"
 #include "figures/history_axes.h"
 #include "figures/report_figure.h"
 #include "history/joint_trend.h"
@@ -18,6 +21,7 @@
 #include "statistics/distributions.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
+#include "wording/rounding.h"
 #include "wording/tr.h"
 #include "wording/words.h"
 
@@ -38,7 +42,7 @@ using wording::tr_count;
 constexpr std::size_t many_points = 40;
 
 std::string name_of(const history::QuantityTrend& trend) {
-  return wording::words_for("quantity", trend.name, trend.words);
+  return quantity_words(trend.name, trend.words);
 }
 
 render::figure::Series marks(const std::string& label, render::figure::Colour c,
@@ -448,14 +452,126 @@ std::vector<std::size_t> by_weight(const std::vector<history::QuantityTrend>& qu
   return order;
 }
 
+// Friction at all speeds in one picture.
+
+bool is_friction(const history::QuantityTrend& trend) {
+  return calibration::speed_of_friction(trend.name).has_value();
+}
+
+/// What stands for 100 %: of a slow drift where it began. Nothing where nothing was used.
+std::optional<double> level_of(const history::QuantityTrend& trend) {
+  for (const FoundChange& change : trend.changes) {
+    if (change.is_slow) return change.drift_start;
+  }
+  if (trend.reference) return trend.reference->level;
+  for (const HistoryPoint& p : trend.points) {
+    if (p.left_out == LeftOut::none) return p.estimate.value;
+  }
+  return std::nullopt;
+}
+
+/// Percent of the reference above it.
+double percent_above(double value, double level) { return 100 * (value / level - 1); }
+
+struct FrictionLines {
+  render::figure::Panel panel;
+  std::string first_at, last_at;
+  wording::Extent latest;  ///< Percent.
+  std::size_t speeds{};
+};
+
+void add_speed(const history::QuantityTrend& trend, FrictionLines& lines) {
+  constexpr std::array colours{colour::purple, colour::blue,      colour::sky_blue, colour::green,
+                               colour::orange, colour::vermilion, colour::black};
+  constexpr std::array shapes{render::figure::Marker::circle, render::figure::Marker::square,
+                              render::figure::Marker::triangle, render::figure::Marker::diamond};
+  const std::optional<double> level = level_of(trend);
+  if (!level || !(*level > 0)) return;
+  const std::size_t k = lines.speeds;
+  render::figure::Series series =
+      line(wording::with_unit(
+               fmt::format("{:g}", present(calibration::speed_of_friction(trend.name))), "rad/s"),
+           {}, {}, colours[k % colours.size()], 2.0, render::figure::LineStyle::solid);
+  series.marker = shapes[k % shapes.size()];
+  series.marker_size_px = trend.points.size() > many_points ? 6.0 : 10.0;
+  for (const HistoryPoint& p : trend.points) {
+    if (p.left_out != LeftOut::none) continue;
+    const double day = day_of(p.measured_at);
+    const double by = p.corrected.value_or(p.estimate.value) - p.estimate.value;
+    add(series, day, percent_above(p.estimate.value + by, *level));
+    render::figure::ErrorBar bar{day, percent_above(p.estimate.low + by, *level),
+                                 percent_above(p.estimate.high + by, *level)};
+    bar.colour = series.colour;
+    lines.panel.error_bars.push_back(bar);
+    if (lines.first_at.empty() || p.measured_at < lines.first_at) lines.first_at = p.measured_at;
+    lines.last_at = std::max(lines.last_at, p.measured_at);
+  }
+  if (series.y.empty()) return;
+  lines.latest.add({series.y.back()});
+  ++lines.speeds;
+  add_visible(lines.panel, std::move(series));
+}
+
+std::string signed_percent(double percent) {
+  return wording::with_minus_sign(fmt::format("{:+.1f}", percent)) + "\u00a0%";
+}
+
+/// @return nothing where no speed was used.
+std::optional<ReportFigure> friction_figure(const history::JointTrend& trend, std::string id) {
+  FrictionLines lines;
+  for (const history::QuantityTrend& q : trend.quantities) {
+    if (is_friction(q)) add_speed(q, lines);
+  }
+  if (lines.speeds == 0) return std::nullopt;
+  lines.panel.x.title = tr("measured on (UTC)");
+  lines.panel.x.dates = true;
+  const double first = day_of(lines.first_at);
+  const double last = day_of(lines.last_at);
+  const double margin = std::max(0.03 * (last - first), 1.5);
+  lines.panel.x.minimum = first - margin;
+  lines.panel.x.maximum = last + margin;
+  lines.panel.y.title = tr("friction above its reference [%]");
+  lines.panel.reference_lines.push_back(
+      {render::figure::ReferenceLine::Direction::horizontal, 0, tr("reference")});
+  ReportFigure out;
+  out.id = std::move(id);
+  out.title = tr("Friction over time");
+  out.stage = "trend";
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  out.figure.height_px = 750;
+  const std::initializer_list<StatedValue> values{{"speeds", lines.speeds},
+                                                  {"date", wording::date_of(lines.last_at)},
+                                                  {"lowest", signed_percent(lines.latest.low)},
+                                                  {"highest", signed_percent(lines.latest.high)}};
+  out.caption = tr_count(static_cast<std::int64_t>(lines.speeds),
+                         "Friction at {speeds} speed against its reference: {lowest} on {date}.",
+                         "Friction at {speeds} speeds against their references: {lowest} to "
+                         "{highest} on {date}.",
+                         values);
+  out.how_to_read =
+      tr("Each line is a speed of the motor. Wear, a lubricant that ages and a warm day move all "
+         "lines together or one end of them; a "
+         "torque constant that changed moves all by the same share. Bars are 95 % intervals.");
+  out.alt = tr("Friction from {first_date} to {last_date}.",
+               {{"first_date", wording::date_of(lines.first_at)},
+                {"last_date", wording::date_of(lines.last_at)}}) +
+            " " + out.caption;
+  out.figure.panels.push_back(std::move(lines.panel));
+  return out;
+}
+
 }  // namespace
 
 std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends) {
   std::vector<ReportFigure> all;
   for (std::size_t j = 0; j < trends.size(); ++j) {
     const std::vector<history::QuantityTrend>& quantities = trends[j].quantities;
+    if (auto friction = friction_figure(trends[j], fmt::format("trend-{}-friction", j + 1))) {
+      all.push_back(std::move(*friction));
+    }
     for (const std::size_t q : by_weight(quantities)) {
-      if (quantities[q].points.empty()) continue;
+      if (quantities[q].points.empty() || is_friction(quantities[q])) continue;
       all.push_back(figure_of(quantities[q], fmt::format("trend-{}-{}", j + 1, q + 1)));
     }
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/requirements.h"
+#include "calibration/friction_speeds.h"
 #include "calibration/read_calibration.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
@@ -121,8 +122,11 @@ bool is_result(const calibration::Quantity& q) {
 /// Columns in the order in which the calibrations have their quantities.
 class Columns {
  public:
+  /// @param friction the name of the one speed at which friction has a column.
+  explicit Columns(std::string friction) : friction_(std::move(friction)) {}
   std::optional<std::size_t> of(const calibration::Quantity& q) {
     if (!is_result(q)) return std::nullopt;
+    if (calibration::speed_of_friction(q.name) && q.name != friction_) return std::nullopt;
     const auto [at, is_new] = places_.try_emplace({q.name, q.unit}, all.size());
     if (is_new) all.push_back({q.name, q.words, q.unit});
     return at->second;
@@ -131,7 +135,27 @@ class Columns {
 
  private:
   std::map<std::pair<std::string, std::string>, std::size_t> places_;  // by name and unit
+  std::string friction_;
 };
+
+/// The speed at which most calibrations have their friction; of several the middle one. Empty:
+/// none.
+std::string friction_of_most(const std::vector<calibration::Measured>& measured) {
+  std::map<double, std::size_t> count;
+  for (const calibration::Measured& m : measured) {
+    for (const calibration::Quantity& q : m.quantities) {
+      const auto speed = calibration::speed_of_friction(q.name);
+      if (speed && is_result(q)) ++count[*speed];
+    }
+  }
+  std::size_t most = 0;
+  for (const auto& [speed, times] : count) most = std::max(most, times);
+  std::vector<double> speeds;
+  for (const auto& [speed, times] : count) {
+    if (times == most) speeds.push_back(speed);
+  }
+  return speeds.empty() ? "" : calibration::friction_name(speeds[speeds.size() / 2]);
+}
 
 /// The joint measured from `first` up to before `end`.
 FleetJoint joint_of(std::vector<calibration::Measured>::const_iterator first,
@@ -191,7 +215,7 @@ double FleetCell::furthest() const {
 Fleet fleet_of(const std::vector<calibration::Measured>& measured,
                const calibration::Decisions& decisions) {
   Fleet fleet;
-  Columns columns;
+  Columns columns(friction_of_most(measured));
   for (auto first = measured.begin(); first != measured.end();) {
     const calibration::JointName& of = first->entry.facts.of;
     const auto end = std::find_if(first, measured.end(), [&](const calibration::Measured& m) {

@@ -124,10 +124,35 @@ FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const S
       drift.per_day * span, statistics::student_t_975(drift.freedom) * drift.standard_error * span,
       {"interval.line_over_calibrations"});
   change.drift_start = drift.at_start;
+  change.drift_days = span;
   if (std::abs(drift.at_start) > std::abs(change.size.value)) {
     change.percent = 100 * change.size.value / std::abs(drift.at_start);
   }
   return change;
+}
+
+/// Whether a straight line over all calibrations describes them better than one mean before a shift
+/// and another from it on. The values are brought to one temperature.
+bool is_nearer_to_a_line(const std::vector<const HistoryPoint*>& charted,
+                         const std::vector<double>& days, std::size_t shift) {
+  const auto value = [&](std::size_t k) {
+    return charted[k]->corrected.value_or(charted[k]->estimate.value);
+  };
+  const auto squares_about = [&](std::size_t begin, std::size_t end, bool with_slope) {
+    const auto n = static_cast<double>(end - begin);
+    double day = 0, mean = 0;
+    for (std::size_t k = begin; k < end; ++k) day += days[k] / n, mean += value(k) / n;
+    double dd = 0, dv = 0, vv = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      dd += (days[k] - day) * (days[k] - day);
+      dv += (days[k] - day) * (value(k) - mean);
+      vv += (value(k) - mean) * (value(k) - mean);
+    }
+    return with_slope && dd > 0 ? vv - dv * dv / dd : vv;
+  };
+  const std::size_t all = charted.size();
+  return squares_about(0, all, true) <
+         squares_about(0, shift, false) + squares_about(shift, all, false);
 }
 
 void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& times,
@@ -159,14 +184,24 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
     trend.changes.push_back(found_change(shown, e, *made.reference));
   }
   trend.apart = found_apart(shown, made, *made.reference);
-  if (!made.excursions.empty()) {
-    trend.state = made.warning() != nullptr ? TrendState::warning : TrendState::recovered;
-    return;
-  }
   std::vector<double> days;
   for (const HistoryPoint* p : shown) days.push_back(day_number(*p));
   const auto drift = find_slow_drift(series, days, settings.with_slope, watched);
-  if (drift) trend.changes.push_back(found_drift(shown, *drift));
+  const bool is_one_shift = made.excursions.size() == 1 && !made.excursions.front().back;
+  if (drift && is_one_shift && is_nearer_to_a_line(shown, days, made.excursions.front().start)) {
+    trend.changes.clear();
+  } else if (!made.excursions.empty()) {
+    trend.state = made.warning() != nullptr ? TrendState::warning : TrendState::recovered;
+    return;
+  }
+  if (drift) {
+    trend.changes.push_back(found_drift(shown, *drift));
+    // The chart may have seen it before there were enough calibrations for a line.
+    for (const Excursion& e : made.excursions) {
+      std::string& alarm = trend.changes.back().alarm;
+      alarm = std::min(alarm, shown[e.alarm]->measured_at);
+    }
+  }
   if (drift) {
     trend.state = TrendState::warning;
   } else {

@@ -68,7 +68,8 @@ struct FoundChange {
   std::size_t calibrations_to_alarm{};
   statistics::Estimate size;      ///< Mean of the last three of it less the reference; of a
                                   ///< drift, along its line from the first to the last.
-  double drift_start{};           ///< Of a drift: its line at the first calibration.
+  double drift_start{};           ///< Of a drift: its line at the first calibration,
+  double drift_days{};            ///< and the days from there to the last.
   std::optional<double> percent;  ///< Of the reference.
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "calibration/friction_speeds.h"
 #include "history/comparison.h"
 #include "history/joint_trend.h"
 #include "joint/quantity.h"
@@ -13,6 +14,7 @@ namespace tribolog::history {
 QuantityTraits traits_of(const std::string& name) {
   using joint::Quantity;
   const std::optional<Quantity> known = joint::quantity_of(name);
+  if (calibration::speed_of_friction(name)) return {true, false, false, false};
   if (!known) return {};
   switch (*known) {
     case Quantity::cog_angle:

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "figures/history_axes.h"
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
 #include "report/elements/element_values.h"
@@ -16,6 +17,7 @@
 #include "report/elements/figure_cards.h"
 #include "report/engine/page_style.h"
 #include "report/engine/template_engine.h"
+#include "report/timeline/quantity_names.h"
 #include "report/viewer/review_json.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
@@ -58,7 +60,7 @@ std::string signed_text(const std::optional<statistics::Estimate>& change,
 }
 
 std::string name_of(const history::ComparedQuantity& q) {
-  return wording::words_for("quantity", q.name, q.words);
+  return figures::quantity_words(q.name, q.words);
 }
 
 /// "Coulomb torque [mN·m]"
@@ -81,7 +83,7 @@ std::string verdict_text(calibration::Verdict verdict) {
 /// What is said of quantities, with the names of those it is said of.
 class SharedStatements {
  public:
-  void add(const Statement& statement, const std::string& of) {
+  void add(const Statement& statement, const NamedQuantity& of) {
     for (One& one : all_) {
       if (one.statement != statement) continue;
       one.names.push_back(of);
@@ -93,14 +95,14 @@ class SharedStatements {
   template <typename Sentence>
   void append_to(std::vector<std::string>& notes, const Sentence& sentence) const {
     for (const One& one : all_) {
-      notes.push_back(wording::as_sentence(sentence(wording::listed(one.names), one.statement)));
+      notes.push_back(wording::as_sentence(sentence(listed_quantities(one.names), one.statement)));
     }
   }
 
  private:
   struct One {
     Statement statement;
-    std::vector<std::string> names;
+    std::vector<NamedQuantity> names;
   };
   std::vector<One> all_;
 };
@@ -218,7 +220,7 @@ std::vector<std::string> comparison_notes(const history::Comparison& c) {
   SharedStatements why_not;
   SharedStatements cautions;
   for (const history::ComparedQuantity& q : c.quantities) {
-    const std::string name = wording::within_a_sentence(name_of(q));
+    const NamedQuantity name{q.name, wording::within_a_sentence(name_of(q))};
     for (const Statement& why : q.why_not) why_not.add(why, name);
     if (q.word == history::ChangeWord::not_comparable) continue;
     for (const Statement& caution : q.cautions) cautions.add(caution, name);

@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "base/enum_text.h"
+#include "calibration/friction_speeds.h"
+#include "figures/history_axes.h"
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
 #include "history/reference_line.h"
@@ -17,7 +19,9 @@
 #include "report/elements/figure_cards.h"
 #include "report/engine/page_style.h"
 #include "report/engine/template_engine.h"
+#include "report/timeline/quantity_names.h"
 #include "statistics/distributions.h"
+#include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -52,21 +56,38 @@ std::string size_of(const history::FoundChange& c, const std::string& unit) {
 }
 
 std::string name_of(const history::QuantityTrend& q) {
-  return wording::words_for("quantity", q.name, q.words);
+  return figures::quantity_words(q.name, q.words);
 }
 
-std::string change_words(const history::QuantityTrend& q, const history::FoundChange& c) {
+/// " (0.27 % a month)"; empty where it has no meaning.
+std::string rate_text(const history::FoundChange& c) {
+  constexpr double days_of_a_month = 365.25 / 12;
+  if (!c.is_slow || !c.percent || !(c.drift_days > days_of_a_month)) return "";
+  const double percent = std::abs(*c.percent) / c.drift_days * days_of_a_month;
+  return " (" +
+         tr("{rate} a month",
+            {{"rate", wording::with_unit(wording::significant(percent, 2), "%")}}) +
+         ")";
+}
+
+/// @param quantity "Coulomb torque" @param size "2.9 ± 0.3 %"
+std::string change_words(const std::string& quantity, const std::string& size,
+                         const history::FoundChange& c) {
   const bool has_risen = c.direction > 0;
   const std::initializer_list<StatedValue> values{
-      {"quantity", name_of(q)},         {"change", size_of(c, q.unit)},
-      {"first_date", date_of(c.from)},  {"visible_date", date_of(c.is_slow ? c.alarm : c.from)},
-      {"alarm_date", date_of(c.alarm)}, {"back_date", date_of(c.back)}};
+      {"quantity", quantity},
+      {"change", size},
+      {"first_date", date_of(c.from)},
+      {"visible_date", date_of(c.is_slow ? c.alarm : c.from)},
+      {"alarm_date", date_of(c.alarm)},
+      {"back_date", date_of(c.back)},
+      {"rate", rate_text(c)}};
   if (c.is_slow) {
-    return has_risen ? tr("{quantity} has slowly risen by {change} since {first_date}, visible "
-                          "from {visible_date}",
+    return has_risen ? tr("{quantity} has slowly risen by {change} since {first_date}{rate}, "
+                          "visible from {visible_date}",
                           values)
-                     : tr("{quantity} has slowly fallen by {change} since {first_date}, visible "
-                          "from {visible_date}",
+                     : tr("{quantity} has slowly fallen by {change} since {first_date}{rate}, "
+                          "visible from {visible_date}",
                           values);
   }
   if (c.back.empty()) {
@@ -181,11 +202,11 @@ void add_left_out(const history::QuantityTrend& q, std::vector<std::string>& not
 }
 
 void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) {
-  std::vector<std::string> names;
+  std::vector<NamedQuantity> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.state == history::TrendState::too_few) {
-      names.push_back(fmt::format("{} ({})", wording::within_a_sentence(name_of(q)),
-                                  q.count(history::LeftOut::none)));
+      names.push_back({q.name, fmt::format("{} ({})", wording::within_a_sentence(name_of(q)),
+                                           q.count(history::LeftOut::none))});
     }
   }
   if (names.empty()) return;
@@ -193,23 +214,23 @@ void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) 
   notes.push_back(wording::as_sentence(
       tr("too few usable calibrations of {quantities}: the first {calibrations} or "
          "more only set the baseline, and a change shows in those that follow",
-         {{"quantities", wording::listed(names)}, {"calibrations", learned}})));
+         {{"quantities", listed_quantities(names)}, {"calibrations", learned}})));
 }
 
 /// Quantities whose intervals hold an error that all calibrations share.
 void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& notes) {
   constexpr double clearly = 0.5;  // of the variance
-  std::vector<std::string> names;
+  std::vector<NamedQuantity> names;
   for (const history::QuantityTrend& q : t.quantities) {
     if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
-      names.push_back(wording::within_a_sentence(name_of(q)));
+      names.push_back({q.name, wording::within_a_sentence(name_of(q))});
     }
   }
   if (names.empty()) return;
   notes.push_back(wording::as_sentence(
       tr("{quantities}: calibrations scatter by less than their intervals state, so the intervals "
          "include an error that all of them share; changes are judged by the scatter",
-         {{"quantities", wording::listed(names)}})));
+         {{"quantities", listed_quantities(names)}})));
 }
 
 /// Of the quantities whose temperature was treated in that way.
@@ -239,11 +260,49 @@ std::string joint_words(const history::JointTrend& t) {
                    {"last_date", date_of(t.last_at)}});
 }
 
+namespace {
+
+struct Change {
+  const history::QuantityTrend* quantity;
+  const history::FoundChange* change;
+};
+
+/// Changes of friction that stand, at three speeds or more and of one kind, as one sentence; they
+/// are taken out of the others.
+std::vector<std::string> take_friction_together(std::vector<Change>& all) {
+  std::vector<std::string> sentences;
+  for (const bool is_slow : {true, false}) {
+    for (const int direction : {1, -1}) {
+      const auto is_one = [&](const Change& one) {
+        return calibration::speed_of_friction(one.quantity->name) && one.change->percent &&
+               one.change->is_slow == is_slow && one.change->direction == direction &&
+               one.change->back.empty();
+      };
+      std::vector<std::string> names;
+      wording::Extent percent;
+      const history::FoundChange* earliest = nullptr;
+      for (const Change& one : all) {
+        if (!is_one(one)) continue;
+        names.push_back(one.quantity->name);
+        percent.add(std::abs(*one.change->percent));
+        if (earliest == nullptr || one.change->alarm < earliest->alarm) earliest = one.change;
+      }
+      const std::string friction = friction_at_speeds(names);
+      if (friction.empty()) continue;
+      const std::string size =
+          tr("{lowest} to {highest}",
+             {{"lowest", wording::fixed(percent.low, 1)},
+              {"highest", wording::with_unit(wording::fixed(percent.high, 1), "%")}});
+      sentences.push_back(wording::as_sentence(change_words(friction, size, *earliest)));
+      std::erase_if(all, is_one);
+    }
+  }
+  return sentences;
+}
+
+}  // namespace
+
 std::vector<std::string> change_sentences(const history::JointTrend& t) {
-  struct Change {
-    const history::QuantityTrend* quantity;
-    const history::FoundChange* change;
-  };
   std::vector<Change> all;
   for (const history::QuantityTrend& q : t.quantities) {
     for (const history::FoundChange& c : q.changes) all.push_back({&q, &c});
@@ -254,9 +313,10 @@ std::vector<std::string> change_sentences(const history::JointTrend& t) {
     if (is_standing != b.change->back.empty()) return is_standing;
     return percent(a) > percent(b);
   });
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = take_friction_together(all);
   for (const Change& one : all) {
-    sentences.push_back(wording::as_sentence(change_words(*one.quantity, *one.change)));
+    sentences.push_back(wording::as_sentence(change_words(
+        name_of(*one.quantity), size_of(*one.change, one.quantity->unit), *one.change)));
   }
   std::vector<const history::QuantityTrend*> apart;
   for (const history::QuantityTrend& q : t.quantities) {
@@ -298,12 +358,14 @@ std::vector<std::string> trend_notes(const history::JointTrend& t) {
   for (const history::TemperatureUse use :
        {history::TemperatureUse::corrected, history::TemperatureUse::too_even,
         history::TemperatureUse::not_recorded}) {
-    std::vector<std::string> names;
+    std::vector<NamedQuantity> names;
     for (const history::QuantityTrend& q : t.quantities) {
-      if (q.temperature == use) names.push_back(wording::within_a_sentence(name_of(q)));
+      if (q.temperature == use) {
+        names.push_back({q.name, wording::within_a_sentence(name_of(q))});
+      }
     }
     if (names.empty()) continue;
-    notes.push_back(wording::as_sentence(temperature_note(use, wording::listed(names))));
+    notes.push_back(wording::as_sentence(temperature_note(use, listed_quantities(names))));
   }
   add_shared_errors(t, notes);
   for (const history::QuantityTrend& q : t.quantities) add_left_out(q, notes);
