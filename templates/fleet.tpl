@@ -22,7 +22,15 @@
 </header>
 <main id="content" class="page-body">
 {{>VERDICT}}
-{{#OUTLIERS}}<section id="outliers" aria-labelledby="outliers-title">
+{{#CHANGES}}<section id="changes" aria-labelledby="changes-title">
+<h2 id="changes-title">Joints that change</h2>
+<p>By each joint's own history (<code>tribolog archive trend</code>). Of 250 joints that do not change about one is listed by chance.</p>
+<ul>
+{{#CHANGE}}<li><b><bdi>{{ROBOT}}</bdi>, joint <bdi>{{JOINT}}</bdi>:</b> {{TEXT}}</li>
+{{/CHANGE}}</ul>
+{{#MORE_IF}}<p>{{MORE}}</p>{{/MORE_IF}}
+</section>
+{{/CHANGES}}{{#OUTLIERS}}<section id="outliers" aria-labelledby="outliers-title">
 <h2 id="outliers-title">Outliers, furthest first</h2>
 <p><i>z</i> tells by how many standard deviations the latest result is away from the median of the other robots, or of the joint's own past; beyond ±{{LIMIT}} it stands out. A result may be far from those of the other robots without having changed: a robot's trends show its own past alone.</p>
 <div class="cards">

@@ -164,7 +164,8 @@ JudgedFriction judged_friction(const calibration::FrictionAtSpeed& at_motor, dou
            there.speed_rad_s,
            estimate(there.torque_Nm),
            verdict_of(at_motor.verdict),
-           {}},
+           {},
+           at_motor.is_stated},
           std::move(reason)};
 }
 

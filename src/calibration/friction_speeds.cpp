@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -90,6 +91,44 @@ std::vector<FrictionAtSpeed> at_standard_speeds(const std::vector<FrictionAtSpee
       }
     }
   }
+}
+
+namespace {
+
+bool is_at(const FrictionAtSpeed& f, double speed_rad_s) {
+  constexpr double rounding = 1e-9;
+  return std::abs(f.speed_rad_s - speed_rad_s) <= rounding * speed_rad_s;
+}
+
+}  // namespace
+
+void mark_stated_speeds(const std::vector<double>& speeds_rad_s,
+                        std::vector<FrictionAtSpeed>& all) {
+  for (FrictionAtSpeed& f : all) {
+    f.is_stated = std::any_of(speeds_rad_s.begin(), speeds_rad_s.end(),
+                              [&](double speed) { return is_at(f, speed); });
+  }
+}
+
+std::vector<FrictionAtSpeed> with_stated_speeds(std::vector<FrictionAtSpeed> all,
+                                                const std::vector<double>& speeds_rad_s) {
+  for (const double speed : speeds_rad_s) {
+    const auto next = std::find_if(all.begin(), all.end(), [&](const FrictionAtSpeed& f) {
+      return f.speed_rad_s >= speed || is_at(f, speed);
+    });
+    if (next == all.end() || is_at(*next, speed) || next == all.begin()) continue;
+    all.insert(next, between(*(next - 1), *next, speed));
+  }
+  mark_stated_speeds(speeds_rad_s, all);
+  return all;
+}
+
+std::vector<FrictionAtSpeed> of_a_table(const std::vector<FrictionAtSpeed>& all,
+                                        std::size_t count) {
+  std::vector<FrictionAtSpeed> stated;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(stated),
+               [](const FrictionAtSpeed& f) { return f.is_stated; });
+  return stated.empty() ? evenly_in_log(all, count) : stated;
 }
 
 std::string friction_name(double speed_rad_s) {

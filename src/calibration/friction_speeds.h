@@ -38,6 +38,18 @@ std::string friction_name(double speed_rad_s);
 /// The speed in such a name [rad/s]; nothing for another quantity's.
 std::optional<double> speed_of_friction(const std::string& name);
 
+/// With those speeds that the manifest states and that lie between the recorded ones, marked.
+/// @param speeds_rad_s of the motor.
+std::vector<FrictionAtSpeed> with_stated_speeds(std::vector<FrictionAtSpeed> all,
+                                                const std::vector<double>& speeds_rad_s);
+
+/// Marks them in friction that was read from a file.
+void mark_stated_speeds(const std::vector<double>& speeds_rad_s, std::vector<FrictionAtSpeed>& all);
+
+/// Those that a table shows: the stated ones or, where none is stated, so many of all.
+std::vector<FrictionAtSpeed> of_a_table(const std::vector<FrictionAtSpeed>& all,
+                                        std::size_t count = speeds_of_a_table);
+
 struct SpeedRange {
   double low_rad_s{};
   double high_rad_s{};

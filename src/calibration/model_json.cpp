@@ -22,6 +22,12 @@ void state_friction_at_speed(Fields& f, const Judgement& judgement) {
         one.words_or_null("reason", at.reason, "Null only if usable.");
       },
       "One speed.");
+  std::vector<double> stated;
+  for (const FrictionAtSpeed& at : judgement.friction_at_speed) {
+    if (at.is_stated) stated.push_back(at.speed_rad_s);
+  }
+  f.numbers("friction_stated_at_rad_s", stated,
+            "Those of the speeds that the manifest asks for; empty where it states none.");
 }
 
 namespace {

@@ -62,6 +62,7 @@ struct FrictionAtSpeed {
   Verdict verdict{Verdict::usable};
   statistics::Estimate torque_Nm;  ///< Motor side; in ampere where the torque is.
   Statement reason;                ///< Empty only if usable.
+  bool is_stated{};                ///< The manifest asks for this speed.
 };
 
 enum class RuleState {

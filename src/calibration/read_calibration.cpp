@@ -335,9 +335,16 @@ RecordedCurves curves_of(const ReadJson& top) {
       of_law.is_number()
           ? of_law
           : member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
+  std::vector<FrictionAtSpeed> friction = friction_at_speed_of(top);
+  std::vector<double> stated;
+  const ReadJson& listed = member(top, "friction_stated_at_rad_s");
+  if (listed.is_array()) {
+    for (const ReadJson& one : listed) stated.push_back(number_or_nan(one));
+  }
+  mark_stated_speeds(stated, friction);
   return {friction_of(top),
           fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top),
-          torque_unit_of(top), friction_at_speed_of(top)};
+          torque_unit_of(top), std::move(friction)};
 }
 
 }  // namespace

@@ -118,11 +118,11 @@ std::string trend_file_of(const RobotName& of) {
 
 /// A page for each robot with the trends of all its joints.
 /// @return whether every figure could be drawn.
-bool add_trends(const std::vector<calibration::Measured>& measured, const FleetOptions& options,
+bool add_trends(const std::vector<history::JointTrend>& all, const FleetOptions& options,
                 AtomicFiles& files, const Invocation& call, report::timeline::FleetLinks& links) {
   std::map<RobotName, std::vector<history::JointTrend>> by_robot;
-  for (history::JointTrend& trend : history::joint_trends(measured, {})) {
-    by_robot[{trend.of.robot, trend.of.serial}].push_back(std::move(trend));
+  for (const history::JointTrend& trend : all) {
+    by_robot[{trend.of.robot, trend.of.serial}].push_back(trend);
   }
   files.make_directory(options.trends);
   render::workers::FigureRenderer renderer(options.processes);
@@ -186,6 +186,7 @@ Run add_fleet(CLI::App& archive) {
     const history::Fleet fleet = history::fleet_of(measured, kept.decisions(filter));
     if (options->json) print_json(history::fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
+    const std::vector<history::JointTrend> trends = history::joint_trends(measured, {});
     report::timeline::FleetLinks links;
     AtomicFiles files;
     if (options->reports.empty()) {
@@ -197,10 +198,10 @@ Run add_fleet(CLI::App& archive) {
     if (options->trends.empty()) {
       find_trends(fleet, options->output, links);
     } else {
-      is_all_drawn = add_trends(measured, *options, files, call, links);
+      is_all_drawn = add_trends(trends, *options, files, call, links);
     }
     files.add(options->output,
-              report::timeline::fleet_page(fleet, links, shown_name(kept.name()),
+              report::timeline::fleet_page(fleet, trends, links, shown_name(kept.name()),
                                            calibration::make_provenance(call.arguments),
                                            options->language));
     files.commit();

@@ -171,16 +171,21 @@ std::string friction_words(const FrictionAtSpeed& f, const std::string& unit) {
          (f.verdict == Verdict::doubtful ? ", doubtful" : "");
 }
 
-/// Of three speeds; empty: there are none.
+/// Of the speeds that the manifest states, or of three; empty: there are none.
 std::string friction_line(const Calibration& calibration) {
   constexpr std::size_t speeds_of_a_line = 3;
   const std::vector<FrictionAtSpeed> all = calibration.friction_at_speeds();
   const std::string unit = calibration.joint().torque_is_in_amperes ? "A" : "N·m";
   std::vector<double> speeds_rad_s;
-  for (const FrictionAtSpeed& f : all) speeds_rad_s.push_back(f.speed_rad_s);
   std::vector<std::string> words;
-  for (const std::size_t k : calibration::evenly_in_log(speeds_rad_s, speeds_of_a_line)) {
-    words.push_back(friction_words(all[k], unit));
+  for (const FrictionAtSpeed& f : all) {
+    speeds_rad_s.push_back(f.speed_rad_s);
+    if (f.is_stated) words.push_back(friction_words(f, unit));
+  }
+  if (words.empty()) {
+    for (const std::size_t k : calibration::evenly_in_log(speeds_rad_s, speeds_of_a_line)) {
+      words.push_back(friction_words(all[k], unit));
+    }
   }
   if (words.empty()) return "";
   return fmt::format("  {:<34} {}", "friction at the joint at", fmt::join(words, "; "));

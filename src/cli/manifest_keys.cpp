@@ -125,7 +125,9 @@ ManifestTable joint_table() {
             "joint side alone"},
            {"gravity", "`none`", none,
             "gravity does not turn the joint (a vertical axis, a bare motor): friction is judged "
-            "alone"}}};
+            "alone"},
+           {"friction_at_rad_s", "list of numbers above 0 rad/s, at most 20",
+            "five of those measured", "speeds of the joint at which the report states friction"}}};
 }
 
 ManifestTable effort_table() {

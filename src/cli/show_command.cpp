@@ -56,11 +56,12 @@ std::string facts_text(const calibration::Facts& f, const std::string& id, int r
   return table.text();
 }
 
-/// Value, interval, unit and verdict of each: SI, motor side.
+/// Value, interval, unit and verdict of each: SI, motor side. Friction has a table of its own.
 std::string quantities_text(const std::vector<calibration::Quantity>& quantities) {
   inspect::survey::TextTable table(0);
   table.add({"quantity", "value", "95 %", "unit", "verdict"});
   for (const calibration::Quantity& q : quantities) {
+    if (calibration::speed_of_friction(q.name)) continue;
     const auto& e = q.estimate;
     table.add(
         {printable(q.words), e ? wording::six_digits(e->value) : "",
@@ -79,7 +80,7 @@ std::string friction_text(const calibration::RecordedCurves& curves) {
   const bool is_ampere = curves.torque_unit == joint::TorqueUnit::ampere;
   inspect::survey::TextTable table(0);
   table.add({"friction at rad/s", is_ampere ? "A" : "N·m", "95 %", "verdict"});
-  for (const calibration::FrictionAtSpeed& f : calibration::evenly_in_log(all, shown_speeds)) {
+  for (const calibration::FrictionAtSpeed& f : calibration::of_a_table(all, shown_speeds)) {
     table.add({wording::without_exponent(fmt::format("{:.3g}", f.speed_rad_s)),
                wording::six_digits(f.torque_Nm.value),
                fmt::format("{} to {}", wording::six_digits(f.torque_Nm.low),

@@ -127,6 +127,9 @@ struct Manifest {
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
+  /// Speeds of the joint, rising, at which friction is to be stated; empty: a few of those
+  /// measured.
+  std::vector<double> friction_at_rad_s{};
   StatedUncertainty uncertainty;
   EffectSizes effects{};
   std::optional<std::uint64_t> seed;           ///< Of everything random.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calibration/calibration.h"
+#include "calibration/friction_speeds.h"
 #include "calibration/quantity_verdict.h"
 #include "method/checks/data_check.h"
 #include "verdict/acceptance.h"
@@ -231,7 +232,10 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   give_causes_as_reasons(out.rules, out.quantities);
   state_by_model(c, rules.broken, out.quantities);
   doubt_wide_contacts(c, out.quantities);
-  out.friction_at_speed = friction_at_speeds(c, rules.broken);
+  std::vector<double> stated = c.manifest.friction_at_rad_s;
+  for (double& speed : stated) speed *= std::abs(c.manifest.drive.gear_ratio());
+  out.friction_at_speed =
+      calibration::with_stated_speeds(friction_at_speeds(c, rules.broken), stated);
   const bool without_gravity = is_without_gravity(rules.broken);
   if (without_gravity) {
     // Identifying friction alone is legitimate: nothing is missing.

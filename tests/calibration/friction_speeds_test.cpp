@@ -59,5 +59,27 @@ TEST(UsableRanges, AreTheLongestWithoutAGap) {
   EXPECT_TRUE(usable_ranges({}, 2).empty());
 }
 
+TEST(StatedSpeeds, AreMadeOfTheirNeighboursAndReplaceTheTable) {
+  using enum Verdict;
+  auto all = of_verdicts({usable, usable, doubtful});
+  all[1].torque_Nm = {4, 3, 5, {}};
+  const auto made = with_stated_speeds(all, {0.5, std::sqrt(2.0), 2, 2.5, 9});
+  ASSERT_EQ(made.size(), 5U);
+  EXPECT_EQ(made[1].speed_rad_s, std::sqrt(2.0));
+  EXPECT_NEAR(made[1].torque_Nm.value, 3, 1e-12);
+  EXPECT_NEAR(made[1].torque_Nm.high, 4, 1e-12);
+  EXPECT_EQ(made[3].verdict, doubtful);
+  const auto table = of_a_table(made);
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_EQ(table[0].speed_rad_s, std::sqrt(2.0));
+  EXPECT_EQ(table[1].speed_rad_s, 2);
+  EXPECT_EQ(table[2].speed_rad_s, 2.5);
+  auto read = made;
+  for (FrictionAtSpeed& f : read) f.is_stated = false;
+  EXPECT_EQ(of_a_table(read).size(), 5U);
+  mark_stated_speeds({2}, read);
+  EXPECT_EQ(of_a_table(read).size(), 1U);
+}
+
 }  // namespace
 }  // namespace tribolog::calibration::friction_speeds_test

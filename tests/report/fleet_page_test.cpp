@@ -22,7 +22,8 @@ calibration::Provenance sample_provenance() {
 
 std::string page_of(const std::vector<calibration::Measured>& measured,
                     const report::timeline::FleetLinks& links = {}) {
-  return report::timeline::fleet_page(history::fleet_of(measured), links, "a.tribolog",
+  return report::timeline::fleet_page(history::fleet_of(measured),
+                                      history::joint_trends(measured, {}), links, "a.tribolog",
                                       sample_provenance());
 }
 
@@ -68,6 +69,23 @@ TEST(FleetPage, ShowsTheOutlierFirst) {
   const std::string none = page_of(test::measured_fleet({20, 2, 6}, 12));
   EXPECT_NE(none.find("NO OUTLIER"), std::string::npos);
   EXPECT_NE(page_of({}).find("NOTHING TO COMPARE"), std::string::npos);
+}
+
+// One that wears slowly is far from no other yet, and is named first all the same.
+TEST(FleetPage, ListsTheJointThatChanges) {
+  const test::FleetSize size{6, 1, 20};
+  std::vector<calibration::Measured> all = test::measured_fleet(size, 5);
+  EXPECT_EQ(page_of(all).find("Joints that change"), std::string::npos);
+  for (std::size_t k = 0; k < 20; ++k) {
+    auto& torque = all[k].quantities[7];
+    torque.estimate = statistics::scaled(*torque.estimate, 1 + 0.02 * static_cast<double>(k));
+  }
+  const std::string page = page_of(all);
+  EXPECT_NE(page.find("1 of 6 joints changes over time."), std::string::npos);
+  EXPECT_NE(
+      page.find("<li><b><bdi>R1000 · S1000</bdi>, joint <bdi>J1</bdi>:</b> Coulomb torque has"),
+      std::string::npos);
+  EXPECT_LT(page.find("Joints that change"), page.find("How to read it"));
 }
 
 TEST(FleetPage, LinksToReportsThatAreThere) {

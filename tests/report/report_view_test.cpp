@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calibration/friction_speeds.h"
 #include "identify/identify.h"
 #include "paper/drawings/printed_paper.h"
 #include "report/document/key_pictures.h"
@@ -244,6 +245,24 @@ TEST(ReportView, PageOneShowsFrictionAtAFewSpeedsAndWhereItIsUsable) {
   EXPECT_EQ(view_of(c).friction_speeds.good_for,
             "Not good for feed-forward or simulation at any of these speeds. At 1.00\u00a0rad/s: "
             "known to ± 40 %.");
+}
+
+// The speeds that the manifest asks for, and a word for what no recording reaches.
+TEST(ReportView, PageOneShowsFrictionAtTheSpeedsThatAreStated) {
+  using calibration::Verdict;
+  calibration::Calibration c = complete_calibration();
+  c.manifest.friction_at_rad_s = {0.05, 0.5, 20};  // of the joint; the gear ratio is 100
+  c.judgement.friction_at_speed = calibration::with_stated_speeds(
+      {friction_at(10, 0.6, 0.01, Verdict::usable), friction_at(100, 1, 0.02, Verdict::usable)},
+      {5, 50, 2000});
+  const report::document::FrictionSpeeds shown = view_of(c).friction_speeds;
+  ASSERT_EQ(shown.rows.size(), 3U);
+  EXPECT_EQ(shown.rows[0].speed_at_joint, "0.0500");
+  EXPECT_EQ(shown.rows[0].torque, "");
+  EXPECT_EQ(shown.rows[0].verdict_word, "not measured");
+  EXPECT_EQ(shown.rows[1].speed_at_joint, "0.500");
+  EXPECT_EQ(shown.rows[1].torque, "0.880 ± 0.017");
+  EXPECT_EQ(shown.rows[2].speed, "2000");
 }
 
 TEST(ReportView, ADirectDriveHasOneSide) {

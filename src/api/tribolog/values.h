@@ -60,7 +60,8 @@ struct FrictionAtSpeed {
   double speed_at_joint_rad_s{};  ///< The same divided by the gear ratio's size.
   Estimate torque_at_joint;       ///< The same times the gear ratio's size.
   Verdict verdict{Verdict::not_identifiable};
-  Message reason;  ///< Empty only if it is usable.
+  Message reason;    ///< Empty only if it is usable.
+  bool is_stated{};  ///< The manifest asks for this speed.
 };
 
 /// A check on the recordings, before anything is identified.

@@ -55,7 +55,7 @@ std::vector<SidedFriction> friction_rows(const ArchivedJoint& joint,
                                          std::optional<std::size_t> count) {
   std::vector<calibration::FrictionAtSpeed> speeds =
       calibration::read_curves(joint.calibration).friction_at_speed;
-  if (count) speeds = calibration::evenly_in_log(speeds, *count);
+  if (count) speeds = calibration::of_a_table(speeds, *count);
   std::vector<SidedFriction> rows;
   for (const calibration::FrictionAtSpeed& f : speeds) {
     rows.push_back({f, joint::Side::motor});

@@ -344,6 +344,25 @@ std::vector<std::string> joints_in_manifest(std::string_view text, const std::st
   return joint_names(document_in(text, file), file);
 }
 
+namespace {
+
+/// Speeds at which friction is to be stated.
+std::vector<double> stated_speeds(const TomlTable& joint) {
+  constexpr std::size_t most = 20;
+  const char* const key = "friction_at_rad_s";
+  if (!joint.has(key)) return {};
+  std::vector<double> speeds = joint.numbers(key, Sign::positive);
+  if (speeds.size() > most) {
+    joint.refuse(key, {"has too many speeds", std::to_string(speeds.size()),
+                       "at most " + std::to_string(most), ""});
+  }
+  std::sort(speeds.begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+  return speeds;
+}
+
+}  // namespace
+
 ManifestFile parse_manifest(std::string_view text, const std::string& file,
                             const std::string& of_joint) {
   TomlNode document = document_in(text, file);
@@ -366,6 +385,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   result.manifest.gravity_is_removed = effort.flag_or("gravity_removed", false);
   const bool has_no_gravity = joint.has("gravity") || result.manifest.gravity_is_removed;
   if (joint.has("gravity")) static_cast<void>(joint.choice("gravity", {"none"}));
+  result.manifest.friction_at_rad_s = stated_speeds(joint);
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);

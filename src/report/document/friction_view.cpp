@@ -73,6 +73,19 @@ std::string ranges_or_reason(const std::vector<FrictionAtSpeed>& all) {
 
 }  // namespace
 
+namespace {
+
+/// A speed that the manifest states and no recording reaches.
+FrictionRow unmeasured(double speed_at_joint_rad_s, double gear_ratio) {
+  FrictionRow row;
+  row.speed = shown_speed(speed_at_joint_rad_s * std::abs(gear_ratio));
+  if (gear_ratio != 1.0) row.speed_at_joint = shown_speed(speed_at_joint_rad_s);
+  row.verdict_word = tr("not measured");
+  return row;
+}
+
+}  // namespace
+
 FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
   const std::vector<FrictionAtSpeed>& all = c.judgement.friction_at_speed;
   const double gear_ratio = c.manifest.drive.gear_ratio();
@@ -84,7 +97,12 @@ FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
   const wording::Scale joint_scale = wording::torque_scale(largest_Nm * std::abs(gear_ratio));
   made.unit = scale.unit;
   made.unit_at_joint = joint_scale.unit;
-  for (const FrictionAtSpeed& f : calibration::evenly_in_log(all, calibration::speeds_of_a_table)) {
+  const double slowest = all.front().speed_rad_s / std::abs(gear_ratio);
+  const double fastest = all.back().speed_rad_s / std::abs(gear_ratio);
+  for (const double speed : c.manifest.friction_at_rad_s) {
+    if (speed < slowest) made.rows.push_back(unmeasured(speed, gear_ratio));
+  }
+  for (const FrictionAtSpeed& f : calibration::of_a_table(all)) {
     FrictionRow row;
     row.speed = shown_speed(f.speed_rad_s);
     row.outcome = elements::outcome_of(f.verdict);
@@ -97,6 +115,9 @@ FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
       if (is_shown) row.torque_at_joint = shown_torque(there, joint_scale);
     }
     made.rows.push_back(std::move(row));
+  }
+  for (const double speed : c.manifest.friction_at_rad_s) {
+    if (speed > fastest) made.rows.push_back(unmeasured(speed, gear_ratio));
   }
   made.good_for = ranges_or_reason(all);
   return made;

@@ -14,6 +14,7 @@
 #include "report/engine/template_engine.h"
 #include "report/timeline/fleet_values.h"
 #include "report/timeline/sparkline.h"
+#include "report/timeline/trend_page.h"
 #include "wording/number_text.h"
 #include "wording/rounding.h"
 #include "wording/tr.h"
@@ -109,7 +110,7 @@ struct FleetOutcome {
   elements::Outcome outcome;
 };
 
-FleetOutcome outcome_of(const history::Fleet& fleet, std::size_t outliers) {
+FleetOutcome outcome_of_outliers(const history::Fleet& fleet, std::size_t outliers) {
   if (fleet.distances == 0) {
     return {tr("NOTHING TO COMPARE"),
             tr("A joint is compared with at least {others} of the same name on other robots, or "
@@ -133,10 +134,49 @@ FleetOutcome outcome_of(const history::Fleet& fleet, std::size_t outliers) {
           elements::Outcome::partial};
 }
 
-void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers,
+/// Those that change over time come first: one that wears need not be far from the others yet.
+FleetOutcome outcome_of(const history::Fleet& fleet, std::size_t outliers, std::size_t changing) {
+  FleetOutcome found = outcome_of_outliers(fleet, outliers);
+  if (changing == 0) return found;
+  found.word = tr("CHANGES");
+  found.sentence = tr_count(static_cast<std::int64_t>(changing),
+                            "{changing} of {joints} joints changes over time.",
+                            "{changing} of {joints} joints change over time.",
+                            {{"changing", changing}, {"joints", fleet.joints}}) +
+                   (fleet.distances == 0 ? "" : " " + found.sentence);
+  found.outcome = elements::Outcome::partial;
+  return found;
+}
+
+std::vector<const history::JointTrend*> changing_joints(
+    const std::vector<history::JointTrend>& trends) {
+  std::vector<const history::JointTrend*> changing;
+  for (const history::JointTrend& trend : trends) {
+    if (trend.state() == history::TrendState::warning) changing.push_back(&trend);
+  }
+  return changing;
+}
+
+void fill_changes(const std::vector<const history::JointTrend*>& changing,
+                  engine::TemplateValues& values) {
+  if (changing.empty()) return;
+  engine::TemplateValues& section = values.add_section("CHANGES");
+  for (std::size_t k = 0; k < std::min(changing.size(), most_cards); ++k) {
+    const history::JointTrend& trend = *changing[k];
+    engine::TemplateValues& one = section.add_section("CHANGE");
+    one.set("ROBOT", robot_name(trend.of.robot, trend.of.serial));
+    one.set("JOINT", wording::or_dash(trend.of.joint));
+    one.set("TEXT", change_sentences(trend).front());
+  }
+  if (changing.size() <= most_cards) return;
+  section.set_optional("MORE", tr("And {joints} more; each robot's trends have them.",
+                                  {{"joints", changing.size() - most_cards}}));
+}
+
+void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers, std::size_t changing,
                      engine::TemplateValues& values) {
   engine::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const FleetOutcome found = outcome_of(fleet, outliers);
+  const FleetOutcome found = outcome_of(fleet, outliers, changing);
   verdict.set("WORD", found.word);
   verdict.set("SENTENCE", found.sentence);
   elements::fill_outcome(found.outcome, verdict);
@@ -188,15 +228,17 @@ void fill_trend_link(const FleetLinks& links, const history::FleetRobot& robot,
   if (!href.empty()) values.add_section("TREND").set("HREF", href);
 }
 
-std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
-                       const std::string& archive, const calibration::Provenance& provenance,
-                       wording::Language language) {
+std::string fleet_page(const history::Fleet& fleet, const std::vector<history::JointTrend>& trends,
+                       const FleetLinks& links, const std::string& archive,
+                       const calibration::Provenance& provenance, wording::Language language) {
   const wording::WordsIn words(language);
   engine::TemplateValues values;
   engine::fill_head(provenance, values, engine::PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);
   elements::fill_facts(facts_of(fleet, archive, outliers), values);
-  fill_outcome_of(fleet, outliers, values);
+  const std::vector<const history::JointTrend*> changing = changing_joints(trends);
+  fill_outcome_of(fleet, outliers, changing.size(), values);
+  fill_changes(changing, values);
   fill_outliers(fleet, links, values);
   values.set("LIMIT", fmt::format("{:.2f}", fleet.limit));
   values.set("DISTANCES", wording::count(fleet.distances));

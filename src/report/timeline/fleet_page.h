@@ -5,9 +5,11 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "calibration/provenance.h"
 #include "history/fleet.h"
+#include "history/joint_trend.h"
 #include "wording/language.h"
 
 namespace tribolog::report::timeline {
@@ -29,9 +31,11 @@ struct FleetLinks {
 /// Cards of the page; joints beyond them stand in their robot's table alone.
 inline constexpr std::size_t most_cards = 120;
 
-/// @param archive its name, to show.
-std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
-                       const std::string& archive, const calibration::Provenance& provenance,
+/// @param trends of the same joints: those that change are listed first. @param archive its name,
+/// to show.
+std::string fleet_page(const history::Fleet& fleet, const std::vector<history::JointTrend>& trends,
+                       const FleetLinks& links, const std::string& archive,
+                       const calibration::Provenance& provenance,
                        wording::Language language = wording::Language{});
 
 }  // namespace tribolog::report::timeline

@@ -324,6 +324,23 @@ TEST(Manifest, RefusesImpossibleValues) {
       "must be < 1");
 }
 
+// Speeds of the joint at which friction is to be stated: in their order, each once.
+TEST(Manifest, SpeedsOfFrictionAreStated) {
+  const std::string joint = "gear_ratio = 100\n";
+  const auto stated = [&](const std::string& value) {
+    return with(joint, joint + "friction_at_rad_s = " + value + "\n");
+  };
+  EXPECT_EQ(
+      ingest::manifest::parse_manifest(stated("[1, 0.2, 1]"), "m.toml").manifest.friction_at_rad_s,
+      (std::vector<double>{0.2, 1}));
+  EXPECT_TRUE(
+      ingest::manifest::parse_manifest(minimal, "m.toml").manifest.friction_at_rad_s.empty());
+  EXPECT_NE(refusal(stated("[0]")).find("key 'joint.friction_at_rad_s"), std::string::npos);
+  EXPECT_NE(refusal(stated("[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21]"))
+                .find("has too many speeds, found 21, expected at most 20"),
+            std::string::npos);
+}
+
 TEST(Manifest, KnownCurveIsOneOfAnyModel) {
   const std::string dahl =
       "[reference.dahl]\nstiffness_Nm_rad = 400\ncoulomb_Nm = 0.6\n"
