@@ -97,6 +97,7 @@ Json style(render::figure::Colour colour, render::figure::LineStyle line) {
 namespace {
 
 using wording::AxisScale;
+using wording::tr;
 
 wording::AxisScale friction_scale(const calibration::Calibration& c) {
   wording::Extent all;
