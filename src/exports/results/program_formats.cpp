@@ -11,6 +11,7 @@
 
 #include "exports/results/calibration_exports.h"
 #include "exports/results/simulator_numbers.h"
+#include "joint/degrees.h"
 
 namespace tribolog::exports::results {
 namespace {
@@ -220,8 +221,7 @@ std::string isaac_lab_config(const ArchivedJoint& joint, const SimulatorOptions&
   const Armature armature = armature_of(joint, options);
   line.comments.push_back(
       "friction: torque at rest up to which the joint stays. All are efforts at the joint (N·m), "
-      "as "
-      "Isaac Lab 2.2 and newer take them with Isaac Sim 5.0 and newer; before, friction was a "
+      "as Isaac Lab 2.2 and newer take them with Isaac Sim 5.0 and newer; before, friction was a "
       "coefficient without a unit.");
   line.comments.push_back(armature.words);
   line.comments.push_back(fmt::format(
@@ -237,7 +237,6 @@ std::string isaac_lab_config(const ArchivedJoint& joint, const SimulatorOptions&
 }
 
 std::string usd_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
-  constexpr double degrees_of_a_radian = 57.29577951308232;
   DryAndViscous line =
       dry_and_viscous(joint, options, "dynamicFrictionEffort", "viscousFrictionCoefficient");
   const Armature armature = armature_of(joint, options);
@@ -253,7 +252,7 @@ std::string usd_joint(const ArchivedJoint& joint, const SimulatorOptions& option
              name_of(joint)) +
          attribute("staticFrictionEffort", line.static_Nm) +
          attribute("dynamicFrictionEffort", line.dry_Nm) +
-         attribute("viscousFrictionCoefficient", line.viscous_Nms_rad / degrees_of_a_radian) +
+         attribute("viscousFrictionCoefficient", line.viscous_Nms_rad / joint::degrees_per_rad) +
          (armature.kgm2 ? attribute("armature", *armature.kgm2) : "") + "}\n";
 }
 
