@@ -95,7 +95,7 @@ std::string c_header(const ArchivedJoint& joint, const SimulatorOptions& options
   const std::string big = upper(name);
   DryAndViscous line =
       dry_and_viscous(joint, options, big + "_COULOMB_NM", big + "_VISCOUS_NMS_RAD");
-  line.comments.push_back(big + "_STATIC_NM: torque at rest up to which the joint stays.");
+  line.comments.push_back(big + "_STATIC_NM: " + line.static_words + ".");
   line.comments.push_back(table_words(all, table) + ".");
   std::string text = "/*\n" + safe(comment(joint, line.comments, " * ")) + " */\n";
   text += fmt::format("#ifndef {0}_H\n#define {0}_H\n\n", big);
@@ -137,6 +137,7 @@ std::string python_module(const ArchivedJoint& joint, const SimulatorOptions& op
   const std::vector<SpeedFriction> all = needed_friction(joint, options);
   const std::vector<SpeedFriction> table = a_few(all);
   DryAndViscous line = dry_and_viscous(joint, options, "COULOMB_Nm", "VISCOUS_Nms_rad");
+  line.comments.push_back("STATIC_Nm: " + line.static_words + ".");
   line.comments.push_back(table_words(all, table) + ".");
   return comment(joint, line.comments, "# ") + "from bisect import bisect_right\n\n" +
          fmt::format("COULOMB_Nm = {}\nVISCOUS_Nms_rad = {}\nSTATIC_Nm = {}\n",
@@ -193,6 +194,7 @@ std::string simscape_script(const ArchivedJoint& joint, const SimulatorOptions& 
       "Rotational Friction block: T_brk, w_brk, T_C, f. Its largest error at the measured speeds "
       "is {:.3g} N·m, at {:.4g} rad/s; w_brk is half the slowest measured speed.",
       largest_Nm, at_rad_s));
+  line.comments.push_back("T_brk: " + line.static_words + ".");
   line.comments.push_back("1-D Lookup Table block: speed and torque. " + table_words(all, table) +
                           ".");
   std::string speeds;
@@ -220,7 +222,8 @@ std::string isaac_lab_config(const ArchivedJoint& joint, const SimulatorOptions&
   DryAndViscous line = dry_and_viscous(joint, options, "dynamic_friction", "viscous_friction");
   const Armature armature = armature_of(joint, options);
   line.comments.push_back(
-      "friction: torque at rest up to which the joint stays. All are efforts at the joint (N·m), "
+      "friction: " + line.static_words +
+      ". All are efforts at the joint (N·m), "
       "as Isaac Lab 2.2 and newer take them with Isaac Sim 5.0 and newer; before, friction was a "
       "coefficient without a unit.");
   line.comments.push_back(armature.words);
@@ -240,6 +243,7 @@ std::string usd_joint(const ArchivedJoint& joint, const SimulatorOptions& option
   DryAndViscous line =
       dry_and_viscous(joint, options, "dynamicFrictionEffort", "viscousFrictionCoefficient");
   const Armature armature = armature_of(joint, options);
+  line.comments.push_back("staticFrictionEffort: " + line.static_words + ".");
   line.comments.push_back(
       "viscousFrictionCoefficient stands here for degrees, as USD has angles: N·m·s/°.");
   line.comments.push_back(armature.words);

@@ -239,9 +239,14 @@ DryAndViscous dry_and_viscous(const ArchivedJoint& joint, const SimulatorOptions
   out.static_Nm = out.dry_Nm;
   if (!friction.empty()) out.static_Nm = std::max(out.dry_Nm, friction.front().torque_Nm);
   std::string no_break_away;
+  out.static_words = "the break-away torque";
   if (const auto* const break_away = if_usable(joint, joint::Quantity::break_away_torque,
                                                options.doubtful_too, no_break_away)) {
     out.static_Nm = std::max(out.dry_Nm, calibration::at_joint(*break_away, n).value);
+  } else {
+    out.static_words =
+        "friction at the slowest measured speed, for the break-away torque is not usable: " +
+        without_hint(no_break_away);
   }
   return out;
 }

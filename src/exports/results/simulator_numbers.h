@@ -67,7 +67,8 @@ FrictionLine nearest_line(const std::vector<SpeedFriction>& friction);
 /// Friction as most simulators take it, at the joint.
 struct DryAndViscous : FrictionLine {
   double static_Nm{};  ///< At rest: break-away torque or, not known, the largest below it; >= dry.
-  bool is_approximation{};  ///< Else Coulomb torque and viscous coefficient as identified.
+  std::string static_words;  ///< Which of the two it is.
+  bool is_approximation{};   ///< Else Coulomb torque and viscous coefficient as identified.
   /// Where the numbers are from, how far from the friction at the measured speeds, and over which.
   std::vector<std::string> comments;
 };
