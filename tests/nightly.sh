@@ -8,6 +8,7 @@
 #     cases      the test suite with every seed and every case that a change sees in part (an hour)
 #     tests      ASan and UBSan: the whole test suite                         (some hours)
 #     lint       clang-tidy over all of the source, through clang and libc++  (half an hour)
+#     house      the program and its tests without the annexes        (a quarter of an hour)
 #     bench      ratios to the same work in Python: none a tenth lower than in tests/bench/ratios.json
 # Real logs are those in ../shared/data, by the manifests of tests/data and by those that `init`
 # proposes; where they are absent, it says so. Everything is kept in build-nightly/.
@@ -21,7 +22,7 @@ out=$root/build-nightly
 findings=0
 commands=0
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(program valgrind cases tests lint bench)
+[ ${#parts[@]} -gt 0 ] || parts=(program valgrind cases tests lint house bench)
 
 # A status of its own, which no command of the program has. Drivers keep what they made for as long
 # as the process lives, and the template engine its modifiers.
@@ -208,6 +209,15 @@ part_lint() {
   say "FOUND: $out/lint.log"
 }
 
+part_house() {
+  commands=$((commands + 1))
+  (cmake --preset house && cmake --build --preset house && ctest --preset house -j "$(nproc)") \
+    >"$out/house.log" 2>&1 && return
+  findings=$((findings + 1))
+  say "FOUND: $out/house.log"
+  tail -5 "$out/house.log"
+}
+
 part_bench() {
   ./setup.sh tests || exit 1
   commands=$((commands + 1))
@@ -220,14 +230,14 @@ part_bench() {
 
 for part in "${parts[@]}"; do
   case $part in
-    program | valgrind | cases | tests | lint | bench)
+    program | valgrind | cases | tests | lint | house | bench)
       say "$part"
       rm -rf "${out:?}/$part"
       mkdir -p "$out/$part"
       "part_$part"
       ;;
     *)
-      say "no part '$part': program, valgrind, cases, tests, lint or bench" >&2
+      say "no part '$part': program, valgrind, cases, tests, lint, house or bench" >&2
       exit 2
       ;;
   esac

@@ -58,22 +58,19 @@ void add_filter(CLI::App& command, archive::store::Filter& filter) {
   command.add_option("--joint", filter.joint, "only this joint");
 }
 
-std::function<Run()> add_archive(CLI::App& app) {
+Run add_archive(CLI::App& app) {
   CLI::App* const archive = app.add_subcommand("archive", "keep, compare and monitor calibrations");
   archive->require_subcommand(1);
   archive->fallthrough();
-  std::vector<std::pair<CLI::App*, Run>> commands;
-  for (Run (*add)(CLI::App&) : {add_add, add_list, add_show, add_report, add_diff, add_trend,
-                                add_fleet, add_export, add_verify, add_backup, add_remove}) {
-    Run run = add(*archive);
-    commands.emplace_back(archive->get_subcommands({}).back(), std::move(run));
-  }
-  return [archive, commands]() -> Run {
-    if (!*archive) return {};
-    for (const auto& [command, run] : commands) {
-      if (*command) return run;
-    }
-    return {};
+  const AddedCommands commands = add_commands(
+      *archive, {add_archive_add, add_archive_list, add_archive_show, add_archive_report,
+                 add_archive_diff, add_archive_trend, add_archive_fleet,
+#if TRIBOLOG_EXPORTS
+                 add_archive_export,
+#endif
+                 add_archive_verify, add_archive_backup, add_archive_remove});
+  return [commands](const Invocation& call) {
+    return run_chosen(commands, call).value_or(ExitStatus::usage);
   };
 }
 
@@ -81,7 +78,7 @@ void print_json(const std::string& json) { print(json_without_hidden(json)); }
 
 // `tribolog archive verify` and `backup`.
 
-Run add_verify(CLI::App& archive) {
+Run add_archive_verify(CLI::App& archive) {
   struct Options {
     std::string head;
     bool json{false};
@@ -118,7 +115,7 @@ Run add_verify(CLI::App& archive) {
   };
 }
 
-Run add_backup(CLI::App& archive) {
+Run add_archive_backup(CLI::App& archive) {
   const auto output = std::make_shared<std::string>();
   CLI::App& command = *archive.add_subcommand("backup", "write a copy to another file");
   command.add_option("-o,--output", *output, "file to write; must not exist yet")->required();

@@ -35,7 +35,7 @@ void check(const AddOptions& options) {
 
 }  // namespace
 
-Run add_add(CLI::App& archive) {
+Run add_archive_add(CLI::App& archive) {
   const auto options = std::make_shared<AddOptions>();
   CLI::App& command = *archive.add_subcommand("add", "archive calibrations written by identify");
   command.add_option("CALIBRATION", options->calibrations, "calibration files (JSON)")->required();
@@ -101,7 +101,7 @@ std::string table_of(const std::vector<calibration::Entry>& entries,
 
 }  // namespace
 
-Run add_list(CLI::App& archive) {
+Run add_archive_list(CLI::App& archive) {
   struct Options {
     archive::store::Filter filter;
     bool json{false};
@@ -124,7 +124,7 @@ Run add_list(CLI::App& archive) {
   };
 }
 
-Run add_remove(CLI::App& archive) {
+Run add_archive_remove(CLI::App& archive) {
   struct Options {
     std::vector<std::string> ids;
     bool is_sure{false};

@@ -57,7 +57,7 @@ std::string signed_report(archive::store::CalibrationArchive& kept, const calibr
 
 // `tribolog archive report`.
 
-Run add_report(CLI::App& archive) {
+Run add_archive_report(CLI::App& archive) {
   struct Options {
     std::string id;
     std::string output;
@@ -153,7 +153,7 @@ calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
 
 }  // namespace
 
-std::function<Run()> add_review(CLI::App& app) {
+Run add_review(CLI::App& app) {
   const auto options = std::make_shared<ReviewOptions>();
   CLI::App& command = *app.add_subcommand("review", "approve or reject an archived report");
   command.add_option("REPORT", options->report, "the report (HTML), or the id of its calibration")
@@ -171,40 +171,37 @@ std::function<Run()> add_review(CLI::App& app) {
       "\nThe decision is kept in the archive with reviewer and time, after earlier ones; none "
       "is\never changed. Reports written from then on show it; `tribolog archive report "
       "ID\n--original` gives the report as it was made, byte for byte.");
-  return [&command, where, options]() -> Run {
-    if (!command) return {};
-    return [where, options](const Invocation& call) {
-      if (options->approve == options->reject)
-        throw UsageError("tribolog review: either --approve or --reject is needed");
-      if (options->reviewer.find_first_not_of(" \t") == std::string::npos)
-        throw UsageError("tribolog review: --reviewer is empty");
-      const bool is_report = is_file(options->report);
-      const std::string output =
-          options->output.empty() && is_report ? options->report : options->output;
-      where->protect_from(output);
-      call.console.make_way_for(output);
-      archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
-      const calibration::Entry entry =
-          is_report ? entry_of_report(kept, options->report) : kept.find(options->report);
-      const calibration::Review review{calibration::make_provenance({}).created_utc,
-                                       options->reviewer,
-                                       options->approve ? calibration::Review::Decision::approved
-                                                        : calibration::Review::Decision::rejected,
-                                       options->note};
-      // Before the decision is kept: a report that cannot be written keeps none.
-      const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
-      AtomicFiles files;
-      if (!output.empty()) files.add(output, page);
-      kept.add_review(entry, review);
-      files.commit();
-      call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, calibration::shown_digits),
-                                   calibration::to_string(review.decision),
-                                   printable(review.reviewer)));
-      if (!output.empty()) {
-        call.console.say("report: " + printable(output, longest_path));
-      }
-      return ExitStatus::done;
-    };
+  return [where, options](const Invocation& call) {
+    if (options->approve == options->reject)
+      throw UsageError("tribolog review: either --approve or --reject is needed");
+    if (options->reviewer.find_first_not_of(" \t") == std::string::npos)
+      throw UsageError("tribolog review: --reviewer is empty");
+    const bool is_report = is_file(options->report);
+    const std::string output =
+        options->output.empty() && is_report ? options->report : options->output;
+    where->protect_from(output);
+    call.console.make_way_for(output);
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
+    const calibration::Entry entry =
+        is_report ? entry_of_report(kept, options->report) : kept.find(options->report);
+    const calibration::Review review{calibration::make_provenance({}).created_utc,
+                                     options->reviewer,
+                                     options->approve ? calibration::Review::Decision::approved
+                                                      : calibration::Review::Decision::rejected,
+                                     options->note};
+    // Before the decision is kept: a report that cannot be written keeps none.
+    const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
+    AtomicFiles files;
+    if (!output.empty()) files.add(output, page);
+    kept.add_review(entry, review);
+    files.commit();
+    call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, calibration::shown_digits),
+                                 calibration::to_string(review.decision),
+                                 printable(review.reviewer)));
+    if (!output.empty()) {
+      call.console.say("report: " + printable(output, longest_path));
+    }
+    return ExitStatus::done;
   };
 }
 

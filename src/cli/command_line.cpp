@@ -10,11 +10,9 @@
 
 #include "base/standard_output.h"
 #include "calibration/provenance.h"
-#include "cli/archive_commands.h"
 #include "cli/command_tree.h"
 #include "cli/commands.h"
 #include "cli/given_files.h"
-#include "cli/guide_commands.h"
 #include "cli/typed_arguments.h"
 #include "cli/usage_refusal.h"
 #include "render/workers/renderer.h"
@@ -91,6 +89,25 @@ bool is_parsed(CLI::App& app, const std::vector<std::string>& typed) {
   return true;
 }
 
+/// All of them, in the order of help.
+const std::vector<AddCommand>& commands_in_order() {
+  static const std::vector<AddCommand> all{
+      add_inspect,  add_init,   add_simulate, add_identify, add_figures,    add_report, add_show,
+#if TRIBOLOG_EXPERIMENTS
+      add_models,   add_plan,   add_study,
+#endif
+#if TRIBOLOG_PAPER
+      add_paper,
+#endif
+      add_archive,  add_review,
+#if TRIBOLOG_EXPORTS
+      add_export,   add_apply,
+#endif
+      add_manifest, add_schema, add_help,     add_version,  add_completion, add_manual,
+  };
+  return all;
+}
+
 /// @param verbose loads what draws, and names it as it runs
 ExitStatus run_version(bool verbose, Console& console) {
   const calibration::Provenance p = calibration::make_provenance({});
@@ -113,6 +130,13 @@ ExitStatus run_version(bool verbose, Console& console) {
 
 }  // namespace
 
+Run add_version(CLI::App& app) {
+  app.add_subcommand("version", "the versions of the program and of the libraries it uses");
+  return [&app](const Invocation& call) {
+    return run_version(app.get_option("--verbose")->as<bool>(), call.console);
+  };
+}
+
 ExitStatus run_command_line(int argc, char** argv) {
   CLI::App app{overview, "tribolog"};
   keep_lines_as_written(*app.get_formatter());
@@ -127,64 +151,14 @@ ExitStatus run_command_line(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "with --version: start the graphics stack and name it too");
   app.fallthrough();
 
-  InspectOptions inspect;
-  const CLI::App& inspect_command = add_inspect(app, inspect);
-  InitOptions init;
-  const CLI::App& init_command = add_init(app, init);
-  SimulateOptions simulate;
-  const CLI::App& simulate_command = add_simulate(app, simulate);
-  IdentifyArguments identify;
-  const CLI::App& identify_command = add_identify(app, identify);
-  FiguresOptions figures;
-  const CLI::App& figures_command = add_figures(app, figures);
-  ReportOptions report;
-  const CLI::App& report_command = add_report(app, report);
-  ShowOptions show;
-  const CLI::App& show_command = add_show(app, show);
-  ModelsOptions models;
-  const CLI::App& models_command = add_models(app, models);
-  PaperOptions paper;
-  const CLI::App& paper_command = add_paper(app, paper);
-  PlanCommandOptions plan;
-  const CLI::App& plan_command = add_plan(app, plan);
-  StudyCommandOptions study;
-  const CLI::App& study_command = add_study(app, study);
-  const auto chosen_of_archive = add_archive(app);
-  const auto chosen_review = add_review(app);
-  const auto chosen_export = add_export_of_file(app);
-  const auto chosen_apply = add_apply(app);
-  const auto chosen_manifest = add_manifest(app);
-  const auto chosen_schema = add_schema(app);
-  const auto chosen_help = add_help(app);
-  const CLI::App& version_command =
-      *app.add_subcommand("version", "the versions of the program and of the libraries it uses");
-  const auto chosen_completion = add_completion(app);
-  const auto chosen_manual = add_manual(app);
+  const AddedCommands commands = add_commands(app, commands_in_order());
   take_one_value_each(app);
 
   const std::vector<std::string> arguments(argv, argv + argc);
   if (!is_parsed(app, arguments)) return ExitStatus::done;
   Console console(quiet);
-  if (version || version_command) return run_version(verbose, console);
-  if (inspect_command) return run_inspect(inspect, console);
-  if (init_command) return run_init(init, console);
-  if (simulate_command) return run_simulate(simulate, console);
-  if (identify_command) return run_identify(identify, arguments, console);
-  if (figures_command) return run_figures(figures, console);
-  if (report_command) return run_report(report, arguments, console);
-  if (show_command) return run_show(show, console);
-  if (models_command) return run_models(models, arguments, console);
-  if (paper_command) return run_paper(paper, arguments, console);
-  if (plan_command) return run_plan(plan, arguments, console);
-  if (const Run run = chosen_of_archive()) return run({arguments, console});
-  if (const Run run = chosen_review()) return run({arguments, console});
-  if (const Run run = chosen_export()) return run({arguments, console});
-  if (const Run run = chosen_apply()) return run({arguments, console});
-  for (const auto& chosen :
-       {chosen_manifest, chosen_schema, chosen_help, chosen_completion, chosen_manual}) {
-    if (const Run run = chosen()) return run({arguments, console});
-  }
-  if (study_command) return run_study_command(study, arguments, console);
+  if (version) return run_version(verbose, console);
+  if (const auto status = run_chosen(commands, {arguments, console})) return *status;
   print(app.help());
   return ExitStatus::usage;
 }

@@ -8,8 +8,8 @@
 #include "cli/archive_commands.h"
 #include "cli/drawing.h"
 #include "cli/shared_options.h"
-#include "figures/comparison_figures.h"
 #include "figures/figure_csv.h"
+#include "figures/timeline/comparison_figures.h"
 #include "history/history_json.h"
 #include "report/timeline/comparison_page.h"
 #include "wording/torques_in.h"
@@ -98,8 +98,9 @@ ExitStatus write_page(const DiffOptions& options, const history::Comparison& com
     }
   }
   const wording::TorquesIn unit(first.torque_unit);
-  const auto figures = figures::figures_in(
-      options.language, [&] { return figures::comparison_figures(comparison, first, second); });
+  const auto figures = figures::figures_in(options.language, [&] {
+    return figures::timeline::comparison_figures(comparison, first, second);
+  });
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
@@ -121,7 +122,7 @@ void tell(const history::Comparison& comparison, Console& console) {
 
 }  // namespace
 
-Run add_diff(CLI::App& archive) {
+Run add_archive_diff(CLI::App& archive) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App& command = *archive.add_subcommand("diff", "two calibrations: what changed");
   command.add_option("ID", options->ids, "the first digits of both ids")->required()->expected(2);

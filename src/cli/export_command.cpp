@@ -16,6 +16,7 @@
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/commands.h"
+#include "cli/given_files.h"
 #include "cli/shared_options.h"
 #include "exports/results/calibration_exports.h"
 #include "exports/results/robot_model.h"
@@ -162,7 +163,7 @@ void write(const ExportOptions& options, const std::string& text, Console& conso
 
 }  // namespace
 
-Run add_export(CLI::App& archive) {
+Run add_archive_export(CLI::App& archive) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& command =
       *archive.add_subcommand("export", "export one calibration for use in other programs");
@@ -209,22 +210,19 @@ exports::results::ArchivedJoint joint_of_file(const std::string& file) {
 
 }  // namespace
 
-std::function<Run()> add_export_of_file(CLI::App& app) {
+Run add_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& command = *app.add_subcommand(
       "export", "the numbers of a report or calibration for use in other programs");
   command.add_option("FILE", options->of, "report (HTML) or calibration (JSON)")->required();
   add_options(command, *options);
-  return [&command, options]() -> Run {
-    if (!command) return {};
-    return [options](const Invocation& call) {
-      check(*options);
-      if (!options->output.empty()) check_output_can_be_written(options->output, {options->of});
-      call.console.make_way_for(options->output);
-      const exports::results::ArchivedJoint joint = joint_of_file(options->of);
-      write(*options, text_of(*options, joint), call.console);
-      return ExitStatus::done;
-    };
+  return [options](const Invocation& call) {
+    check(*options);
+    if (!options->output.empty()) check_output_can_be_written(options->output, {options->of});
+    call.console.make_way_for(options->output);
+    const exports::results::ArchivedJoint joint = joint_of_file(options->of);
+    write(*options, text_of(*options, joint), call.console);
+    return ExitStatus::done;
   };
 }
 
@@ -255,7 +253,7 @@ void apply(const ApplyOptions& options, Console& console) {
 
 }  // namespace
 
-std::function<Run()> add_apply(CLI::App& app) {
+Run add_apply(CLI::App& app) {
   const auto options = std::make_shared<ApplyOptions>();
   CLI::App& command = *app.add_subcommand(
       "apply", "the joint's friction in your own URDF, SDF or MJCF, all else byte for byte");
@@ -265,12 +263,9 @@ std::function<Run()> add_apply(CLI::App& app) {
   command.add_option("--joint", options->joint,
                      "the joint's name in the model; default: as in the calibration");
   add_simulator_options(command, options->simulator);
-  return [&command, options]() -> Run {
-    if (!command) return {};
-    return [options](const Invocation& call) {
-      apply(*options, call.console);
-      return ExitStatus::done;
-    };
+  return [options](const Invocation& call) {
+    apply(*options, call.console);
+    return ExitStatus::done;
   };
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,18 +83,19 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
                                                       : ExitStatus::done;
 }
 
-CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
+Run add_figures(CLI::App& app) {
+  const auto options = std::make_shared<FiguresOptions>();
   CLI::App& command = *app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");
-  add_dataset(command, figures.dataset);
-  command.add_option("-o,--output", figures.directory, "directory to write to")->required();
+  add_dataset(command, options->dataset);
+  command.add_option("-o,--output", options->directory, "directory to write to")->required();
   command
       .add_option_function<std::vector<std::string>>(
           "--format",
-          [&figures](const std::vector<std::string>& names) {
-            figures.formats.clear();
+          [options](const std::vector<std::string>& names) {
+            options->formats.clear();
             for (const auto& [name, format] : figure_formats) {
               if (std::find(names.begin(), names.end(), name) != names.end()) {
-                figures.formats.push_back(format);
+                options->formats.push_back(format);
               }
             }
           },
@@ -104,19 +106,19 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   command
       .add_option_function<std::string>(
           "--style",
-          [&figures](const std::string& name) { figures.style = figure_styles.at(name); },
+          [options](const std::string& name) { options->style = figure_styles.at(name); },
           "report (the default): 160 mm wide; paper: 84 or 174 mm, for a journal's columns")
       ->check(one_of(figure_styles))
       ->type_name("STYLE");
-  add_truth_runs(command, figures.truth_runs);
-  add_processes(command, figures.processes);
-  add_language(command, figures.language);
+  add_truth_runs(command, options->truth_runs);
+  add_processes(command, options->processes);
+  add_language(command, options->language);
   command.footer(
       "\n--check adds the figure of the known-truth check, as in a report.\nSVG and PDF "
       "keep text as text and embed the glyphs they use. Charts in them need no\ngraphics stack; "
       "the solid parts of the robot's drawings are a picture below the lines.\n--style paper "
       "leaves the title to the caption; letters are 7 to 8 pt in print.");
-  return command;
+  return [options](const Invocation& call) { return run_figures(*options, call.console); };
 }
 
 }  // namespace tribolog::cli

@@ -16,7 +16,7 @@
 #include "cli/robot_joints.h"
 #include "cli/shared_options.h"
 #include "figures/figure_csv.h"
-#include "figures/trend_figures.h"
+#include "figures/timeline/trend_figures.h"
 #include "history/history_json.h"
 #include "history/joint_trend.h"
 #include "report/timeline/fleet_page.h"
@@ -128,8 +128,8 @@ bool add_trends(const std::vector<history::JointTrend>& all, const FleetOptions&
   render::workers::FigureRenderer renderer(options.processes);
   std::size_t failures = 0;
   for (const auto& [of, trends] : by_robot) {
-    const auto figures =
-        figures::figures_in(options.language, [&] { return figures::trend_figures(trends); });
+    const auto figures = figures::figures_in(
+        options.language, [&] { return figures::timeline::trend_figures(trends); });
     const auto drawn = draw(renderer, figures, call.console);
     calibration::Provenance provenance = calibration::make_provenance(call.arguments);
     provenance.drawing = api::software_that_drew(drawn);
@@ -155,7 +155,7 @@ void find_trends(const history::Fleet& fleet, const std::string& page,
 
 }  // namespace
 
-Run add_fleet(CLI::App& archive) {
+Run add_archive_fleet(CLI::App& archive) {
   const auto options = std::make_shared<FleetOptions>();
   CLI::App& command =
       *archive.add_subcommand("fleet", "all robots and joints on one page, outliers first");

@@ -174,4 +174,64 @@ void add_given_data(CLI::App& command, GivenData& given) {
   }
 }
 
+const char* manifest_help() {
+  return R"(
+The manifest says, for example:
+
+  schema = "tribolog-dataset-1"
+  [robot]
+  name = "FANUC AM100iB"
+  description = "arm.toml"      # optional: draws the arm, see am100ib.toml
+  [joint]
+  name = "J3"
+  gear_ratio = 100
+  [effort]                      # never guessed: must be stated
+  kind = "motor_current"        # or "motor_torque", "joint_torque"; "target_torque": a
+                                # controller's value; "none": the log has no torque, and what
+                                # its motion shows is checked
+  side = "motor"                # or "joint": where the torque acts
+  torque_constant_Nm_A = 0.35   # for motor_current
+  confirmed = true              # false: only proposed; every torque is then doubtful
+  [columns]
+  time   = { name = "t", unit = "s" }
+  angle  = { name = "q", unit = "deg" }
+  effort = { name = "i", unit = "A" }    # file = "tau.csv": if it is in another file,
+                                         # row by row; time = its time's name there
+  [uncertainty]                 # optional: of what no recording shows, half widths at 95 %
+  torque_constant_percent = 2   # also gear_ratio_percent, surrogate_distance_percent,
+                                # gravity_percent, angle_zero_deg, hoses_percent,
+                                # description_percent
+  [certificate]                 # optional: for a calibration certificate
+  laboratory = "..."            # also number, replaces, laboratory_address, country, customer,
+                                # customer_address, place, received_on, procedure, conditions,
+                                # humidity_percent, adjustment, decision_rule, responsible
+  [[certificate.instrument]]
+  name = "Torque sensor"        # also identification, traceability, used_for
+  [[recording]]
+  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away;
+                                # friction_points: of a curve read elsewhere, a row each,
+                                # columns speed, effort, optional temperature, load
+  file = "sweep.csv"
+  [[limit]]                     # optional: what you accept; the report says whether it is met
+  quantity = "coulomb_joint_Nm" # a wrong name prints the list
+  max = 15                      # max, min, half_width, half_width_percent
+  [log]                         # optional: what a text log does not show by itself
+  decimal_comma = true
+  skip_bad_rows = true          # damaged rows: leave out and count them, up to 1 %
+  [[known_load]]                # optional: gravity of further axes, subtracted from the logs
+  amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
+  angles = ["q1_rad", "q2_rad"] # columns of the log
+  [[other_joint]]               # optional: another joint whose angle the logs have; of a robot
+  name = "J2"                   # its [[joints]]. What its motion changes of gravity is taken off
+  angle = { name = "q2", unit = "rad" }  # by description = "arm.urdf" in [robot], if there is one
+  [known_gravity]               # optional: the joint's own, as by its design, to compare with
+  amplitude_Nm = 38.465
+  q_peak_deg = 90
+
+Each role may occur any number of times, and each is optional: if one is absent,
+the stages that need it say so; the rest still runs. The joints of one robot
+can share a manifest, each in [[joints]]: --joint NAME picks one. tribolog manifest
+prints every key.)";
+}
+
 }  // namespace tribolog::cli

@@ -49,4 +49,7 @@ void tell_what_is_open(const FoundData& found, const std::vector<std::string>& a
 /// Paths, --joint, and every option of logs.
 void add_given_data(CLI::App& command, GivenData& given);
 
+/// What help says of a manifest: its tables, by an example.
+const char* manifest_help();
+
 }  // namespace tribolog::cli

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "base/enum_text.h"
 #include "base/error.h"
+#include "base/input_file.h"
+#include "base/shown_text.h"
 #include "cli/command_tree.h"
 
 namespace tribolog::cli {
@@ -135,6 +138,20 @@ void check_given_files(const CLI::App& command) {
       refuse_other_kind(file, one.kinds, one.wanted);
     }
   }
+}
+
+report::engine::EmbeddedJson numbers_in(const std::string& file) {
+  const std::string text = read_file(file);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') return {calibration_element, text};
+  return report::engine::embedded_json(text, file);
+}
+
+std::string calibration_in(const std::string& file) {
+  report::engine::EmbeddedJson numbers = numbers_in(file);
+  if (numbers.element == calibration_element) return std::move(numbers.json);
+  throw UsageError(fmt::format("{}: the page contains {}, and no calibration",
+                               printable(file, longest_path), numbers.element));
 }
 
 }  // namespace tribolog::cli

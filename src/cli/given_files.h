@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inspect/files/file_kind.h"
+#include "report/engine/embedded_json.h"
 
 namespace CLI {
 class App;
@@ -31,5 +32,16 @@ void refuse_other_kind(const std::string& file, const std::vector<inspect::files
 /// @param command the one that was chosen, parsed as far as it could be.
 /// @throw InputError
 void check_given_files(const CLI::App& command);
+
+/// The element of a page that carries a calibration.
+inline constexpr const char* calibration_element = "tribolog-result";
+
+/// The numbers that a page carries, or the calibration that the file is.
+/// @throw InputError: neither of both.
+report::engine::EmbeddedJson numbers_in(const std::string& file);
+
+/// The calibration (JSON) that a report carries, or that the file is.
+/// @throw UsageError: a page without one. InputError as numbers_in().
+std::string calibration_in(const std::string& file);
 
 }  // namespace tribolog::cli

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,18 @@
 namespace tribolog::cli {
 
 namespace {
+
+struct InspectOptions {
+  InspectedLogs logs;
+  std::string json;  ///< All of it as JSON; empty: only the text.
+};
+
+struct InitOptions {
+  InspectedLogs logs;
+  std::string output;      ///< The manifest.
+  bool all_joints{false};  ///< A robot's, with all joints in the logs.
+  bool force{false};       ///< Replaces one that exists.
+};
 
 struct Proposed {
   std::string text;  ///< Empty: none could be proposed.
@@ -39,8 +52,6 @@ Proposed try_to_propose(const std::vector<inspect::survey::LogSurvey>& logs,
   }
   return proposed;
 }
-
-}  // namespace
 
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   const std::vector<SurveyedFile> files = files_of(options.logs.files);
@@ -83,8 +94,6 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   return status_of(logs);
 }
 
-namespace {
-
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format, or folders of them")->required();
   command.add_option("--joint", logs.known.joint,
@@ -94,33 +103,35 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
 
 }  // namespace
 
-CLI::App& add_inspect(CLI::App& app, InspectOptions& inspect) {
+Run add_inspect(CLI::App& app) {
+  const auto options = std::make_shared<InspectOptions>();
   CLI::App& command = *app.add_subcommand(
       "inspect", "what a log contains: columns, clock, motion, a manifest for it");
-  add_inspected_logs(command, inspect.logs);
-  command.add_option("--json", inspect.json, "file for the full result (JSON)");
+  add_inspected_logs(command, options->logs);
+  command.add_option("--json", options->json, "file for the full result (JSON)");
   command.footer(
       "\nGuesses are marked as such. Speeds are slopes of the angle between marks of its "
       "travel;\nthe logged speed is not trusted. A log that is refused does not prevent the others "
       "from\nbeing shown; the exit status is 3 then.");
-  return command;
+  return [options](const Invocation& call) { return run_inspect(*options, call.console); };
 }
 
-CLI::App& add_init(CLI::App& app, InitOptions& init) {
+Run add_init(CLI::App& app) {
+  const auto options = std::make_shared<InitOptions>();
   CLI::App& command = *app.add_subcommand("init", "write the manifest that inspect proposes");
-  add_inspected_logs(command, init.logs);
-  command.add_option("-o,--output", init.output, "manifest (TOML) to write")->required();
+  add_inspected_logs(command, options->logs);
+  command.add_option("-o,--output", options->output, "manifest (TOML) to write")->required();
   command
-      .add_flag("--all-joints", init.all_joints,
+      .add_flag("--all-joints", options->all_joints,
                 "a manifest of the whole robot, with every joint that moves in the logs")
       ->excludes("--joint");
-  command.add_flag("--force", init.force, "replace an existing manifest");
+  command.add_flag("--force", options->force, "replace an existing manifest");
   command.footer(
       "\nWith --all-joints, --gear-ratio and --torque-constant take one value for all joints, or "
       "one for\neach in the order of the logs, separated by commas.\nGear ratio and torque "
       "constant are rarely in a log: state them here, or in the file.\nIts "
       "comments say what was guessed.");
-  return command;
+  return [options](const Invocation& call) { return run_init(*options, call.console); };
 }
 
 }  // namespace tribolog::cli

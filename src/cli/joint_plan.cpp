@@ -11,8 +11,8 @@
 #include "base/input_file.h"
 #include "cli/drawing.h"
 #include "exports/experiment/plan_files.h"
+#include "figures/experiments/plan_figure.h"
 #include "figures/figure_csv.h"
-#include "figures/plan_figure.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "wording/words.h"
@@ -103,9 +103,10 @@ const std::vector<std::string>& plan_file_names() {
   return names;
 }
 
-std::size_t add_plan(report::experiments::PlanReport& report, const std::string& directory,
-                     const wording::Language& language, render::workers::FigureRenderer& renderer,
-                     AtomicFiles& files, Console& console) {
+std::size_t add_plan_files(report::experiments::PlanReport& report, const std::string& directory,
+                           const wording::Language& language,
+                           render::workers::FigureRenderer& renderer, AtomicFiles& files,
+                           Console& console) {
   const std::filesystem::path folder(directory);
   const auto in_folder = [&](const std::string& name) { return (folder / name).string(); };
   // Also where nothing can be done: those of an older plan must not stay beside this one.
@@ -113,8 +114,8 @@ std::size_t add_plan(report::experiments::PlanReport& report, const std::string&
   files.add(in_folder("dataset.toml"), exports::experiment::plan_dataset_toml(report.plan));
   files.add(in_folder("plan.json"),
             exports::experiment::plan_json(report.plan, report.expected, report.provenance));
-  const std::vector<figures::ReportFigure> figures =
-      figures::figures_in(language, [&] { return figures::plan_figures(report.plan); });
+  const std::vector<figures::ReportFigure> figures = figures::figures_in(
+      language, [&] { return figures::experiments::plan_figures(report.plan); });
   const std::vector<render::workers::DrawnFigure> drawn = draw(renderer, figures, console);
   report.provenance.drawing = api::software_that_drew(drawn);
   {

@@ -7,14 +7,27 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "calibration/provenance.h"
-#include "cli/commands.h"
 #include "cli/console.h"
 #include "render/workers/renderer.h"
 #include "report/experiments/plan_page.h"
 #include "wording/language.h"
 
 namespace tribolog::cli {
+
+struct PlanCommandOptions {
+  std::string joint;     ///< File of the joint, or of a robot's joints (TOML).
+  std::string of_robot;  ///< One joint of a robot's file, by name; empty: all, or the only one.
+  std::string directory;
+  /// Of the joint, from an earlier plan; of a robot the directory with its joints'; empty: none.
+  std::string calibration;
+  std::size_t runs{20};  ///< Simulations behind the expected intervals; 0: none.
+  unsigned long long seed{1};
+  std::size_t threads{0};  ///< 0: all cores.
+  int processes{2};
+  wording::Language language;
+};
 
 inline constexpr const char* plan_page_name = "plan.html";
 
@@ -28,13 +41,19 @@ report::experiments::PlanReport plan_of_joint(const PlanCommandOptions& options,
                                               const calibration::Provenance& provenance,
                                               const std::function<void()>& simulates);
 
-/// What add_plan() writes to the directory.
+/// What add_plan_files() writes to the directory.
 const std::vector<std::string>& plan_file_names();
 
 /// Adds page, numbers, set points and manifest. @param report gets what drew its figures.
 /// @return how many figures failed, each of which is warned of.
-std::size_t add_plan(report::experiments::PlanReport& report, const std::string& directory,
-                     const wording::Language& language, render::workers::FigureRenderer& renderer,
-                     AtomicFiles& files, Console& console);
+std::size_t add_plan_files(report::experiments::PlanReport& report, const std::string& directory,
+                           const wording::Language& language,
+                           render::workers::FigureRenderer& renderer, AtomicFiles& files,
+                           Console& console);
+
+/// Each joint's plan in a directory of its own, and a page of the robot, which leads to them.
+/// @param joints of the robot's file.
+ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::string>& joints,
+                      const std::vector<std::string>& arguments, Console& console);
 
 }  // namespace tribolog::cli

@@ -1,3 +1,4 @@
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,24 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/drawing.h"
 #include "cli/shared_options.h"
+#include "figures/experiments/model_figures.h"
 #include "figures/figure_csv.h"
-#include "figures/model_figures.h"
 #include "friction/catalogue.h"
 #include "report/experiments/models_page.h"
 #include "wording/words.h"
 
 namespace tribolog::cli {
 namespace {
+
+struct ModelsOptions {
+  bool compare{false};  ///< All of them side by side, in one page; else the list on the console.
+  std::string output;   ///< That page (HTML): one is not without the other.
+  int processes{2};
+  wording::Language language;
+};
 
 std::string joined(const std::vector<std::string>& words) {
   return words.empty() ? "none of it" : fmt::format("{}", fmt::join(words, ", "));
@@ -86,32 +95,19 @@ void list_models(Console& console) {
   console.say("[ ]: the default, where neither the file nor a match gives one");
 }
 
-std::vector<figures::ModelExperiment> experiments_in(const wording::Language& language,
-                                                     const friction::ContactParameters& contact) {
+std::vector<figures::experiments::ModelExperiment> experiments_in(
+    const wording::Language& language, const friction::ContactParameters& contact) {
   const wording::WordsIn words(language);
-  return figures::model_experiments(contact);
+  return figures::experiments::model_experiments(contact);
 }
 
 std::vector<figures::ReportFigure> figures_of(
-    const std::vector<figures::ModelExperiment>& experiments) {
+    const std::vector<figures::experiments::ModelExperiment>& experiments) {
   std::vector<figures::ReportFigure> all;
-  for (const figures::ModelExperiment& one : experiments) {
+  for (const figures::experiments::ModelExperiment& one : experiments) {
     all.insert(all.end(), one.figures.begin(), one.figures.end());
   }
   return all;
-}
-
-}  // namespace
-
-CLI::App& add_models(CLI::App& app, ModelsOptions& models) {
-  CLI::App& command =
-      *app.add_subcommand("models", "list the friction models, or compare them in one page");
-  command.add_flag("--compare", models.compare, "draw all of them side by side");
-  command.add_option("-o,--output", models.output, "page (HTML) to write, with --compare")
-      ->check(page_file());
-  add_processes(command, models.processes);
-  add_language(command, models.language);
-  return command;
 }
 
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
@@ -130,11 +126,12 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
       options.processes);  // starts while the models are computed
   console.progress("simulating the models", 0, 1);
   const friction::ContactParameters contact;
-  std::vector<figures::ModelExperiment> experiments = experiments_in(options.language, contact);
+  std::vector<figures::experiments::ModelExperiment> experiments =
+      experiments_in(options.language, contact);
   if (!options.language.is_english()) {
     const std::vector<figures::ReportFigure> english =
         figures_of(experiments_in(wording::Language{}, contact));
-    for (figures::ModelExperiment& one : experiments) {
+    for (figures::experiments::ModelExperiment& one : experiments) {
       figures::take_english_data(english, one.figures);
     }
   }
@@ -146,6 +143,22 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
       report::experiments::models_page(contact, experiments, drawn, provenance, options.language));
   console.say("comparison: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+}  // namespace
+
+Run add_models(CLI::App& app) {
+  const auto options = std::make_shared<ModelsOptions>();
+  CLI::App& command =
+      *app.add_subcommand("models", "list the friction models, or compare them in one page");
+  command.add_flag("--compare", options->compare, "draw all of them side by side");
+  command.add_option("-o,--output", options->output, "page (HTML) to write, with --compare")
+      ->check(page_file());
+  add_processes(command, options->processes);
+  add_language(command, options->language);
+  return [options](const Invocation& call) {
+    return run_models(*options, call.arguments, call.console);
+  };
 }
 
 }  // namespace tribolog::cli

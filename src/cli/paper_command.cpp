@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "base/input_file.h"
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "cli/shared_options.h"
@@ -21,6 +23,13 @@
 
 namespace tribolog::cli {
 namespace {
+
+struct PaperOptions {
+  std::string scenario;  ///< Empty: the paper's joint, which is built in.
+  std::string output;    ///< The page (HTML).
+  int processes{2};
+  wording::Language language;
+};
 
 constexpr const char* directory = "examples/paper/";
 constexpr const char* scenario_file = "scenario.toml";
@@ -63,28 +72,6 @@ void tell_outcome(const paper::page::RegeneratedPaper& paper,
                   tally(paper::checks::Kind::print), tally(paper::checks::Kind::independent),
                   paper::checks::count_unchecked(paper.sections)));
 }
-
-}  // namespace
-
-CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
-  CLI::App& command =
-      *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
-  command.add_option("SCENARIO", paper.scenario,
-                     "another joint (TOML): what of the paper's argument holds there");
-  command.add_option("-o,--output", paper.output, "page (HTML) to write")
-      ->required()
-      ->check(page_file());
-  add_processes(command, paper.processes);
-  add_language(command, paper.language);
-  command.footer(
-      "\nSimulates the paper's joint, identifies it, draws all figures, and compares every "
-      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.\n"
-      "With SCENARIO the paper's claims are hypotheses about that joint: which hold there is\nno "
-      "failure.");
-  return command;
-}
-
-namespace {
 
 simulate::Scenario papers_scenario() {
   const paper::page::PaperSource file = source(scenario_file);
@@ -144,8 +131,6 @@ ExitStatus run_claims(const PaperOptions& options, const std::vector<std::string
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }
 
-}  // namespace
-
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console) {
   check_output_can_be_written(options.output);
@@ -181,6 +166,29 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
   return paper::page::is_all_well(paper, tallies) ? ExitStatus::done : ExitStatus::verdict_failed;
+}
+
+}  // namespace
+
+Run add_paper(CLI::App& app) {
+  const auto options = std::make_shared<PaperOptions>();
+  CLI::App& command =
+      *app.add_subcommand("paper", "regenerate the paper, and check it against the printed one");
+  command.add_option("SCENARIO", options->scenario,
+                     "another joint (TOML): what of the paper's argument holds there");
+  command.add_option("-o,--output", options->output, "page (HTML) to write")
+      ->required()
+      ->check(page_file());
+  add_processes(command, options->processes);
+  add_language(command, options->language);
+  command.footer(
+      "\nSimulates the paper's joint, identifies it, draws all figures, and compares every "
+      "figure,\ntable and equation with what is printed. Status 1 if a check does not hold.\n"
+      "With SCENARIO the paper's claims are hypotheses about that joint: which hold there is\nno "
+      "failure.");
+  return [options](const Invocation& call) {
+    return run_paper(*options, call.arguments, call.console);
+  };
 }
 
 }  // namespace tribolog::cli

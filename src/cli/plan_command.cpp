@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "ingest/manifest/joint_file.h"
 
 namespace tribolog::cli {
+
+namespace {
 
 ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::string>& arguments,
                     Console& console) {
@@ -35,7 +38,7 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
       plan_of_joint(options, text, options.of_robot, provenance,
                     [&] { console.progress("simulating the plan", 0, 1); });
   const std::size_t failed =
-      add_plan(report, options.directory, options.language, renderer, files, console);
+      add_plan_files(report, options.directory, options.language, renderer, files, console);
   files.commit();
 
   console.say("plan: " + exports::experiment::plan_sentence(report.plan));
@@ -47,41 +50,47 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   return failed > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }
 
-CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
+}  // namespace
+
+Run add_plan(CLI::App& app) {
+  const auto options = std::make_shared<PlanCommandOptions>();
   CLI::App& command =
       *app.add_subcommand("plan", "plan the experiment on a joint, and what to expect from it");
   constexpr std::size_t most = 10'000;
-  command.add_option("JOINT", plan.joint, "file of the joint, or of a robot's joints (TOML)")
+  command.add_option("JOINT", options->joint, "file of the joint, or of a robot's joints (TOML)")
       ->required();
-  command.add_option("-o,--output", plan.directory, "directory to write to")->required();
+  command.add_option("-o,--output", options->directory, "directory to write to")->required();
   command
-      .add_option("--joint", plan.of_robot,
+      .add_option("--joint", options->of_robot,
                   "one joint of a whole robot's file, [[joints]], by its "
                   "name")
       ->type_name("NAME");
-  command.add_option("--calibration", plan.calibration,
+  command.add_option("--calibration", options->calibration,
                      "calibration (JSON) of this joint, from an earlier plan; of a robot the "
                      "directory that `report` or `identify` wrote");
-  command.add_option("--runs", plan.runs, "simulations behind the intervals to expect; 0: none")
+  command
+      .add_option("--runs", options->runs, "simulations behind the intervals to expect; 0: none")
       ->check(CLI::Range(std::size_t{0}, most))
       ->capture_default_str();
-  command.add_option("--seed", plan.seed, "seed of their noise")
+  command.add_option("--seed", options->seed, "seed of their noise")
       ->check(whole_number())
       ->capture_default_str();
-  add_threads(command, plan.threads);
-  add_processes(command, plan.processes);
-  add_language(command, plan.language);
+  add_threads(command, options->threads);
+  add_processes(command, options->processes);
+  add_language(command, options->language);
   command.footer(
       "\nFrom the joint's limits of angle, speed, acceleration and torque, and what is known "
       "of\ngravity, friction, encoder and ripple: the sweeps, oscillations, runs and ramps to "
-      "carry\nout, and the intervals to expect, by simulation. Writes plan.html, "
+      "carry\nout, and the intervals to expect, by simulation. Writes options->html, "
       "plan.json,\nsetpoints.csv (time, angle, speed; torque of the ramps) and dataset.toml, with "
       "which\n`tribolog report` reads the recorded log. What the limits do not allow is "
       "reported,\nwith the number and what would help. examples/plan/joint.toml shows every "
       "key.\n\nOf a "
       "whole robot (examples/plan/robot.toml) each joint's files are in a directory of its\nown; "
       "index.html leads to them, and dataset.toml is the manifest of all of their logs.");
-  return command;
+  return [options](const Invocation& call) {
+    return run_plan(*options, call.arguments, call.console);
+  };
 }
 
 }  // namespace tribolog::cli

@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/identification.h"
 #include "cli/robot_commands.h"
 #include "cli/robot_joints.h"
+#include "cli/shared_options.h"
 #include "tribolog/figures.h"
 #include "tribolog/report.h"
 
@@ -33,8 +35,6 @@ std::string calibration_of(const ReportOptions& options) {
       "tribolog report: no file can be placed next to standard output, a pipe or a device; "
       "--calibration FILE states where the numbers go");
 }
-
-}  // namespace
 
 ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string>& arguments,
                       Console& console) {
@@ -83,6 +83,38 @@ ExitStatus run_report(const ReportOptions& stated, const std::vector<std::string
   tell_what_is_open(found, arguments, console);
   if (tell_failures(report.figures, console) > 0) return ExitStatus::figure_failed;
   return status_of(calibration, options.fail_on);
+}
+
+}  // namespace
+
+Run add_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
+  add_given_data(command, options->given);
+  command
+      .add_option("-o,--output", options->output,
+                  "report (HTML) to write; default: beside the input")
+      ->check(page_file());
+  command.add_option("--calibration", options->calibration,
+                     "where to write the numbers (JSON); default: next to the report");
+  command.add_flag_callback(
+      "--no-figures", [options] { options->figures = false; }, "numbers and tables only");
+  add_truth_runs(command, options->truth_runs);
+  add_fail_on(command, options->fail_on);
+  add_seed(command, options->seed);
+  add_archiving(command, options->archiving);
+  add_processes(command, options->processes);
+  add_language(command, options->language);
+  command.footer(
+      std::string("\nOf logs it proposes the manifest and writes it too: tribolog report log.csv.\n"
+                  "Report and numbers replace older ones together, once both are on disk;\nif "
+                  "one cannot be written, both old ones remain. With --archive the archive keeps "
+                  "the\nnumbers before figures are drawn, whatever happens to the files.\n-o - is "
+                  "standard output; --calibration then states where the numbers go.\n") +
+      manifest_help());
+  return [options](const Invocation& call) {
+    return run_report(*options, call.arguments, call.console);
+  };
 }
 
 }  // namespace tribolog::cli

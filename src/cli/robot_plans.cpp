@@ -140,7 +140,7 @@ ExitStatus plan_robot(const PlanCommandOptions& options, const std::vector<std::
       check_output_can_be_written(directory + "/" + name, inputs);
     }
     failed_figures +=
-        add_plan(*joint.report, directory, options.language, renderer, files, console);
+        add_plan_files(*joint.report, directory, options.language, renderer, files, console);
     one.plan = &joint.report->plan;
     one.expected = &joint.report->expected;
     one.file = joint.directory + "/" + plan_page_name;

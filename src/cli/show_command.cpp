@@ -2,6 +2,7 @@
 // a file or from an archive.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,12 +20,18 @@
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/commands.h"
+#include "cli/given_files.h"
 #include "inspect/survey/text_table.h"
 #include "report/engine/embedded_json.h"
 #include "wording/rounding.h"
 
 namespace tribolog::cli {
 namespace {
+
+struct ShowOptions {
+  std::string file;  ///< A report or another page (HTML), or a calibration (JSON).
+  bool json{false};
+};
 
 /// One line for each fact that is stated. @param id empty: it has none. @param revision 1: the only
 /// one.
@@ -117,7 +124,7 @@ std::string reviews_text(const std::vector<calibration::Review>& reviews) {
 
 }  // namespace
 
-Run add_show(CLI::App& archive) {
+Run add_archive_show(CLI::App& archive) {
   struct Options {
     std::string id;
     bool json{false};
@@ -151,42 +158,7 @@ Run add_show(CLI::App& archive) {
 
 namespace {
 
-constexpr const char* result_element = "tribolog-result";
 constexpr const char* robot_element = "tribolog-robot";
-
-/// A calibration as it is, or what a page carries.
-report::engine::EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && text[first] == '{') return {result_element, text};
-  return report::engine::embedded_json(text, file);
-}
-
-}  // namespace
-
-std::string calibration_in(const std::string& file) {
-  report::engine::EmbeddedJson numbers = numbers_of(read_file(file), file);
-  if (numbers.element == result_element) return std::move(numbers.json);
-  throw UsageError(fmt::format("{}: the page contains {}, and no calibration",
-                               printable(file, longest_path), numbers.element));
-}
-
-CLI::App& add_show(CLI::App& app, ShowOptions& show) {
-  CLI::App& command =
-      *app.add_subcommand("show", "the numbers of a report, read from the report itself");
-  command
-      .add_option("FILE", show.file,
-                  "report (HTML), calibration (JSON), or directory or page of a whole robot")
-      ->required();
-  command.add_flag("--json", show.json, "all of them as JSON, to standard output");
-  command.footer(
-      "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
-      "are SI, torques at the motor. Of a whole robot each joint's verdict and headline "
-      "numbers\nare "
-      "shown.");
-  return command;
-}
-
-namespace {
 
 /// Of a directory that a whole robot's report was written to, its page.
 std::string file_to_show(const std::string& named) {
@@ -241,11 +213,9 @@ std::string robot_text(const nlohmann::json& page) {
   return shown;
 }
 
-}  // namespace
-
 ExitStatus run_show(const ShowOptions& options, Console& console) {
   const std::string file = file_to_show(options.file);
-  const report::engine::EmbeddedJson numbers = numbers_of(read_file(file), file);
+  const report::engine::EmbeddedJson numbers = numbers_in(file);
   if (numbers.element == robot_element && !options.json) {
     try {
       console.say(robot_text(nlohmann::json::parse(numbers.json)));
@@ -255,7 +225,7 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
     }
     return ExitStatus::done;
   }
-  if (numbers.element != result_element) {
+  if (numbers.element != calibration_element) {
     if (!options.json) {
       throw UsageError(fmt::format("{}: the page contains {}, which only --json shows",
                                    printable(options.file, longest_path), numbers.element));
@@ -271,6 +241,25 @@ ExitStatus run_show(const ShowOptions& options, Console& console) {
                 friction_text(calibration::read_curves(numbers.json)));
   }
   return ExitStatus::done;
+}
+
+}  // namespace
+
+Run add_show(CLI::App& app) {
+  const auto options = std::make_shared<ShowOptions>();
+  CLI::App& command =
+      *app.add_subcommand("show", "the numbers of a report, read from the report itself");
+  command
+      .add_option("FILE", options->file,
+                  "report (HTML), calibration (JSON), or directory or page of a whole robot")
+      ->required();
+  command.add_flag("--json", options->json, "all of them as JSON, to standard output");
+  command.footer(
+      "\nEvery tribolog page embeds its numbers as JSON; --json returns them as they\nare. Values "
+      "are SI, torques at the motor. Of a whole robot each joint's verdict and headline "
+      "numbers\nare "
+      "shown.");
+  return [options](const Invocation& call) { return run_show(*options, call.console); };
 }
 
 }  // namespace tribolog::cli

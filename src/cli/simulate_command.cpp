@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,6 +19,12 @@
 namespace tribolog::cli {
 
 namespace {
+
+struct SimulateOptions {
+  std::string scenario;
+  std::string directory;
+  std::optional<unsigned long long> seed;  ///< Instead of the scenario's.
+};
 
 /// @throw InputError: numbers of which each is possible, and that together cannot be simulated.
 template <class Simulate>
@@ -48,8 +55,6 @@ ExitStatus simulate_robot(std::vector<simulate::Scenario> joints, const Simulate
   return ExitStatus::done;
 }
 
-}  // namespace
-
 ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
   if (auto joints = ingest::manifest::read_robot_scenario(options.scenario); !joints.empty()) {
     return simulate_robot(std::move(joints), options, console);
@@ -69,18 +74,21 @@ ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
   return ExitStatus::done;
 }
 
-CLI::App& add_simulate(CLI::App& app, SimulateOptions& simulate) {
+}  // namespace
+
+Run add_simulate(CLI::App& app) {
+  const auto options = std::make_shared<SimulateOptions>();
   CLI::App& command =
       *app.add_subcommand("simulate", "simulate a joint: recordings, manifest and true values");
-  command.add_option("SCENARIO", simulate.scenario, "scenario file (TOML)")->required();
-  command.add_option("-o,--output", simulate.directory, "directory to write to")->required();
-  command.add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's")
+  command.add_option("SCENARIO", options->scenario, "scenario file (TOML)")->required();
+  command.add_option("-o,--output", options->directory, "directory to write to")->required();
+  command.add_option("--seed", options->seed, "seed of the noise, instead of the scenario's")
       ->check(whole_number());
   command.footer(
       "\nWrites one CSV per recording, dataset.toml (for report) and truth.json. A scenario with\n"
       "[[joints]] is a robot's: one log, robot.csv, with robot.toml (for report).\n"
       "examples/paper/scenario.toml shows every key with its unit.");
-  return command;
+  return [options](const Invocation& call) { return run_simulate(*options, call.console); };
 }
 
 }  // namespace tribolog::cli

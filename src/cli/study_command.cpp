@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -15,12 +16,13 @@
 #include "base/atomic_file.h"
 #include "base/input_file.h"
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "cli/shared_options.h"
 #include "exports/simulation/simulation_files.h"
+#include "figures/experiments/study_figures.h"
 #include "figures/figure_csv.h"
-#include "figures/study_figures.h"
 #include "ingest/manifest/scenario_file.h"
 #include "report/experiments/study_page.h"
 #include "study/misfit.h"
@@ -31,6 +33,26 @@
 namespace tribolog::cli {
 
 namespace {
+
+struct StudyCommandOptions {
+  std::string scenario;  ///< Empty: the paper's joint with realistic noise, which is built in.
+  std::string output;    ///< The page (HTML).
+  std::string json;      ///< All numbers; empty: only within the page.
+  /// Of each case; with `mixed` joints. None: as many as the study has by itself.
+  std::optional<std::size_t> runs;
+  unsigned long long seed{1};
+  std::size_t threads{0};            ///< 0: all cores.
+  std::vector<std::string> factors;  ///< Keys; none: all.
+  bool misfit{false};     ///< On joints and logs that the method's model does not describe.
+  bool sound{false};      ///< The same on joints that it does describe.
+  bool mixed{false};      ///< On joints drawn at random, with many small effects at once.
+  bool less_data{false};  ///< On sound joints of which less was recorded than one would wish.
+  std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
+  std::vector<std::string> joints;        ///< With `misfit`: keys; none: all.
+  std::string logs;  ///< With these three: directory for the first run of each case or joint.
+  int processes{2};
+  wording::Language language;
+};
 
 constexpr const char* usual_scenario = "scenario_noise.toml";
 constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
@@ -252,8 +274,6 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   return ExitStatus::done;
 }
 
-}  // namespace
-
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console) {
   if (options.sound && !options.disturbances.empty()) {
@@ -310,8 +330,8 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   }
   std::vector<render::workers::DrawnFigure> drawn;
   if (renderer) {
-    const std::vector<figures::ReportFigure> figures =
-        figures::figures_in(options.language, [&] { return figures::study_figures(report.study); });
+    const std::vector<figures::ReportFigure> figures = figures::figures_in(
+        options.language, [&] { return figures::experiments::study_figures(report.study); });
     drawn = draw(*renderer, figures, console);
     report.provenance.drawing = api::software_that_drew(drawn);
     const wording::WordsIn words(options.language);
@@ -326,45 +346,49 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }
 
-CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
+}  // namespace
+
+Run add_study(CLI::App& app) {
+  const auto options = std::make_shared<StudyCommandOptions>();
   CLI::App& command =
       *app.add_subcommand("study", "Monte-Carlo study: where the method can be trusted");
   constexpr std::size_t most = 1'000'000;
-  command.add_option("SCENARIO", study.scenario,
+  command.add_option("SCENARIO", options->scenario,
                      "scenario file (TOML); default: the paper's joint with realistic noise");
-  command.add_option("-o,--output", study.output, "page (HTML) to write")->check(page_file());
-  command.add_option("--json", study.json, "file for all numbers (JSON)");
+  command.add_option("-o,--output", options->output, "page (HTML) to write")->check(page_file());
+  command.add_option("--json", options->json, "file for all numbers (JSON)");
   command
-      .add_option("--factor", study.factors, "study only this one (may be repeated); default: all")
+      .add_option("--factor", options->factors,
+                  "study only this one (may be repeated); default: all")
       ->check(one_of(std::vector<std::string>{"torque_noise", "torque_step", "encoder",
                                               "ripple_one_position", "ripple_eight_positions",
                                               "amplitude", "cycles"}));
-  command.add_flag("--misfit", study.misfit,
+  command.add_flag("--misfit", options->misfit,
                    "joints and logs that the method's model does not describe");
-  command.add_flag("--sound", study.sound,
+  command.add_flag("--sound", options->sound,
                    "twelve joints that the model describes: coverage, and share called usable");
-  command.add_flag("--mixed", study.mixed,
+  command.add_flag("--mixed", options->mixed,
                    "joints drawn at random, with many small effects at once");
-  command.add_flag("--less-data", study.less_data,
+  command.add_flag("--less-data", options->less_data,
                    "sound joints of which less was recorded than one would wish");
-  command.add_option("--disturbance", study.disturbances,
+  command.add_option("--disturbance", options->disturbances,
                      "with --misfit or --less-data: lay this one alone (may be given again); "
                      "default: all");
-  command.add_option("--joint", study.joints,
+  command.add_option("--joint", options->joints,
                      "with --misfit, --sound or --less-data: on this joint alone (may be given "
                      "again)");
-  command.add_option("--logs", study.logs,
+  command.add_option("--logs", options->logs,
                      "with --misfit, --sound or --less-data: directory for the logs of each case's "
                      "first run; with --mixed: of each joint");
-  command.add_option("--runs", study.runs, "runs per case; with --mixed joints, else 100")
+  command.add_option("--runs", options->runs, "runs per case; with --mixed joints, else 100")
       ->check(CLI::Range(std::size_t{2}, most))
       ->default_str(std::to_string(usual_runs));
-  command.add_option("--seed", study.seed, "seed of all noise")
+  command.add_option("--seed", options->seed, "seed of all noise")
       ->check(whole_number())
       ->capture_default_str();
-  add_threads(command, study.threads);
-  add_processes(command, study.processes);
-  add_language(command, study.language);
+  add_threads(command, options->threads);
+  add_processes(command, options->processes);
+  add_language(command, options->language);
   command.footer(
       "\nSimulates the scenario many times, each run with its own noise, identifies each,\nand "
       "compares every estimator with the truth: bias, scatter, and coverage of the stated 95 "
@@ -372,7 +396,9 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
       "step,\nencoder, ripple from one and from eight motor positions, amplitude and cycles of "
       "the\noscillation. 200 runs of about thirty cases take some minutes on two cores; --runs "
       "20\nshows the biases in seconds.");
-  return command;
+  return [options](const Invocation& call) {
+    return run_study_command(*options, call.arguments, call.console);
+  };
 }
 
 }  // namespace tribolog::cli

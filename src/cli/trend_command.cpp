@@ -7,7 +7,7 @@
 #include "cli/drawing.h"
 #include "cli/shared_options.h"
 #include "figures/figure_csv.h"
-#include "figures/trend_figures.h"
+#include "figures/timeline/trend_figures.h"
 #include "history/history_json.h"
 #include "history/joint_trend.h"
 #include "report/timeline/trend_page.h"
@@ -56,8 +56,8 @@ ExitStatus write_page(const TrendOptions& options, const std::vector<history::Jo
         "these are {} joints; a page holds at most {}; choose with --robot, --serial and --joint",
         trends.size(), most_joints_of_a_page));
   }
-  const auto figures =
-      figures::figures_in(options.language, [&] { return figures::trend_figures(trends); });
+  const auto figures = figures::figures_in(
+      options.language, [&] { return figures::timeline::trend_figures(trends); });
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,
                                 const std::vector<render::workers::DrawnFigure>& drawn) {
@@ -68,7 +68,7 @@ ExitStatus write_page(const TrendOptions& options, const std::vector<history::Jo
 
 }  // namespace
 
-Run add_trend(CLI::App& archive) {
+Run add_archive_trend(CLI::App& archive) {
   const auto options = std::make_shared<TrendOptions>();
   options->filter.latest_revisions = true;
   CLI::App& command =

@@ -100,7 +100,7 @@ std::string argmax_words(const method::gravity::CogSweepResult& sweep) {
 constexpr double dot_px = 7.0;  // wider than the fit, to be seen beside it in a clean log
 constexpr double paleness = 0.6;
 
-struct Direction {
+struct SweptDirection {
   Stroke stroke;
   const std::vector<double>& fit_q_rad;
   const std::vector<double>& fit_Nm;  // of another length where the direction was not recorded
@@ -110,14 +110,15 @@ struct Direction {
   render::figure::LineStyle fit_style;
 };
 
-std::vector<Direction> directions_of(const method::gravity::SweepCurves& sweep) {
+std::vector<SweptDirection> directions_of(const method::gravity::SweepCurves& sweep) {
   return {{Stroke::rising, sweep.fit_q_rad, sweep.fit_rising_Nm, tr("q rising"),
            tr("fit, q rising"), rising_colour, render::figure::LineStyle::solid},
           {Stroke::falling, sweep.fit_q_rad, sweep.fit_falling_Nm, tr("q falling"),
            tr("fit, q falling"), falling_colour, render::figure::LineStyle::dash}};
 }
 
-wording::Extent torques_of(const std::vector<SweepTrace>& samples, const Direction& direction) {
+wording::Extent torques_of(const std::vector<SweepTrace>& samples,
+                           const SweptDirection& direction) {
   wording::Extent extent =
       wording::extent_of(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm));
   if (direction.fit_Nm.size() == direction.fit_q_rad.size()) extent.add(direction.fit_Nm);
@@ -125,7 +126,7 @@ wording::Extent torques_of(const std::vector<SweepTrace>& samples, const Directi
 }
 
 void add_samples(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
-                 const Direction& direction, const wording::AxisScale& torque) {
+                 const SweptDirection& direction, const wording::AxisScale& torque) {
   render::figure::Series samples =
       line(direction.label,
            shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), wording::degrees()),
@@ -143,7 +144,7 @@ constexpr double label_room = 0.16;         // of the height of what is drawn, a
 /// The samples as means over bins of the angle, with bars of one standard deviation: quantised or
 /// noisy ones would be a cloud. Few are drawn as they are.
 void add_binned(render::figure::Panel& panel, const std::vector<SweepTrace>& sweeps,
-                const Direction& direction, const wording::AxisScale& torque) {
+                const SweptDirection& direction, const wording::AxisScale& torque) {
   const std::vector<double> q = signal_of(sweeps, direction.stroke, &SweepTrace::q_rad);
   const std::vector<double> t = signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm);
   const wording::Extent angles = wording::extent_of(q);
@@ -187,7 +188,7 @@ void add_binned(render::figure::Panel& panel, const std::vector<SweepTrace>& swe
   add_visible(panel, std::move(means));
 }
 
-void add_fit(render::figure::Panel& panel, const Direction& direction,
+void add_fit(render::figure::Panel& panel, const SweptDirection& direction,
              const wording::AxisScale& torque) {
   if (direction.fit_Nm.size() != direction.fit_q_rad.size()) return;
   add_visible(panel,
@@ -220,7 +221,7 @@ wording::Extent heights_of(const render::figure::Panel& panel, const wording::Ax
 
 /// How far the fitted curve is from the arg-max; shows in which direction it was found in.
 double distance_to_argmax(const method::gravity::CogSweepResult& sweep,
-                          const Direction& direction) {
+                          const SweptDirection& direction) {
   double nearest = std::numeric_limits<double>::infinity();
   double distance = nearest;
   for (std::size_t i = 0; i < direction.fit_q_rad.size() && i < direction.fit_Nm.size(); ++i) {
@@ -285,7 +286,7 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   const auto samples = sweep_traces(calibration.curves.rough, dataset, joint::Role::rough_sweep);
   const auto directions = directions_of(calibration.curves.rough);
   wording::Extent torques;
-  for (const Direction& direction : directions) {
+  for (const SweptDirection& direction : directions) {
     const wording::Extent one = torques_of(samples, direction);
     if (!one.empty) torques.add({one.low, one.high});
   }
@@ -300,7 +301,7 @@ std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
   render::figure::Panel panel;
   panel.x.title = wording::axis_title(tr("joint angle q"), wording::degrees());
   panel.y.title = wording::axis_title(tr("driving torque T"), torque, "N·m");
-  for (const Direction& direction : directions) {
+  for (const SweptDirection& direction : directions) {
     add_samples(panel, samples, direction, torque);
     add_fit(panel, direction, torque);
   }
@@ -335,7 +336,7 @@ std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
   out.title = tr("Precise sweep: driving torque near its maximum");
   out.stage = "cog_precise";
   out.is_primary = true;
-  for (const Direction& direction : directions) {
+  for (const SweptDirection& direction : directions) {
     const wording::Extent torques = torques_of(samples, direction);
     const wording::AxisScale torque = wording::levelled("N·m", torques);
     render::figure::Panel panel;

@@ -1,7 +1,7 @@
 // Figures of the Monte-Carlo study and of the known-truth check: what they show, by hand-made
 // numbers.
 
-#include "figures/study_figures.h"
+#include "figures/experiments/study_figures.h"
 
 #include <cmath>
 #include <limits>
@@ -46,7 +46,8 @@ study::StudyResult two_levels() {
 }
 
 TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
-  const std::vector<figures::ReportFigure> figures = figures::study_figures(two_levels());
+  const std::vector<figures::ReportFigure> figures =
+      figures::experiments::study_figures(two_levels());
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].id, "study-gravity-encoder");
   EXPECT_EQ(figures[0].stage, "encoder");
@@ -63,7 +64,8 @@ TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
 }
 
 TEST(StudyFigures, ShowTheAngleInThousandthsOfADegree) {
-  const std::vector<figures::ReportFigure> figures = figures::study_figures(two_levels());
+  const std::vector<figures::ReportFigure> figures =
+      figures::experiments::study_figures(two_levels());
   const render::figure::Panel& angle = figures[1].figure.panels[0];
   ASSERT_EQ(angle.series.size(), 1U);
   EXPECT_NEAR(angle.series[0].y[0], 0.573, 0.001);
@@ -74,7 +76,7 @@ TEST(StudyFigures, CoverageOfRunsThatAreAllAlikeIsNotShown) {
   for (study::StudiedCase& one : study.cases) {
     for (study::StudiedReading& r : one.readings) r.errors.scatter = 0;
   }
-  const std::vector<figures::ReportFigure> figures = figures::study_figures(study);
+  const std::vector<figures::ReportFigure> figures = figures::experiments::study_figures(study);
   for (const render::figure::Panel& panel : figures[0].figure.panels) {
     EXPECT_EQ(panel.title.find("coverage"), std::string::npos);
   }

@@ -1,6 +1,6 @@
 // The figures of a plan: each part is there by its name, with its own motion.
 
-#include "figures/plan_figure.h"
+#include "figures/experiments/plan_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace tribolog::test::plan_figure_test {
 namespace {
 
 TEST(PlanFigure, NamesEveryPart) {
-  const auto figures = figures::plan_figures(plan::plan_experiment(paper_facts()));
+  const auto figures = figures::experiments::plan_figures(plan::plan_experiment(paper_facts()));
   ASSERT_EQ(figures.size(), 2U);
   std::set<std::string> labels;
   for (const render::figure::Series& s : figures[0].figure.panels[0].series) labels.insert(s.label);
@@ -26,7 +26,7 @@ TEST(PlanFigure, NamesEveryPart) {
 
 TEST(PlanFigure, ShowsTheRangeTheSpeedsAndTheRamps) {
   const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
-  const auto figures = figures::plan_figures(plan);
+  const auto figures = figures::experiments::plan_figures(plan);
   const auto highest = [](const render::figure::Panel& panel) {
     double high = 0;
     for (const render::figure::Series& s : panel.series) {
@@ -46,12 +46,12 @@ TEST(PlanFigure, ShowsTheRangeTheSpeedsAndTheRamps) {
 }
 
 TEST(PlanFigure, LeavesOutWhatIsNotPlanned) {
-  const auto figures = figures::plan_figures(plan::plan_experiment(bare_facts()));
+  const auto figures = figures::experiments::plan_figures(plan::plan_experiment(bare_facts()));
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].figure.panels.size(), 2U);
   plan::ExperimentPlan nothing = plan::plan_experiment(bare_facts());
   nothing.segments.clear();
-  EXPECT_TRUE(figures::plan_figures(nothing).empty());
+  EXPECT_TRUE(figures::experiments::plan_figures(nothing).empty());
 }
 
 }  // namespace

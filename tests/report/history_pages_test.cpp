@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "calibration/json_values.h"
-#include "figures/comparison_figures.h"
-#include "figures/trend_figures.h"
+#include "figures/timeline/comparison_figures.h"
+#include "figures/timeline/trend_figures.h"
 #include "history/simulated_history.h"
 #include "report/document_checks.h"
 #include "report/run_python.h"
@@ -48,7 +48,7 @@ calibration::Provenance provenance_with(const std::string& text) {
 
 std::string trend_page_with(const std::string& text) {
   const auto trends = history::joint_trends(history_with(text), {});
-  const auto figures = figures::trend_figures(trends);
+  const auto figures = figures::timeline::trend_figures(trends);
   return report::timeline::trend_page(trends, provenance_with(text), figures,
                                       sample_pictures(figures));
 }
@@ -56,7 +56,8 @@ std::string trend_page_with(const std::string& text) {
 std::string diff_page_with(const std::string& text) {
   const auto all = history_with(text);
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
-  const auto figures = figures::comparison_figures(c, simple_curves(0), simple_curves(0.1));
+  const auto figures =
+      figures::timeline::comparison_figures(c, simple_curves(0), simple_curves(0.1));
   return report::timeline::comparison_page(c, simple_curves(0), simple_curves(0.1),
                                            provenance_with(text), text, figures,
                                            sample_pictures(figures));
@@ -212,8 +213,8 @@ TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
   auto all = history_with("x ");
   all.resize(1);
   const auto trends = history::joint_trends(all, {});
-  const std::string page =
-      report::timeline::trend_page(trends, sample_provenance(), figures::trend_figures(trends), {});
+  const std::string page = report::timeline::trend_page(
+      trends, sample_provenance(), figures::timeline::trend_figures(trends), {});
   EXPECT_NE(page.find("TOO FEW YET"), std::string::npos);
   EXPECT_NE(page.find("This figure is missing"), std::string::npos);
 }
@@ -222,7 +223,7 @@ TEST(HistoryFigures, ShowEveryCalibrationOnce) {
   auto all = history_with("x ");
   all[3].quantities[0].verdict = calibration::Verdict::doubtful;
   const auto trends = history::joint_trends(all, {});
-  const auto figures = figures::trend_figures(trends);
+  const auto figures = figures::timeline::trend_figures(trends);
   ASSERT_EQ(figures.size(), 9U);
   const render::figure::Panel& values = figures.front().figure.panels.front();
   EXPECT_TRUE(values.x.dates);
@@ -244,7 +245,8 @@ TEST(HistoryFigures, WhatIsFarOffDoesNotSquashTheRest) {
   auto all = history_with("x ");
   constexpr std::size_t gravity = 6;  // without a change
   const auto axis_of = [&](const char* name) {
-    for (const figures::ReportFigure& f : figures::trend_figures(history::joint_trends(all, {}))) {
+    for (const figures::ReportFigure& f :
+         figures::timeline::trend_figures(history::joint_trends(all, {}))) {
       if (f.title.find(name) != std::string::npos) return f.figure.panels.front();
     }
     return render::figure::Panel{};
@@ -278,7 +280,7 @@ TEST(HistoryFigures, WhatIsFarOffDoesNotSquashTheRest) {
 TEST(HistoryFigures, AChangeThatStandsComesFirst) {
   auto all = history_with("x ");
   for (calibration::Measured& m : all) std::swap(m.quantities[0], m.quantities[6]);
-  const auto figures = figures::trend_figures(history::joint_trends(all, {}));
+  const auto figures = figures::timeline::trend_figures(history::joint_trends(all, {}));
   EXPECT_EQ(figures.front().id, "trend-1-7");
   EXPECT_EQ(figures[1].id, "trend-1-1");
 }
@@ -286,11 +288,12 @@ TEST(HistoryFigures, AChangeThatStandsComesFirst) {
 TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[1], {}, false);
-  EXPECT_EQ(figures::comparison_figures(c, simple_curves(0), simple_curves(0)).size(), 2U);
-  EXPECT_TRUE(figures::comparison_figures(c, simple_curves(0), {}).empty());
+  EXPECT_EQ(figures::timeline::comparison_figures(c, simple_curves(0), simple_curves(0)).size(),
+            2U);
+  EXPECT_TRUE(figures::timeline::comparison_figures(c, simple_curves(0), {}).empty());
   calibration::RecordedCurves old = simple_curves(0);
   old.loops.clear();
-  EXPECT_EQ(figures::comparison_figures(c, old, simple_curves(0)).size(), 1U);
+  EXPECT_EQ(figures::timeline::comparison_figures(c, old, simple_curves(0)).size(), 1U);
 }
 
 }  // namespace

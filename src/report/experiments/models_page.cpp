@@ -54,7 +54,7 @@ std::vector<elements::Fact> contact_facts(const friction::ContactParameters& c) 
 }  // namespace
 
 std::string models_page(const friction::ContactParameters& contact,
-                        const std::vector<figures::ModelExperiment>& experiments,
+                        const std::vector<figures::experiments::ModelExperiment>& experiments,
                         const std::vector<render::workers::DrawnFigure>& drawn,
                         const calibration::Provenance& provenance, wording::Language language) {
   const wording::WordsIn words(language);
@@ -62,7 +62,7 @@ std::string models_page(const friction::ContactParameters& contact,
   engine::fill_head(provenance, values);
   elements::fill_facts(contact_facts(contact), values);
   elements::fill_table(models_table(), "TABLE", values);
-  for (const figures::ModelExperiment& experiment : experiments) {
+  for (const figures::experiments::ModelExperiment& experiment : experiments) {
     engine::TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
     entry.set("SECTION_ID", experiment.id);
     entry.set("TITLE", experiment.title);

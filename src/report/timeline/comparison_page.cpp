@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/requirements.h"
-#include "figures/history_axes.h"
+#include "figures/timeline/history_axes.h"
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
 #include "report/elements/element_values.h"
@@ -60,7 +60,7 @@ std::string signed_text(const std::optional<statistics::Estimate>& change,
 }
 
 std::string name_of(const history::ComparedQuantity& q) {
-  return figures::quantity_words(q.name, q.words);
+  return figures::timeline::quantity_words(q.name, q.words);
 }
 
 /// "Coulomb torque [mN·m]"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "calibration/archived_calibration.h"
-#include "figures/history_axes.h"
+#include "figures/timeline/history_axes.h"
 #include "report/elements/element_values.h"
 #include "report/elements/elements.h"
 #include "report/elements/result_words.h"
@@ -198,7 +198,7 @@ std::string FleetLinks::trend_href(const history::FleetRobot& robot) const {
 std::string column_name(const history::FleetColumn& column) {
   const std::string bare = calibration::without_side(column.words);
   return bare != column.words ? wording::words_for("quantity_without_side", column.name, bare)
-                              : figures::quantity_words(column.name, bare);
+                              : figures::timeline::quantity_words(column.name, bare);
 }
 
 std::string robot_name(const std::string& robot, const std::string& serial) {

@@ -10,7 +10,7 @@
 
 #include "base/enum_text.h"
 #include "calibration/friction_speeds.h"
-#include "figures/history_axes.h"
+#include "figures/timeline/history_axes.h"
 #include "history/history_json.h"
 #include "history/quantity_traits.h"
 #include "history/reference_line.h"
@@ -56,7 +56,7 @@ std::string size_of(const history::FoundChange& c, const std::string& unit) {
 }
 
 std::string name_of(const history::QuantityTrend& q) {
-  return figures::quantity_words(q.name, q.words);
+  return figures::timeline::quantity_words(q.name, q.words);
 }
 
 /// " (0.27 % a month)"; empty where it has no meaning.

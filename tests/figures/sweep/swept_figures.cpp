@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/input_file.h"
+#include "figures/experiments/model_figures.h"
+#include "figures/experiments/plan_figure.h"
+#include "figures/experiments/study_figures.h"
 #include "figures/figure_set.h"
 #include "figures/hand_made_calibration.h"
-#include "figures/model_figures.h"
-#include "figures/plan_figure.h"
-#include "figures/study_figures.h"
 #include "friction/catalogue.h"
 #include "identify/identify.h"
 #include "ingest/manifest/joint_file.h"
@@ -66,13 +66,14 @@ std::vector<figures::ReportFigure> figures_of_a_sweep_alone() {
 
 std::vector<figures::ReportFigure> figures_of_the_plan() {
   const std::string file = example_file("plan/joint.toml");
-  return figures::plan_figures(
+  return figures::experiments::plan_figures(
       plan::plan_experiment(ingest::manifest::parse_joint(read_file(file), file)));
 }
 
 std::vector<figures::ReportFigure> figures_of_the_models() {
   std::vector<figures::ReportFigure> out;
-  for (figures::ModelExperiment& one : figures::model_experiments(friction::ContactParameters{})) {
+  for (figures::experiments::ModelExperiment& one :
+       figures::experiments::model_experiments(friction::ContactParameters{})) {
     std::move(one.figures.begin(), one.figures.end(), std::back_inserter(out));
   }
   return out;
@@ -82,7 +83,7 @@ std::vector<figures::ReportFigure> figures_of_a_small_study() {
   study::StudyOptions options;
   options.runs = every_case() ? 3 : 2;
   if (!every_case()) options.factors = {"cycles", "torque_noise"};
-  return figures::study_figures(study::run_study(small_scenario(), options));
+  return figures::experiments::study_figures(study::run_study(small_scenario(), options));
 }
 
 using Maker = std::function<std::vector<figures::ReportFigure>()>;

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "figures/comparison_figures.h"
-#include "figures/trend_figures.h"
+#include "figures/timeline/comparison_figures.h"
+#include "figures/timeline/trend_figures.h"
 #include "history/simulated_history.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
@@ -49,11 +49,12 @@ std::vector<figures::ReportFigure> history_set(std::size_t most_trends) {
         return name == "coulomb_torque" && k >= 14 ? 1.08 : 1.0;
       },
       shape);
-  std::vector<figures::ReportFigure> out = figures::trend_figures(history::joint_trends(all, {}));
+  std::vector<figures::ReportFigure> out =
+      figures::timeline::trend_figures(history::joint_trends(all, {}));
   if (out.size() > most_trends) out.resize(most_trends);
   const auto comparison = history::compare(all[0], all[20], {10, 2}, false);
-  for (figures::ReportFigure& one :
-       figures::comparison_figures(comparison, test::simple_curves(0), test::simple_curves(0.1))) {
+  for (figures::ReportFigure& one : figures::timeline::comparison_figures(
+           comparison, test::simple_curves(0), test::simple_curves(0.1))) {
     out.push_back(std::move(one));
   }
   return out;

@@ -6,11 +6,11 @@
 #include "figures/report_figure.h"
 #include "study/study.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::experiments {
 
 /// Two for each factor: "study-gravity-<factor>" of the estimators of the gravity torque, and
 /// "study-friction-<factor>" of the angle and the friction parameters; the latter is left out where
 /// the factor's recordings show none of them. `stage` is the factor's key.
 std::vector<ReportFigure> study_figures(const study::StudyResult& study);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::experiments

@@ -1,16 +1,16 @@
-#include "figures/comparison_figures.h"
+#include "figures/timeline/comparison_figures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
-#include "figures/history_axes.h"
 #include "figures/report_figure.h"
+#include "figures/timeline/history_axes.h"
 #include "wording/number_text.h"
 #include "wording/tr.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 namespace {
 
 using calibration::RecordedFriction;
@@ -192,4 +192,4 @@ std::vector<ReportFigure> comparison_figures(const history::Comparison& comparis
   return all;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline

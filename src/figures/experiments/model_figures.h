@@ -7,7 +7,7 @@
 #include "figures/report_figure.h"
 #include "friction/catalogue.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::experiments {
 
 /// The charts of one experiment, one a model; all with the same axes, and LuGre's curve
 /// over each in dashes.
@@ -22,4 +22,4 @@ struct ModelExperiment {
 /// that match the contact.
 std::vector<ModelExperiment> model_experiments(const friction::ContactParameters& contact);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::experiments

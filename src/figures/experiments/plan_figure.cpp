@@ -1,4 +1,4 @@
-#include "figures/plan_figure.h"
+#include "figures/experiments/plan_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "wording/number_text.h"
 #include "wording/tr.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::experiments {
 namespace {
 
 namespace colour = render::figure::palette;
@@ -202,4 +202,4 @@ std::vector<ReportFigure> plan_figures(const plan::ExperimentPlan& plan) {
   return all;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::experiments

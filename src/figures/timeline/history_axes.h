@@ -5,7 +5,7 @@
 
 #include "wording/axis_scale.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 
 /// Days since 1970-01-01 of "2026-01-31T12:00:00Z"; NaN for anything else.
 double day_of(const std::string& utc);
@@ -16,4 +16,4 @@ wording::AxisScale quantity_axis(const std::string& unit, double largest);
 /// What an archived quantity is called: "Coulomb torque", "Friction at 10 rad/s".
 std::string quantity_words(const std::string& name, const std::string& words);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline

@@ -1,4 +1,4 @@
-#include "figures/study_figures.h"
+#include "figures/experiments/study_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "wording/tr.h"
 #include "wording/words.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::experiments {
 namespace {
 
 namespace colour = render::figure::palette;
@@ -274,4 +274,4 @@ std::vector<ReportFigure> study_figures(const study::StudyResult& study) {
   return out;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::experiments

@@ -6,7 +6,7 @@
 #include "figures/report_figure.h"
 #include "history/joint_trend.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 
 /// "trend-1-friction": friction of the first joint at all speeds in percent of its reference, above
 /// all else. Then one figure for each other quantity with a point, those with a change first;
@@ -15,4 +15,4 @@ namespace tribolog::figures {
 /// the sums and their limit, where any are.
 std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline

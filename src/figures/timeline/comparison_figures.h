@@ -7,7 +7,7 @@
 #include "figures/report_figure.h"
 #include "history/comparison.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 
 /// "diff-friction": friction over speed, "diff-loop": the first steady loop over the angle; each
 /// only where both calibrations hold it.
@@ -15,4 +15,4 @@ std::vector<ReportFigure> comparison_figures(const history::Comparison& comparis
                                              const calibration::RecordedCurves& first,
                                              const calibration::RecordedCurves& second);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline

@@ -1,4 +1,4 @@
-#include "figures/model_figures.h"
+#include "figures/experiments/model_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "wording/tr.h"
 #include "wording/words.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::experiments {
 namespace {
 
 using wording::to_translate;
@@ -201,4 +201,4 @@ std::vector<ModelExperiment> model_experiments(const friction::ContactParameters
   return out;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::experiments

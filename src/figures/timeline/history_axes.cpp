@@ -1,4 +1,4 @@
-#include "figures/history_axes.h"
+#include "figures/timeline/history_axes.h"
 
 #include <chrono>
 #include <cstdio>
@@ -11,7 +11,7 @@
 #include "wording/tr.h"
 #include "wording/words.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 
 double day_of(const std::string& utc) {
   namespace chrono = std::chrono;
@@ -47,4 +47,4 @@ std::string quantity_words(const std::string& name, const std::string& words) {
   return wording::words_for("quantity", name, words);
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline

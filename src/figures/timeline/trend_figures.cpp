@@ -1,4 +1,4 @@
-#include "figures/trend_figures.h"
+#include "figures/timeline/trend_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 
 #include "base/requirements.h"
 #include "calibration/friction_speeds.h"
-#include "figures/history_axes.h"
 #include "figures/report_figure.h"
+#include "figures/timeline/history_axes.h"
 #include "history/joint_trend.h"
 #include "render/figure/figure.h"
 #include "statistics/distributions.h"
@@ -25,7 +25,7 @@
 #include "wording/tr.h"
 #include "wording/words.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::timeline {
 
 // Its two panels, over one axis of dates.
 
@@ -578,4 +578,4 @@ std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& 
   return all;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::timeline
