@@ -30,7 +30,7 @@ struct SkippedRows {
 
 /// All vectors are as long as t_s, except the optional ones, which may be empty.
 struct Recording {
-  std::string name;  ///< File as the manifest names it.
+  std::string name;  ///< Of its file, without the folders that all recordings share.
   Role role{};
   std::vector<double> t_s;            ///< Time [s], strictly increasing.
   std::vector<double> q_rad;          ///< Joint angle [rad], arm side.
@@ -56,7 +56,7 @@ struct Recording {
 /// alone, for gravity was taken off before or there is none. Vectors are as long as speed_rad_s,
 /// but the last two, which may be empty.
 struct FrictionPoints {
-  std::string name;                   ///< File as the manifest names it.
+  std::string name;                   ///< As of a recording.
   std::vector<double> speed_rad_s;    ///< Signed, motor side [rad/s]; none is 0.
   std::vector<double> torque_Nm;      ///< Friction torque, motor side; of the speed's sign.
   std::vector<double> temperature_C;  ///< [°C]

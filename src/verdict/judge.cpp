@@ -17,6 +17,7 @@
 #include "verdict/curve_findings.h"
 #include "verdict/effect_findings.h"
 #include "verdict/finding_order.h"
+#include "verdict/headline.h"
 #include "verdict/model_verdicts.h"
 #include "verdict/needs.h"
 #include "verdict/quantity_rooms.h"
@@ -175,52 +176,6 @@ std::vector<Statement> collect_findings(const calibration::Calibration& c,
   return findings;
 }
 
-/// Which of the numbers that decide are not usable.
-Statement what_is_not_usable(const std::vector<calibration::QuantityVerdict>& quantities) {
-  std::vector<Statement> names;
-  std::size_t all = 0;
-  for (const calibration::QuantityVerdict& q : quantities) {
-    if (!q.decides) continue;
-    ++all;
-    if (q.verdict == calibration::Verdict::usable) continue;
-    names.emplace_back(Code::of("quantity." + to_string(q.quantity)));
-  }
-  if (names.size() == all) return {"verdict.nothing_usable"};
-  return {"verdict.not_all_usable", {{"quantities", std::move(names)}}};
-}
-
-Statement sentence_of(const calibration::Calibration& c,
-                      const std::vector<calibration::QuantityVerdict>& quantities,
-                      calibration::Verdict overall, bool without_gravity, bool has_angle,
-                      bool has_mass, bool has_disagreement, bool limit_broken) {
-  const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
-  if (c.manifest.drive.kind() == joint::EffortKind::none) {
-    for (const Statement& note : c.notes) {
-      if (!note.is("reading.effort_not_read")) continue;
-      return Statement::with("verdict.torque_not_read", note.values());
-    }
-    return {"verdict.no_torque"};
-  }
-  if (overall == calibration::Verdict::not_identifiable) {
-    if (!failing.empty() && c.q_peak_rad && c.selection.recommended) {
-      return {"verdict.data_cannot_carry", {{"found", failing.front()->found}}};
-    }
-    if (has_angle) return {"verdict.no_mass"};
-    return has_mass ? Statement{"verdict.no_angle"} : Statement{"verdict.neither_angle_nor_mass"};
-  }
-  if (overall == calibration::Verdict::usable) {
-    if (has_points_alone(c)) return {"verdict.usable_friction_points"};
-    return without_gravity ? Statement{"verdict.usable_without_gravity"}
-                           : Statement{"verdict.usable"};
-  }
-  if (without_gravity) return {"verdict.doubtful_without_gravity"};
-  if (!failing.empty()) return {"verdict.checks_fail"};
-  if (has_disagreement) return {"verdict.estimates_disagree"};
-  if (limit_broken) return {"verdict.limit_not_kept"};
-  if (!c.truth_check.findings.empty()) return {"verdict.own_answer_not_found"};
-  return what_is_not_usable(quantities);
-}
-
 }  // namespace
 
 calibration::Judgement judge(const calibration::Calibration& c) {
@@ -267,19 +222,14 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   const bool has_angle = is_known(Quantity::cog_angle);
   const bool has_mass = is_known(Quantity::gravity_torque) &&
                         (is_known(Quantity::surrogate_mass) || c.manifest.torque_is_in_amperes);
-  bool limit_broken = false;
   out.verdict = calibration::Verdict::usable;
   for (const calibration::QuantityVerdict& quantity : out.quantities) {
     if (quantity.decides && quantity.verdict != calibration::Verdict::usable)
       out.verdict = calibration::Verdict::doubtful;
-    for (const calibration::LimitOutcome& limit : quantity.limits) {
-      limit_broken |= limit.state != calibration::LimitState::inside;
-    }
   }
   if ((!has_angle || !has_mass) && !without_gravity)
     out.verdict = calibration::Verdict::not_identifiable;
-  out.sentence = sentence_of(c, out.quantities, out.verdict, without_gravity, has_angle, has_mass,
-                             c.cross_checks.doubtful, limit_broken);
+  out.sentence = headline(c, out, without_gravity);
   out.findings = collect_findings(c, out, disagreements);
   return out;
 }

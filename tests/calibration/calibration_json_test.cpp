@@ -80,11 +80,11 @@ TEST(CalibrationJson, FollowsTheSchemaForTheSimulatedJoint) {
 
 TEST(CalibrationJson, HasTheCodeBesideTheWords) {
   calibration::Calibration c = complete_calibration();
-  c.judgement.sentence = {"verdict.usable"};
+  c.judgement.sentence = {"verdict.no_torque"};
   c.judgement.findings = {{"verdict.known_to_share", {{"percent", 41.5}}},
                           {"verdict.nothing_independent", {{"why", Statement{"truth.no_curve"}}}}};
   const json verdict = parsed(c)["verdict"];
-  EXPECT_EQ(verdict["sentence_code"], "verdict.usable");
+  EXPECT_EQ(verdict["sentence_code"], "verdict.no_torque");
   EXPECT_EQ(verdict["findings"][0], "known only to ± 42 %");
   EXPECT_EQ(verdict["findings_code"][0],
             json::parse(R"({"code": "verdict.known_to_share", "values": {"percent": 41.5}})"));

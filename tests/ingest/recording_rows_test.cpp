@@ -15,7 +15,7 @@ namespace {
 ingest::manifest::RecordingEntry entry() {
   ingest::manifest::RecordingEntry e;
   e.role = joint::Role::rough_sweep;
-  e.file = "run.csv";
+  e.file = e.name = "run.csv";
   e.columns.time = ingest::manifest::ColumnEntry{
       "t", "s", ingest::log::Quantity::time, 1.0, joint::Side::joint, {"m.toml", 1, 1}};
   e.columns.angle = ingest::manifest::ColumnEntry{

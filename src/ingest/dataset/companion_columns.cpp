@@ -156,7 +156,7 @@ std::vector<manifest::RecordingEntry> companions_of(const manifest::RecordingEnt
     if (!is_beside(entry, *column.entry) || is_known) continue;
     manifest::RecordingEntry companion;
     companion.role = entry.role;
-    companion.file = file;
+    companion.file = companion.name = file;
     companion.where = column.entry->where;
     companion.columns = entry.columns;
     keep_if(companion.columns,

@@ -172,7 +172,7 @@ log::LogTable joined(const manifest::RecordingEntry& entry, const log::LogTable&
 void add_note(const manifest::RecordingEntry& entry, joint::Dataset& dataset) {
   if (entry.note.empty()) return;
   const Statement note = Statement::verbatim(entry.note);
-  dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.file)}, {"note", note}}});
+  dataset.notes.push_back({"reading.of_file", {{"file", printable(entry.name)}, {"note", note}}});
 }
 
 /// An unknown torque constant is none that was multiplied with.

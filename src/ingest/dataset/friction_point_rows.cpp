@@ -90,11 +90,11 @@ joint::FrictionPoints make_friction_points(const manifest::RecordingEntry& entry
                                            const log::LogTable& table, const joint::Drive& drive,
                                            double effort_sign,
                                            std::vector<Statement>& notes_of_all) {
-  RecordingNotes notes(entry.file, notes_of_all);
+  RecordingNotes notes(entry.name, notes_of_all);
   note_reading(table, notes);
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   joint::FrictionPoints points;
-  points.name = entry.file;
+  points.name = entry.name;
   points.rows_read = table.rows + table.cut_rows + table.bad_rows + table.unclear_rows;
   const auto skip = [&](const Statement& reason, std::size_t count) {
     if (count > 0) points.skipped.push_back({reason, count});

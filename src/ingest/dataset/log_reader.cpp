@@ -247,7 +247,7 @@ ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
   set_others_apart(columns, others, read);
   read_to_the_end(bytes);
   if (log.has_grown()) {
-    RecordingNotes(entry.file, notes).add(Code{"reading.still_written"});
+    RecordingNotes(entry.name, notes).add(Code{"reading.still_written"});
   }
   read.file.name = entry.file;
   read.file.bytes = log.bytes_read();
@@ -306,12 +306,12 @@ void complete_clock(const manifest::RecordingEntry& entry, log::LogTable& table,
   } else if (time.reading == log::ColumnReading::time_of_day) {
     const std::size_t midnights = log::go_on_past_midnight(table.columns.front());
     if (midnights > 0) {
-      RecordingNotes(entry.file, notes).add({"reading.past_midnight", {{"midnights", midnights}}});
+      RecordingNotes(entry.name, notes).add({"reading.past_midnight", {{"midnights", midnights}}});
     }
   }
   const std::size_t back = log::go_on_past_set_back(table.columns.front());
   if (back > 0)
-    RecordingNotes(entry.file, notes).add({"reading.clock_set_back", {{"times", back}}});
+    RecordingNotes(entry.name, notes).add({"reading.clock_set_back", {{"times", back}}});
 }
 
 /// The rows of the joint, or of the recording, that is stated; the others are counted.

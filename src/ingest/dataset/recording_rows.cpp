@@ -201,7 +201,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
                                 std::vector<Statement>& notes_of_all,
                                 std::vector<joint::KnownLoad>* loads,
                                 std::vector<std::size_t>* rows) {
-  RecordingNotes notes(entry.file, notes_of_all);
+  RecordingNotes notes(entry.name, notes_of_all);
   note_reading(table, notes);
   if (table.columns.front().origin != 0) {
     notes.add(Code{"reading.clock_from_1970"});
@@ -209,7 +209,7 @@ joint::Recording make_recording(const manifest::RecordingEntry& entry, const log
   const RowChoice choice = choose_rows(entry, table, notes);
 
   joint::Recording r;
-  r.name = entry.file;
+  r.name = entry.name;
   r.role = entry.role;
   r.rows_read = table.rows + table.cut_rows + table.bad_rows + table.unclear_rows +
                 table.other_rows + table.rows_of_others;

@@ -242,6 +242,22 @@ void keep_columns_of_points(const TomlTable& table, joint::EffortKind kind, Reco
   }
 }
 
+/// "run_1.csv" and "slow/run_2.csv" of "../logs/run_1.csv" and "../logs/slow/run_2.csv".
+void name_recordings(std::vector<RecordingEntry>& all) {
+  if (all.empty()) return;
+  const auto folder_of = [](const std::string& path) {
+    return path.substr(0, path.find_last_of('/') + 1);
+  };
+  std::string shared = folder_of(all.front().file);
+  for (const RecordingEntry& entry : all) {
+    while (entry.file.compare(0, shared.size(), shared) != 0) {
+      shared.pop_back();
+      shared = folder_of(shared);
+    }
+  }
+  for (RecordingEntry& entry : all) entry.name = entry.file.substr(shared.size());
+}
+
 RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
@@ -409,6 +425,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file,
   for (const TomlTable& recording : top.tables("recording")) {
     result.recordings.push_back(read_recording(recording, kind, common));
   }
+  name_recordings(result.recordings);
   top.refuse_unknown_keys();
   const bool has_points_alone =
       std::all_of(result.recordings.begin(), result.recordings.end(),

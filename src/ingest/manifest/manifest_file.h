@@ -76,6 +76,7 @@ namespace tribolog::ingest::manifest {
 struct RecordingEntry {
   joint::Role role{};
   std::string file;  ///< As written.
+  std::string name;  ///< Of it, without the folders that all recordings share: for people.
   std::optional<double> from_s;
   std::optional<double> to_s;
   /// Time, angle and effort (unless its kind is none) are there; of friction points speed and

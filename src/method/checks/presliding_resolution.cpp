@@ -142,7 +142,10 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   check.measured = worst->steps;
   check.found = {
       worst->step_is_of_print ? Code{"encoder_step.steps_of_print"} : Code{"encoder_step.steps"},
-      {{"steps", worst->steps}, {"step_rad", worst->step_rad}, {"travel_rad", worst->travel_rad}}};
+      {{"steps", worst->steps},
+       {"step_rad", worst->step_rad},
+       {"travel_rad", worst->travel_rad},
+       {"needed", motion::fewest_steps_in_presliding}}};
   check.state =
       worst->steps >= motion::fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
   if (check.state == CheckState::passed) return check;

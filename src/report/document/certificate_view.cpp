@@ -134,9 +134,11 @@ std::string what_was_seen(const calibration::Calibration& c) {
     if (run.speed_rad_s != 0) speeds.add(std::abs(run.speed_rad_s));
   }
   if (!speeds.empty) {
-    seen.push_back(
-        tr("motor speeds {range}",
-           {{"range", range_in_words(speeds.low, speeds.high, wording::plain_scale("rad/s"))}}));
+    const std::string range =
+        range_in_words(speeds.low, speeds.high, wording::plain_scale("rad/s"));
+    seen.push_back(c.manifest.drive.gear_ratio() != 1.0
+                       ? tr("motor speeds {range}", {{"range", range}})
+                       : tr("joint speeds {range}", {{"range", range}}));
   }
   wording::Extent strokes;
   for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {

@@ -51,7 +51,7 @@ bool is_better(const FrictionAtSpeed& a, const FrictionAtSpeed& b) {
 }
 
 /// @param all not empty.
-std::string ranges_or_reason(const std::vector<FrictionAtSpeed>& all) {
+std::string ranges_or_reason(const std::vector<FrictionAtSpeed>& all, bool has_gear) {
   const FrictionAtSpeed& worst = *std::max_element(all.begin(), all.end(), is_better);
   const auto reason = [&] {
     return tr("At {speed}: {reason}.",
@@ -66,8 +66,12 @@ std::string ranges_or_reason(const std::vector<FrictionAtSpeed>& all) {
   if (ranges.empty()) {
     return tr("Not good for feed-forward or simulation at any of these speeds.") + " " + reason();
   }
-  const std::string good = tr("Good for feed-forward and simulation at motor speeds of {ranges}.",
-                              {{"ranges", fmt::format("{}", fmt::join(ranges, ", "))}});
+  const std::string listed = fmt::format("{}", fmt::join(ranges, ", "));
+  const std::string good =
+      has_gear ? tr("Good for feed-forward and simulation at motor speeds of {ranges}.",
+                    {{"ranges", listed}})
+               : tr("Good for feed-forward and simulation at joint speeds of {ranges}.",
+                    {{"ranges", listed}});
   return worst.verdict == Verdict::usable ? good : good + " " + reason();
 }
 
@@ -119,7 +123,7 @@ FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
   for (const double speed : c.manifest.friction_at_rad_s) {
     if (speed > fastest) made.rows.push_back(unmeasured(speed, gear_ratio));
   }
-  made.good_for = ranges_or_reason(all);
+  made.good_for = ranges_or_reason(all, gear_ratio != 1.0);
   return made;
 }
 

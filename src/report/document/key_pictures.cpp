@@ -178,6 +178,13 @@ const statistics::Estimate* known(const calibration::Calibration& c, joint::Quan
   return budget == nullptr ? nullptr : &budget->expanded;
 }
 
+/// Without one, motor and joint are the same, and all is said of the joint.
+bool has_gear(const calibration::Calibration& c) { return c.manifest.drive.gear_ratio() != 1.0; }
+
+std::string torque_side(const calibration::Calibration& c) {
+  return has_gear(c) ? tr("torque at the motor") : tr("torque at the joint");
+}
+
 std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   if (!c.hysteresis.found || c.curves.loops.empty() || c.hysteresis.oscillations.empty()) {
     return std::nullopt;
@@ -214,7 +221,7 @@ std::optional<KeyPicture> loop_picture(const calibration::Calibration& c) {
   const Frame frame(shown_x, false, shown_y);
   KeyPicture picture = begun("picture-loop", tr("Hysteresis loop"),
                              wording::axis_title(tr("joint angle from the loop's centre"), x),
-                             wording::axis_title(tr("torque at the motor"), y), frame);
+                             wording::axis_title(torque_side(c), y), frame);
   picture.measured = frame.line(measured);
   picture.fitted = frame.line(fitted);
   picture.caption = fitted.x.empty() ? tr("Dark: the last cycle as measured.")
@@ -262,7 +269,7 @@ std::optional<KeyPicture> sweep_picture(const calibration::Calibration& c) {
   const Frame frame(shown_x, false, shown_y);
   KeyPicture picture =
       begun("picture-sweep", tr("Sweep"), wording::axis_title(tr("joint angle"), x),
-            wording::axis_title(tr("torque at the motor"), y), frame);
+            wording::axis_title(torque_side(c), y), frame);
   picture.fitted = frame.line(rising) + frame.line(falling);
   picture.caption = tr("The sweep's torque as fitted, with the angle rising and falling.");
   const statistics::Estimate* angle = known(c, joint::Quantity::cog_angle);
@@ -343,8 +350,11 @@ std::optional<KeyPicture> curve_picture(const calibration::Calibration& c) {
   for (double& value : high.y) value = std::min(value, shown_y.high);
   const Frame frame(shown_x, is_logarithmic, shown_y);
   KeyPicture picture =
-      begun("picture-curve", tr("Friction curve"), wording::axis_title(tr("motor speed"), x),
-            wording::axis_title(tr("friction at the motor"), y), frame);
+      begun("picture-curve", tr("Friction curve"),
+            wording::axis_title(has_gear(c) ? tr("motor speed") : tr("joint speed"), x),
+            wording::axis_title(
+                has_gear(c) ? tr("friction at the motor") : tr("friction at the joint"), y),
+            frame);
   picture.forward = frame.dots(forward);
   picture.backward = frame.dots(backward);
   picture.bars = frame.bars(forward, forward_bars) + frame.bars(backward, backward_bars);

@@ -52,12 +52,14 @@ void fill_row(const QuantityRow& row, ShownColumns shown, engine::TemplateValues
   }
   out.set("COVERAGE", wording::or_dash(row.coverage));
   out.set("COVERAGE_KIND", row.coverage.empty() ? "none" : "some");
-  for (const LimitCell& limit : row.limits) {
+  const auto add = [&](const LimitCell& limit) {
     engine::TemplateValues& line = out.add_section("LIMIT");
     line.set("RULE", limit.rule);
     line.set("WORD", limit.word);
     elements::fill_state(limit.outcome, line);
-  }
+  };
+  for (const LimitCell& limit : row.limits) add(limit);
+  if (row.stated) add(*row.stated);
   if (shown.changes) {
     engine::TemplateValues& cell = out.add_section("CHANGE");
     cell.set("AMOUNT", wording::or_dash(row.change));
@@ -81,6 +83,7 @@ void fill_quantities(const ReportView& view, engine::TemplateValues& values) {
                            !view.last_day.empty(),
                            std::any_of(view.budget.begin(), view.budget.end(),
                                        [](const BudgetRow& row) { return row.parts.size() > 1; })};
+  table.set("SIDE", view.has_gear ? tr("At the motor") : tr("At the joint"));
   if (shown.joint_side) table.add_section("JOINT_HEAD");
   if (shown.parts) table.add_section("PARTS_HEAD");
   if (!has_limits) table.add_section("NO_LIMITS");
@@ -92,7 +95,11 @@ void fill_quantities(const ReportView& view, engine::TemplateValues& values) {
     note.set("ID", view.last_id);
   }
   table.set_optional("NOT_ASKED_FOR", view.not_asked_for);
-  for (const QuantityRow& row : rows) fill_row(row, shown, table.add_section("QUANTITY"));
+  for (const QuantityRow& row : rows) {
+    engine::TemplateValues& out = table.add_section("QUANTITY");
+    out.set("SIDE", view.has_gear ? tr("At the motor") : tr("At the joint"));
+    fill_row(row, shown, out);
+  }
 }
 
 void fill_ticks(const std::vector<KeyPicture::Tick>& ticks, const std::string& section,
@@ -230,7 +237,10 @@ void fill_friction_speeds(const FrictionSpeeds& speeds, engine::TemplateValues& 
   engine::TemplateValues& table = values.add_include("FRICTION_SPEEDS", "friction_speeds.tpl");
   table.set("GOOD_FOR", speeds.good_for);
   table.set("UNIT", speeds.unit);
-  if (!speeds.rows.front().speed_at_joint.empty()) {
+  const bool has_gear = !speeds.rows.front().speed_at_joint.empty();
+  table.set("SPEED", has_gear ? tr("Motor speed") : tr("Joint speed"));
+  table.set("SIDE", has_gear ? tr("At the motor") : tr("At the joint"));
+  if (has_gear) {
     table.add_section("JOINT_HEAD").set("UNIT_AT_JOINT", speeds.unit_at_joint);
   }
   for (const FrictionRow& row : speeds.rows) {

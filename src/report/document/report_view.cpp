@@ -120,10 +120,9 @@ std::string missing_figures(const ReportView& view) {
 }
 
 void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
-  // These two say what the rows say.
-  const bool is_of_rows = judgement.sentence.is("verdict.not_all_usable") ||
-                          judgement.sentence.is("verdict.nothing_usable");
-  if (!is_of_rows) view.verdict_sentence = wording::as_sentence(judgement.sentence);
+  // That one says what the rows say.
+  if (!judgement.sentence.is("verdict.nothing_usable"))
+    view.verdict_sentence = wording::as_sentence(judgement.sentence);
   view.verdict_rows = rows_in_words(judgement);
   view.verdict = elements::outcome_of(judgement.verdict);
   view.verdict_word = elements::verdict_heading(judgement.verdict);
@@ -166,6 +165,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.number = report_number(c.manifest, id);
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);
+  view.has_gear = c.manifest.drive.gear_ratio() != 1.0;
   view.quantities = quantity_rows(c, findings, since_last);
   view.friction_speeds = friction_speeds(c);
   view.not_asked_for = not_asked_for(c.judgement);

@@ -57,9 +57,10 @@ struct QuantityRow {
   std::string coverage;      ///< "1.96"; may be empty.
   std::string largest_part;  ///< Of the budget: "the recordings 97 %"; may be empty.
   std::vector<LimitCell> limits;
-  std::string change;        ///< Since the last calibration, with its unit; may be empty.
-  std::string change_range;  ///< Of its interval: "± 0.0047"; may be empty.
-  std::string change_word;   ///< "no change seen"; empty: there is none to compare with.
+  std::optional<LimitCell> stated;  ///< By design or data sheet, and whether it is found again.
+  std::string change;               ///< Since the last calibration, with its unit; may be empty.
+  std::string change_range;         ///< Of its interval: "± 0.0047"; may be empty.
+  std::string change_word;          ///< "no change seen"; empty: there is none to compare with.
   bool is_changed{};
   std::vector<int> findings;  ///< On which the verdict rests, by their numbers.
 };
@@ -180,6 +181,7 @@ struct ReportView {
   std::vector<Fact> boundary;     ///< What went in, is included, is not, was seen.
   std::vector<Fact> certificate;  ///< What ISO/IEC 17025, 7.8 asks for.
   std::string figures_missing;    ///< "2 figures missing"; empty: all are there.
+  bool has_gear{};                ///< Else motor and joint are one, and all stands at the joint.
   std::vector<QuantityRow> quantities;
   FrictionSpeeds friction_speeds;
   std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.

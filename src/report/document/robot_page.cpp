@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
+#include "report/document/robot_matrix.h"
 #include "report/document/thumbnail.h"
 #include "report/document/view_parts.h"
 #include "report/elements/element_values.h"
@@ -51,45 +52,54 @@ void fill_thumbnail(const std::optional<Thumbnail>& picture, const std::string& 
   out.set("SIZE", tr("{width}, {height}", {{"width", picture->across}, {"height", picture->up}}));
 }
 
-void fill_quantity(const QuantityRow& row, engine::TemplateValues& values) {
-  engine::TemplateValues& out = values.add_section("QUANTITY");
-  out.set("WORDS", row.words);
-  out.set("OUTCOME", elements::class_of(row.outcome));
-  out.set_optional("VERDICT", row.outcome == elements::Outcome::good ? "" : row.verdict_word);
-  out.set("ESTIMATE", wording::or_dash(row.at_motor));
-  if (row.change.empty()) return;
-  engine::TemplateValues& change = out.add_section("CHANGE_IF");
-  change.set("CHANGE", row.change);
-  change.set("CHANGE_KIND", row.is_changed ? "changed" : "same");
-  change.set_optional("CHANGE_WORD", row.is_changed ? row.change_word : "");
-}
-
 void fill_numbers(const RobotJoint& joint, engine::TemplateValues& values) {
   const calibration::Calibration& c = *joint.calibration;
   const wording::TorquesIn unit(c.manifest.torque_unit());
-  if (c.judgement.verdict != calibration::Verdict::usable) {
-    values.set_optional("SENTENCE", wording::as_sentence(c.judgement.sentence));
-  }
-  if (!c.judgement.findings.empty()) {
-    values.set_optional("FINDING", wording::as_sentence(c.judgement.findings.front()));
-  }
-  values.set("CAPTION",
-             tr("{joint}, torques at the motor", {{"joint", wording::or_dash(joint.name)}}));
+  values.set_optional("SENTENCE", wording::as_sentence(c.judgement.sentence));
   fill_thumbnail(loop_thumbnail(c), tr("Hysteresis loop"), values);
   fill_thumbnail(curve_thumbnail(c), tr("Friction over speed"), values);
-  const NumberedFindings findings(c.judgement);
-  for (const QuantityRow& row : quantity_rows(c, findings, joint.since_last)) {
-    const bool says_something = row.outcome != elements::Outcome::good || !row.at_motor.empty();
-    if (row.outcome != elements::Outcome::absent && says_something) fill_quantity(row, values);
+}
+
+void fill_name(const RobotJoint& joint, engine::TemplateValues& values) {
+  engine::TemplateValues& name = values.add_section(joint.file.empty() ? "NO_LINK" : "LINK");
+  name.set("TEXT", wording::or_dash(joint.name));
+  if (!joint.file.empty()) name.set("HREF", elements::link_to(joint.file));
+}
+
+void fill_cell(const MatrixCell& cell, engine::TemplateValues& row) {
+  engine::TemplateValues& out = row.add_section("CELL");
+  out.set("OUTCOME", elements::class_of(cell.outcome));
+  out.set("TEXT", wording::or_dash(cell.text));
+  out.set_optional("VERDICT", cell.outcome == elements::Outcome::good ? "" : cell.verdict_word);
+  if (cell.change.empty()) return;
+  engine::TemplateValues& change = out.add_section("CHANGE_IF");
+  change.set("CHANGE", cell.change);
+  change.set("CHANGE_KIND", cell.is_changed ? "changed" : "same");
+  change.set_optional("CHANGE_WORD", cell.change_word);
+}
+
+void fill_matrix(const std::vector<RobotJoint>& joints, engine::TemplateValues& values) {
+  const std::vector<MatrixRow> rows = robot_matrix(joints);
+  if (rows.empty()) return;
+  engine::TemplateValues& matrix = values.add_section("MATRIX");
+  for (const RobotJoint& joint : joints) {
+    engine::TemplateValues& head = matrix.add_section("HEAD");
+    fill_name(joint, head);
+    head.set("OUTCOME", elements::class_of(outcome_of(joint)));
+    head.set("VERDICT", word_of(joint));
+  }
+  for (const MatrixRow& row : rows) {
+    engine::TemplateValues& out = matrix.add_section("ROW");
+    out.set("WORDS", row.words);
+    out.set_optional("UNIT", row.unit);
+    for (const MatrixCell& cell : row.cells) fill_cell(cell, out);
   }
 }
 
 void fill_joint(const RobotJoint& joint, engine::TemplateValues& values) {
   values.set("OUTCOME", elements::class_of(outcome_of(joint)));
   values.set("VERDICT", word_of(joint));
-  engine::TemplateValues& name = values.add_section(joint.file.empty() ? "NO_LINK" : "LINK");
-  name.set("TEXT", wording::or_dash(joint.name));
-  if (!joint.file.empty()) name.set("HREF", elements::link_to(joint.file));
+  fill_name(joint, values);
   if (joint.calibration == nullptr) {
     values.set_optional("REFUSAL", joint.refusal);
   } else {
@@ -219,6 +229,7 @@ std::string robot_page(const std::vector<RobotJoint>& joints,
                                           : wording::or_dash(manifest->robot));
   elements::fill_facts(facts_of(joints), values);
   fill_verdict(joints, values);
+  fill_matrix(joints, values);
   for (const RobotJoint& joint : joints) fill_joint(joint, values.add_section("JOINT"));
   values.set_checked_by_modifier("RESULT_JSON", numbers);
   return engine::expand_template("robot.tpl", values, language);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,6 +45,34 @@ LimitCell cell_of(const calibration::LimitOutcome& limit) {
   return {rule_of(limit), tr("not known"), Outcome::absent};
 }
 
+/// The manifest's gravity beside what was found: within its interval, or how far away.
+std::optional<LimitCell> stated_gravity(const calibration::Calibration& c,
+                                        const calibration::QuantityVerdict& q) {
+  const std::optional<joint::StatedGravity>& stated = c.manifest.known_gravity;
+  const bool is_angle = q.quantity == joint::Quantity::cog_angle;
+  if (!stated || !(stated->amplitude_Nm() > 0) || !q.estimate) return std::nullopt;
+  if (!is_angle && q.quantity != joint::Quantity::gravity_torque) return std::nullopt;
+  const double gear_ratio = std::abs(c.manifest.drive.gear_ratio());
+  const statistics::Estimate found =
+      statistics::scaled(q.budget ? q.budget->expanded : *q.estimate, is_angle ? 1.0 : gear_ratio);
+  const double at = is_angle ? stated->q_peak_rad() : stated->amplitude_Nm();
+  const double away =
+      is_angle ? std::remainder(found.value - at, 2 * std::numbers::pi) : found.value - at;
+  const wording::Scale scale = wording::quantity_scale(q.unit, at);
+  constexpr int digits = 4;
+  const auto shown = [&](double value, int so_many) {
+    return wording::with_unit(wording::significant(value * scale.factor, so_many), scale.unit);
+  };
+  LimitCell cell{tr("stated {value}", {{"value", shown(at, digits)}}), tr("agrees"), Outcome::good};
+  if (!is_angle && gear_ratio != 1.0)
+    cell.rule = tr("{limit} at the joint", {{"limit", cell.rule}});
+  if (std::abs(away) <= found.half_width()) return cell;
+  cell.word =
+      tr("differs by {difference}", {{"difference", wording::with_plus_sign(shown(away, 2))}});
+  cell.outcome = Outcome::partial;
+  return cell;
+}
+
 /// The quantity on the joint's side, where that is another.
 const joint::LimitedQuantity* at_joint_of(joint::Quantity quantity, double gear_ratio) {
   if (gear_ratio == 1.0) return nullptr;
@@ -54,10 +83,17 @@ const joint::LimitedQuantity* at_joint_of(joint::Quantity quantity, double gear_
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Angle and mass of the arm: there is no such number of the motor.
+bool is_of_joint_alone(joint::Quantity quantity) {
+  return quantity == joint::Quantity::cog_angle || quantity == joint::Quantity::surrogate_mass;
+}
+
 void add_estimate(const calibration::QuantityVerdict& q, double gear_ratio, QuantityRow& row) {
   if (!q.estimate) return;
   const statistics::Estimate& shown = q.budget ? q.budget->expanded : *q.estimate;
-  row.at_motor = wording::in_words(shown, wording::quantity_scale(q.unit, shown.value));
+  std::string& own =
+      gear_ratio != 1.0 && is_of_joint_alone(q.quantity) ? row.at_joint : row.at_motor;
+  own = wording::in_words(shown, wording::quantity_scale(q.unit, shown.value));
   if (q.budget) row.coverage = wording::fixed(q.budget->coverage_factor, 2);
   row.largest_part = largest_part(q);
   const joint::LimitedQuantity* joint_side = at_joint_of(q.quantity, gear_ratio);
@@ -114,6 +150,7 @@ std::vector<QuantityRow> quantity_rows(const calibration::Calibration& c,
       }
     }
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
+    row.stated = stated_gravity(c, q);
     if (since_last) add_change(*since_last, q, row);
     row.findings = findings.numbers_of(q);
     rows.push_back(std::move(row));
