@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,6 +28,7 @@ struct TrendOptions {
   archive::store::Filter filter;
   std::string output;
   history::Baseline baseline;
+  std::optional<double> limit_percent;
   bool json{false};
   bool fails_on_warning{false};
   int processes{2};
@@ -88,6 +91,13 @@ Run add_archive_trend(CLI::App& archive) {
       ->excludes(count);
   command.add_option("--baseline-to", options->baseline.to, "and up to the end of this date")
       ->excludes(count);
+  constexpr double least_percent = 0.01;
+  constexpr double most_percent = 1000;
+  command
+      .add_option("--limit", options->limit_percent,
+                  "percent of change that you accept: of a drift the date on which it is reached")
+      ->check(number_between(least_percent, most_percent))
+      ->type_name("PERCENT");
   command.add_flag("--fail-on-warning", options->fails_on_warning,
                    "exit with status 1 if there is a change");
   add_processes(command, options->processes);
@@ -102,8 +112,9 @@ Run add_archive_trend(CLI::App& archive) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
-    const std::vector<history::JointTrend> trends =
+    std::vector<history::JointTrend> trends =
         history::joint_trends(kept.measured(options->filter), options->baseline);
+    if (options->limit_percent) history::state_limits(trends, *options->limit_percent);
     if (options->json) {
       print_json(history::trend_json(trends));
     } else {

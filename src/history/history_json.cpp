@@ -110,6 +110,16 @@ OrderedJson reference(const std::optional<ReferenceLine>& line, TemperatureUse u
           {"scatter", line->scatter()}};
 }
 
+OrderedJson dates(const LimitDates& limit) {
+  const auto date = [](const std::string& day) {
+    return day.empty() ? OrderedJson() : OrderedJson(day);
+  };
+  return {{"percent", limit.percent},
+          {"expected_on", date(limit.expected)},
+          {"earliest_on", date(limit.earliest)},
+          {"latest_on", date(limit.latest)}};
+}
+
 OrderedJson change(const FoundChange& c) {
   return {{"kind", c.is_slow ? "drift" : "shift"},
           {"direction", c.direction > 0 ? "risen" : "fallen"},
@@ -119,7 +129,8 @@ OrderedJson change(const FoundChange& c) {
           {"back_from", c.back.empty() ? OrderedJson() : OrderedJson(c.back)},
           {"calibrations_to_alarm", c.calibrations_to_alarm},
           {"size", json_of(c.size)},
-          {"size_percent", json_of(c.percent)}};
+          {"size_percent", json_of(c.percent)},
+          {"limit", c.limit ? dates(*c.limit) : OrderedJson()}};
 }
 
 OrderedJson quantity(const QuantityTrend& q) {

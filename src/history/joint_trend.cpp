@@ -1,6 +1,7 @@
 #include "history/joint_trend.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -273,6 +274,38 @@ std::vector<JointTrend> joint_trends(const std::vector<calibration::Measured>& c
     begin = end;
   }
   return trends;
+}
+
+namespace {
+
+/// @param day from 1970-01-01 on. @return "2027-08-14"; empty beyond the year 2999.
+std::string date_of_day(double day) {
+  constexpr double last_day = 376'200;
+  if (!(day < last_day)) return "";
+  const std::chrono::year_month_day date{
+      std::chrono::sys_days{std::chrono::days{static_cast<int>(std::floor(day))}}};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+}
+
+}  // namespace
+
+void state_limits(std::vector<JointTrend>& trends, double percent) {
+  for (JointTrend& trend : trends) {
+    for (QuantityTrend& q : trend.quantities) {
+      for (FoundChange& c : q.changes) {
+        if (!c.is_slow || !c.percent || !(c.drift_days > 0)) continue;
+        constexpr double seconds = 86400;
+        const double first = calibration::seconds_of_utc(c.from) / seconds;
+        const double rate = std::abs(*c.percent) / c.drift_days;
+        const double half_width = rate * std::abs(c.size.half_width() / c.size.value);
+        const auto reached = [&](double at_rate) {
+          return at_rate > 0 ? date_of_day(first + percent / at_rate) : "";
+        };
+        c.limit = {percent, reached(rate), reached(rate + half_width), reached(rate - half_width)};
+      }
+    }
+  }
 }
 
 }  // namespace tribolog::history

@@ -58,6 +58,14 @@ enum class TrendState {
 };
 Statement statement_of(TrendState state);
 
+/// When a drift that goes on as it did reaches a limit.
+struct LimitDates {
+  double percent{};      ///< The limit, of the reference, either way.
+  std::string expected;  ///< "2027-08-14"
+  std::string earliest;  ///< By the ends of the drift's interval, 95 %.
+  std::string latest;    ///< Empty: by its slow end never, or not in this millennium.
+};
+
 /// A change that was found, in the quantity's unit.
 struct FoundChange {
   bool is_slow{};     ///< A steady drift over all calibrations (reference_line.h); else a shift.
@@ -66,11 +74,12 @@ struct FoundChange {
   std::string alarm;  ///< Date on which enough calibrations showed it.
   std::string back;   ///< Date of the first that is back; empty: it stands.
   std::size_t calibrations_to_alarm{};
-  statistics::Estimate size;      ///< Mean of the last three of it less the reference; of a
-                                  ///< drift, along its line from the first to the last.
-  double drift_start{};           ///< Of a drift: its line at the first calibration,
-  double drift_days{};            ///< and the days from there to the last.
-  std::optional<double> percent;  ///< Of the reference.
+  statistics::Estimate size;          ///< Mean of the last three of it less the reference; of a
+                                      ///< drift, along its line from the first to the last.
+  double drift_start{};               ///< Of a drift: its line at the first calibration,
+  double drift_days{};                ///< and the days from there to the last.
+  std::optional<double> percent;      ///< Of the reference.
+  std::optional<LimitDates> limit{};  ///< See state_limits().
 };
 
 /// A calibration that stands apart from the others, in no change.
@@ -123,5 +132,9 @@ struct JointTrend {
 /// @throw UsageError: a baseline of fewer than fewest_learned, or texts that are not dates.
 std::vector<JointTrend> joint_trends(const std::vector<calibration::Measured>& calibrations,
                                      const Baseline& baseline);
+
+/// Says of each steady drift when it reaches so many percent of the reference.
+/// @param percent > 0
+void state_limits(std::vector<JointTrend>& trends, double percent);
 
 }  // namespace tribolog::history

@@ -47,6 +47,7 @@ const std::vector<NumberOption> all_options{
     {"archive verify --archive a", "--wait", false},
     {"archive diff 0000 1111 --archive a", "--allowed-kelvin", false},
     {"archive trend --archive a", "--baseline", true},
+    {"archive trend --archive a", "--limit", false},
     {"archive export 0000 --format mjcf --archive a", "--arm-inertia", false},
 };
 

@@ -211,6 +211,41 @@ TEST(JointTrend, ASlowDriftIsToldAsOne) {
   EXPECT_EQ(told["visible_from"], change.alarm);
 }
 
+TEST(JointTrend, ADriftSaysWhenItReachesALimit) {
+  constexpr std::size_t count = 24;
+  constexpr double days_between = 14;
+  test::HistoryShape shape = of_length(count);
+  shape.noise = {0.002, 0.002};
+  const auto drift = [](const std::string& name, std::size_t k) {
+    return name == "coulomb_torque" ? 1 + 0.04 * static_cast<double>(k) / (count - 1) : 1;
+  };
+  std::size_t inside = 0;
+  constexpr std::size_t histories = 20;
+  for (std::size_t seed = 0; seed < histories; ++seed) {
+    auto trends = joint_trends(test::simulated_history(seed, drift, shape), {});
+    EXPECT_FALSE(quantity(trends.front(), "coulomb_torque").changes.front().limit);
+    history::state_limits(trends, 10);
+    const FoundChange& change = quantity(trends.front(), "coulomb_torque").changes.front();
+    ASSERT_TRUE(change.limit);
+    // 4 % over 23 intervals: 10 % two and a half times as late.
+    const std::string truth =
+        test::utc_of_day(static_cast<int>(days_between * (count - 1) * 2.5)).substr(0, 10);
+    EXPECT_LT(change.limit->earliest, change.limit->expected);
+    EXPECT_LT(change.limit->expected, change.limit->latest);
+    if (change.limit->earliest <= truth && truth <= change.limit->latest) ++inside;
+    const auto json = nlohmann::json::parse(trend_json(trends));
+    const auto& stated = json["joints"][0]["quantities"][0]["changes"][0]["limit"];
+    EXPECT_EQ(stated["percent"], 10);
+    EXPECT_EQ(stated["latest_on"], change.limit->latest);
+  }
+  EXPECT_GE(inside, histories * 17 / 20);
+  // A drift whose slow end stands still never gets there; one of another millennium neither.
+  auto trends = joint_trends(test::simulated_history(1, drift, shape), {});
+  history::state_limits(trends, 1000);
+  const FoundChange& change = quantity(trends.front(), "coulomb_torque").changes.front();
+  EXPECT_LT(change.limit->expected, "2999");
+}
+
 TEST(JointTrend, JsonHoldsItAll) {
   const auto json = nlohmann::json::parse(
       trend_json(joint_trends(test::simulated_history(3, step_at(14), of_length(24)), {})));

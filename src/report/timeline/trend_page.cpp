@@ -70,6 +70,27 @@ std::string rate_text(const history::FoundChange& c) {
          ")";
 }
 
+/// "; 10 % are reached on 2027-08-14 (2027-06-30 to 2027-10-20) if it goes on"; empty without a
+/// limit.
+std::string limit_text(const history::FoundChange& c) {
+  if (!c.limit) return "";
+  const std::string percent = wording::with_unit(wording::as_stated(c.limit->percent), "%");
+  if (c.percent && std::abs(*c.percent) >= c.limit->percent) {
+    return "; " + tr("it exceeds the limit of {limit}", {{"limit", percent}});
+  }
+  if (c.limit->expected.empty()) return "";
+  const std::initializer_list<StatedValue> values{{"limit", percent},
+                                                  {"date", date_of(c.limit->expected)},
+                                                  {"earliest_date", date_of(c.limit->earliest)},
+                                                  {"latest_date", date_of(c.limit->latest)}};
+  return "; " +
+         (c.limit->latest.empty()
+              ? tr("at this rate it reaches {limit} on {date}, not before {earliest_date}", values)
+              : tr("at this rate it reaches {limit} on {date} ({earliest_date} to "
+                   "{latest_date})",
+                   values));
+}
+
 /// @param quantity "Coulomb torque" @param size "2.9 ± 0.3 %"
 std::string change_words(const std::string& quantity, const std::string& size,
                          const history::FoundChange& c) {
@@ -83,12 +104,13 @@ std::string change_words(const std::string& quantity, const std::string& size,
       {"back_date", date_of(c.back)},
       {"rate", rate_text(c)}};
   if (c.is_slow) {
-    return has_risen ? tr("{quantity} has slowly risen by {change} since {first_date}{rate}, "
-                          "visible from {visible_date}",
-                          values)
-                     : tr("{quantity} has slowly fallen by {change} since {first_date}{rate}, "
-                          "visible from {visible_date}",
-                          values);
+    return (has_risen ? tr("{quantity} has slowly risen by {change} since {first_date}{rate}, "
+                           "visible from {visible_date}",
+                           values)
+                      : tr("{quantity} has slowly fallen by {change} since {first_date}{rate}, "
+                           "visible from {visible_date}",
+                           values)) +
+           limit_text(c);
   }
   if (c.back.empty()) {
     return has_risen ? tr("{quantity} has risen by {change}, visible from {visible_date} (alarm "
@@ -281,8 +303,12 @@ std::vector<std::string> take_friction_together(std::vector<Change>& all) {
       std::vector<std::string> names;
       wording::Extent percent;
       const history::FoundChange* earliest = nullptr;
+      std::optional<history::LimitDates> limit;  // whichever speed reaches it first
       for (const Change& one : all) {
         if (!is_one(one)) continue;
+        if (one.change->limit && (!limit || one.change->limit->expected < limit->expected)) {
+          limit = one.change->limit;
+        }
         names.push_back(one.quantity->name);
         percent.add(std::abs(*one.change->percent));
         if (earliest == nullptr || one.change->alarm < earliest->alarm) earliest = one.change;
@@ -293,7 +319,10 @@ std::vector<std::string> take_friction_together(std::vector<Change>& all) {
           tr("{lowest} to {highest}",
              {{"lowest", wording::fixed(percent.low, 1)},
               {"highest", wording::with_unit(wording::fixed(percent.high, 1), "%")}});
-      sentences.push_back(wording::as_sentence(change_words(friction, size, *earliest)));
+      history::FoundChange together = *earliest;
+      together.limit = limit;
+      together.percent = percent.high;
+      sentences.push_back(wording::as_sentence(change_words(friction, size, together)));
       std::erase_if(all, is_one);
     }
   }
