@@ -79,7 +79,7 @@ const std::vector<Call>& calls() {
        "tribolog --help"},
       {"nonsense", 2,
        "'nonsense' is no command of tribolog; commands: inspect, init, simulate, identify, "
-       "figures, report, show, models, paper, plan, study, archive, review, export, apply, "
+       "figures, report, show, models, plan, study, paper, archive, review, export, apply, "
        "manifest, schema, help, version; "
        "see tribolog --help"},
       {"figures dataset.toml extra -o f", 2,

@@ -117,8 +117,14 @@ def read_list(room):
     call = CALL.search(text)
     if not call:
         return None
+    appended = collections.defaultdict(list)  # by options that are on by default
+    for name, words in re.findall(r"list\(APPEND (\w+) ([^)]*)\)", text):
+        appended[name] += words.split()
     lists, key = collections.defaultdict(list), "NAME"
-    for word in call.group(2).split():
+    words = re.sub(r"\$\{(\w+)\}",
+                   lambda of: " ".join(appended[of[1]]) if of[1] in appended else of[0],
+                   call.group(2))
+    for word in words.split():
         if word in ("SOURCES", "PUBLIC", "PRIVATE", "LIBRARIES", "PUBLIC_LIBRARIES", "ROOMS"):
             key = word
         else:
