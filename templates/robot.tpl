@@ -26,7 +26,7 @@
 <h2 id="numbers-title">Quantities by joint</h2>
 <p class="matrix-note" id="matrix-note">At the motor, with expanded uncertainty, 95 %. A number without a remark is usable.</p>
 <div class="wide" role="region" tabindex="0" aria-labelledby="numbers-title">
-<table class="matrix" aria-describedby="matrix-note">
+<table class="matrix" aria-describedby="matrix-note"><caption><span class="spoken">Quantities by joint</span></caption>
 <thead><tr><th scope="col">Quantity</th>{{#HEAD}}<th scope="col">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="state {{OUTCOME}}">{{VERDICT}}</span></th>{{/HEAD}}</tr></thead>
 <tbody>
 {{#ROW}}<tr><th scope="row">{{WORDS}}{{#UNIT_IF}} <span class="unit">[{{UNIT}}]</span>{{/UNIT_IF}}</th>{{#CELL}}<td class="number {{OUTCOME}}"><bdi>{{TEXT}}</bdi>{{#VERDICT_IF}}<small>{{VERDICT}}</small>{{/VERDICT_IF}}{{#CHANGE_IF}}<small class="{{CHANGE_KIND}}">since last: <bdi>{{CHANGE}}</bdi>{{#CHANGE_WORD_IF}}, {{CHANGE_WORD}}{{/CHANGE_WORD_IF}}</small>{{/CHANGE_IF}}</td>{{/CELL}}</tr>

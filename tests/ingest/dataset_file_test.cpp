@@ -44,7 +44,7 @@ TEST(ReadDataset, FindsLogsBesideTheManifest) {
   ASSERT_EQ(d.recordings.size(), 2U);
   EXPECT_EQ(d.recordings[0].torque_Nm[50 - 1], 0.49) << "joint torque / 100";
   EXPECT_EQ(d.with_role(joint::Role::rough_sweep).size(), 1U);
-  EXPECT_EQ(wording::words(d.notes), (std::vector<std::string>{"logs/a.csv: warm"}));
+  EXPECT_EQ(wording::words(d.notes), (std::vector<std::string>{"a.csv: warm"}));
   ASSERT_EQ(d.inputs.size(), 3U);
   EXPECT_EQ(d.inputs[0].name, "dataset.toml");
   EXPECT_EQ(d.inputs[0].role, "manifest");

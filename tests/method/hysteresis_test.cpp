@@ -1,4 +1,9 @@
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -169,8 +174,17 @@ TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
       hysteresis_of(simulate::simulated_dataset(s)).result;
   EXPECT_FALSE(h.found);
   EXPECT_EQ(h.stage.state, statistics::StageState::not_identifiable);
-  EXPECT_NE(wording::words(h.stage.reason).find("at least 50"), std::string::npos)
-      << wording::words(h.stage.reason);
+  EXPECT_EQ(wording::words(h.stage.reason),
+            "oscillation.csv: the step of the angle is too coarse for the width of the loop");
+  const auto number = [&](std::string_view name) {
+    const auto& values = h.stage.reason.values();
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&](const StatedValue& one) { return one.name == name; });
+    if (found == values.end()) throw std::logic_error("no value " + std::string(name));
+    return std::get<double>(found->value);
+  };
+  EXPECT_NEAR(number("steps"), 13, 1);
+  EXPECT_EQ(number("needed"), 50);
 }
 
 TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "report/document/robot_matrix.h"
 #include "report/document/thumbnail.h"
 #include "report/document_checks.h"
 #include "report/engine/embedded_json.h"
@@ -51,6 +53,38 @@ TEST(RobotPage, HasEachJointsVerdictNumbersAndWay) {
   EXPECT_EQ(joints[2]["refusal"], "j3.csv: cannot be opened");
   EXPECT_FALSE(joints[2].contains("quantities"));
   EXPECT_FALSE(joints[0]["quantities"].empty());
+}
+
+TEST(RobotPage, QuantitiesByJointsHaveOneUnitARow) {
+  Robot robot;
+  const auto at = [&](std::vector<calibration::FrictionAtSpeed>& all, double low, double high) {
+    for (const double speed : {low, high}) {
+      all.push_back({speed, calibration::Verdict::usable, {0.5, 0.4, 0.6, {}}, {}});
+    }
+  };
+  at(robot.good.judgement.friction_at_speed, 0.9, 12);
+  at(robot.poor.judgement.friction_at_speed, 8, 40);
+  const auto rows = report::document::robot_matrix(robot.joints);
+  const auto row = [&](const std::string& words) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.words == words; });
+    if (found == rows.end()) throw std::logic_error("no row " + words);
+    return *found;
+  };
+  for (const auto& one : rows) {
+    ASSERT_EQ(one.cells.size(), 3U) << one.words;
+    EXPECT_EQ(one.cells[2].outcome, report::document::Outcome::absent) << "J3 was refused";
+    EXPECT_EQ(one.cells[2].text, "") << one.words;
+  }
+  EXPECT_EQ(row("Gravity torque").unit, "N·m");
+  EXPECT_EQ(row("Gravity torque").cells[0].text.find("N·m"), std::string::npos);
+  EXPECT_NE(row("Gravity torque").cells[0].text.find(" ± "), std::string::npos);
+  // Each joint at the speeds that it reaches.
+  EXPECT_NE(row("Friction at 1 rad/s").cells[0].text, "");
+  EXPECT_EQ(row("Friction at 1 rad/s").cells[1].text, "");
+  EXPECT_NE(row("Friction at 10 rad/s").cells[0].text, "");
+  EXPECT_NE(row("Friction at 10 rad/s").cells[1].text, "");
+  EXPECT_EQ(row("Friction at 30 rad/s").cells[0].text, "");
 }
 
 TEST(RobotPage, TheWorstJointDecides) {

@@ -281,8 +281,16 @@ std::string fold_in_words(bool has_tables, bool has_figures) {
   return has_figures ? tr("Method and further figures") : tr("Method");
 }
 
+/// A stage without data: its title says all, and its method explains nothing that is there.
+bool is_empty(const Section& section) {
+  return section.outcome == Outcome::absent && section.facts.empty() && section.figures.empty() &&
+         std::all_of(section.tables.begin(), section.tables.end(),
+                     [](const Table& table) { return table.rows.empty(); });
+}
+
 void fill_section(const Section& section, bool has_viewer, engine::TemplateValues& values) {
   engine::TemplateValues& out = values.add_include("STAGE", "stage.tpl");
+  out.set("EXTENT", is_empty(section) ? "stage empty" : "stage");
   out.set("SECTION_ID", section.id);
   out.set("NUMBER", std::to_string(section.number));
   out.set("TITLE", section.title);
@@ -296,6 +304,7 @@ void fill_section(const Section& section, bool has_viewer, engine::TemplateValue
   if (has_viewer && section.id == section_anchor(StageId::hysteresis)) {
     out.add_include("REVIEW", "review.tpl");
   }
+  if (is_empty(section)) return;
   engine::TemplateValues& fold = out.add_section("FOLD");
   fold.set_optional("EXPERIMENT", section.experiment);
   elements::fill_facts(section.facts, fold);
