@@ -159,14 +159,19 @@ JudgedFriction judged_friction(const calibration::FrictionAtSpeed& at_motor, dou
   const auto estimate = [](const statistics::Estimate& e) {
     return Estimate{e.value, e.low, e.high};
   };
-  return {{at_motor.speed_rad_s,
-           estimate(at_motor.torque_Nm),
-           there.speed_rad_s,
-           estimate(there.torque_Nm),
-           verdict_of(at_motor.verdict),
-           {},
-           at_motor.is_stated},
-          std::move(reason)};
+  JudgedFriction judged{{at_motor.speed_rad_s,
+                         estimate(at_motor.torque_Nm),
+                         there.speed_rad_s,
+                         estimate(there.torque_Nm),
+                         verdict_of(at_motor.verdict),
+                         {},
+                         at_motor.is_stated,
+                         {},
+                         {}},
+                        std::move(reason)};
+  if (at_motor.forward_Nm) judged.friction.forward = estimate(*at_motor.forward_Nm);
+  if (at_motor.backward_Nm) judged.friction.backward = estimate(*at_motor.backward_Nm);
+  return judged;
 }
 
 Message message_of(const Said& one) { return {one.code, wording::words(one.statement)}; }

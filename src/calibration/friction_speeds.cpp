@@ -16,6 +16,9 @@ FrictionAtSpeed at_joint(FrictionAtSpeed at_motor, double gear_ratio) {
   const double n = std::abs(gear_ratio);
   at_motor.speed_rad_s /= n;
   at_motor.torque_Nm = statistics::scaled(at_motor.torque_Nm, n);
+  for (auto* one : {&at_motor.forward_Nm, &at_motor.backward_Nm}) {
+    if (*one) *one = statistics::scaled(**one, n);
+  }
   return at_motor;
 }
 
@@ -54,14 +57,20 @@ constexpr std::string_view friction_prefix = "friction_at_";
 FrictionAtSpeed between(const FrictionAtSpeed& a, const FrictionAtSpeed& b, double speed_rad_s) {
   const double share =
       std::log(speed_rad_s / a.speed_rad_s) / std::log(b.speed_rad_s / a.speed_rad_s);
-  const auto mean = [&](double statistics::Estimate::* member) {
-    return a.torque_Nm.*member + share * (b.torque_Nm.*member - a.torque_Nm.*member);
+  const auto mean = [&](statistics::Estimate first, const statistics::Estimate& second) {
+    for (double statistics::Estimate::* const member :
+         {&statistics::Estimate::value, &statistics::Estimate::low, &statistics::Estimate::high}) {
+      first.*member += share * (second.*member - first.*member);
+    }
+    return first;
   };
   FrictionAtSpeed f = a.verdict < b.verdict ? b : a;
   f.speed_rad_s = speed_rad_s;
-  f.torque_Nm.value = mean(&statistics::Estimate::value);
-  f.torque_Nm.low = mean(&statistics::Estimate::low);
-  f.torque_Nm.high = mean(&statistics::Estimate::high);
+  f.torque_Nm = mean(a.torque_Nm, b.torque_Nm);
+  f.forward_Nm.reset();
+  f.backward_Nm.reset();
+  if (a.forward_Nm && b.forward_Nm) f.forward_Nm = mean(*a.forward_Nm, *b.forward_Nm);
+  if (a.backward_Nm && b.backward_Nm) f.backward_Nm = mean(*a.backward_Nm, *b.backward_Nm);
   return f;
 }
 

@@ -6,6 +6,16 @@
 
 namespace tribolog::calibration {
 
+namespace {
+
+void state_direction(Fields& f, const statistics::Estimate& e) {
+  f.number("estimate", e.value);
+  f.number("low", e.low);
+  f.number("high", e.high);
+}
+
+}  // namespace
+
 void state_friction_at_speed(Fields& f, const Judgement& judgement) {
   f.list(
       "friction_at_speed", judgement.friction_at_speed,
@@ -18,6 +28,13 @@ void state_friction_at_speed(Fields& f, const Judgement& judgement) {
                    "the drive's torque_is_in_amperes.");
         one.number("low", at.torque_Nm.low, "Of the 95 % credible interval.");
         one.number("high", at.torque_Nm.high, "Of the 95 % credible interval.");
+        one.object_or_null("forward", at.forward_Nm,
+                           "While the joint's angle rises: what the drive gives beside gravity, "
+                           "friction with the torque's offset, which no motion tells from friction "
+                           "that differs. Null: of a program that did not state it.",
+                           state_direction);
+        one.object_or_null("backward", at.backward_Nm, "The same, opposed, while the angle falls.",
+                           state_direction);
         one.choice("verdict", at.verdict);
         one.words_or_null("reason", at.reason, "Null only if usable.");
       },

@@ -63,6 +63,10 @@ struct FrictionAtSpeed {
   statistics::Estimate torque_Nm;  ///< Motor side; in ampere where the torque is.
   Statement reason;                ///< Empty only if usable.
   bool is_stated{};                ///< The manifest asks for this speed.
+  /// While the joint's angle rises and while it falls, with the torque's offset, which no motion
+  /// tells from friction that differs. Absent: of a file that an older program wrote.
+  std::optional<statistics::Estimate> forward_Nm{};
+  std::optional<statistics::Estimate> backward_Nm{};
 };
 
 enum class RuleState {

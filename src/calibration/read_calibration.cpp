@@ -305,25 +305,30 @@ std::optional<Verdict> verdict_of(const ReadJson& word) {
   return std::nullopt;
 }
 
+/// Absent: of an older program, or no interval.
+std::optional<statistics::Estimate> interval_of(const ReadJson& one) {
+  const double value = number_or_nan(member(one, "estimate"));
+  const double low = number_or_nan(member(one, "low"));
+  const double high = number_or_nan(member(one, "high"));
+  const bool is_one = low <= value && value <= high && std::isfinite(low) && std::isfinite(high);
+  return is_one ? std::optional(statistics::Estimate{value, low, high, {}}) : std::nullopt;
+}
+
 std::vector<FrictionAtSpeed> friction_at_speed_of(const ReadJson& top) {
   std::vector<FrictionAtSpeed> all;
   const ReadJson& listed = member(top, "friction_at_speed");
   if (!listed.is_array()) return all;
   for (const ReadJson& one : listed) {
     const double speed = number_or_nan(member(one, "speed_rad_s"));
-    const double value = number_or_nan(member(one, "estimate"));
-    const double low = number_or_nan(member(one, "low"));
-    const double high = number_or_nan(member(one, "high"));
+    const std::optional<statistics::Estimate> torque = interval_of(one);
     const std::optional<Verdict> verdict = verdict_of(member(one, "verdict"));
     const ReadJson& reason = member(one, "reason");
     const bool is_rising = all.empty() || speed > all.back().speed_rad_s;
-    if (!(speed > 0) || !is_rising || !(low <= value && value <= high) || !verdict) continue;
-    if (!std::isfinite(speed) || !std::isfinite(low) || !std::isfinite(high)) continue;
+    if (!(speed > 0) || !std::isfinite(speed) || !is_rising || !torque || !verdict) continue;
     all.push_back(
-        {speed,
-         *verdict,
-         {value, low, high, {}},
-         reason.is_string() ? Statement::verbatim(reason.get<std::string>()) : Statement{}});
+        {speed, *verdict, *torque,
+         reason.is_string() ? Statement::verbatim(reason.get<std::string>()) : Statement{}, false,
+         interval_of(member(one, "forward")), interval_of(member(one, "backward"))});
   }
   return all;
 }

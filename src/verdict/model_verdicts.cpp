@@ -276,7 +276,8 @@ std::vector<calibration::FrictionAtSpeed> friction_at_speeds(const Calibration& 
   for (const ModelQuantity& q : c.model.quantities) {
     if (q.quantity) continue;
     const Doubt doubt = doubt_of(c, Quantity::viscous_curve, q, common);
-    all.push_back({q.speed_rad_s, doubt.verdict, q.as_estimate(), doubt.reason});
+    all.push_back({q.speed_rad_s, doubt.verdict, q.as_estimate(), doubt.reason, false, q.forward,
+                   q.backward});
   }
   return all;
 }

@@ -49,7 +49,13 @@ TEST(ReadCalibration, FindsWhatWasWritten) {
 TEST(ReadCalibration, FindsFrictionAtSpeeds) {
   Calibration c = test::complete_calibration();
   c.judgement.friction_at_speed = {
-      {0.5, Verdict::usable, {0.3, 0.29, 0.31, {}}, {}},
+      {0.5,
+       Verdict::usable,
+       {0.3, 0.29, 0.31, {}},
+       {},
+       false,
+       {{0.32, 0.3, 0.33, {}}},
+       {{0.28, 0.27, 0.29, {}}}},
       {5, Verdict::doubtful, {0.4, 0.3, 0.5, {}}, {"model.negative_friction"}}};
   const std::string text = calibration_json(c, test::sample_provenance());
   const std::vector<FrictionAtSpeed> read = read_curves(text).friction_at_speed;
@@ -59,6 +65,10 @@ TEST(ReadCalibration, FindsFrictionAtSpeeds) {
   EXPECT_EQ(read[0].torque_Nm.low, 0.29);
   EXPECT_EQ(read[0].torque_Nm.high, 0.31);
   EXPECT_TRUE(read[0].reason.empty());
+  ASSERT_TRUE(read[0].forward_Nm && read[0].backward_Nm);
+  EXPECT_EQ(read[0].forward_Nm->high, 0.33);
+  EXPECT_EQ(read[0].backward_Nm->value, 0.28);
+  EXPECT_FALSE(read[1].forward_Nm);
   EXPECT_EQ(read[1].verdict, Verdict::doubtful);
   EXPECT_FALSE(read[1].reason.empty());
 

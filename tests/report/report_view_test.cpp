@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include "report/document/view_parts.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::test::report_view_test {
 namespace {
@@ -124,13 +126,12 @@ TEST(ReportView, TheSentenceIsMadeFromTheRows) {
   judgement.quantities[2].quantity = joint::Quantity::inertia;
   judgement.quantities[2].verdict = calibration::Verdict::not_identifiable;
   EXPECT_EQ(report::document::rows_in_words(judgement),
-            "1 of 3 quantities is usable. Doubtful: Coulomb torque. Not identifiable: inertia at "
-            "the motor.");
+            "1 of 3 quantities is usable. Doubtful: Coulomb torque. Not identifiable: inertia.");
   judgement.quantities[2].decides = false;
   EXPECT_EQ(report::document::rows_in_words(judgement),
             "1 of 2 quantities is usable. Doubtful: Coulomb torque.");
   EXPECT_EQ(report::document::not_asked_for(judgement),
-            "Not identified, and not needed for the verdict: inertia at the motor.");
+            "Not identified, and not needed for the verdict: inertia.");
 }
 
 std::string text_of(const std::vector<report::elements::Fact>& facts, const std::string& name) {
@@ -245,6 +246,47 @@ TEST(ReportView, PageOneShowsFrictionAtAFewSpeedsAndWhereItIsUsable) {
   EXPECT_EQ(view_of(c).friction_speeds.good_for,
             "Not good for feed-forward or simulation at any of these speeds. At 1.00\u00a0rad/s: "
             "known to ± 40 %.");
+}
+
+TEST(ReportView, PageOneSaysWhereFrictionDiffersWithTheDirection) {
+  using calibration::Verdict;
+  calibration::Calibration c = complete_calibration();
+  calibration::FrictionAtSpeed f = friction_at(10, 0.6, 0.01, Verdict::usable);
+  f.forward_Nm = statistics::symmetric_estimate(0.61, 0.02);
+  f.backward_Nm = statistics::symmetric_estimate(0.59, 0.02);
+  c.judgement.friction_at_speed = {f};
+  EXPECT_EQ(view_of(c).friction_speeds.good_for.find("while the angle rises"), std::string::npos);
+  f.forward_Nm = statistics::symmetric_estimate(0.65, 0.02);
+  f.backward_Nm = statistics::symmetric_estimate(0.55, 0.02);
+  c.judgement.friction_at_speed = {f};
+  EXPECT_NE(view_of(c).friction_speeds.good_for.find(
+                "At 10.0\u00a0rad/s friction is 0.650\u00a0N·m while the angle rises and "
+                "0.550\u00a0N·m while it falls."),
+            std::string::npos)
+      << view_of(c).friction_speeds.good_for;
+}
+
+TEST(ReportView, PageOneComparesGravityWithTheDesign) {
+  calibration::Calibration c = complete_calibration();
+  const auto stated = [&](joint::Quantity quantity) {
+    const report::document::ReportView view = view_of(c);
+    const std::string words = wording::words_for("quantity", to_string(quantity));
+    const auto row = std::find_if(view.quantities.begin(), view.quantities.end(),
+                                  [&](const auto& one) { return one.words == words; });
+    return row == view.quantities.end() ? std::nullopt : row->stated;
+  };
+  EXPECT_FALSE(stated(joint::Quantity::gravity_torque));
+  const double n = c.manifest.drive.gear_ratio();
+  const auto& found = c.judgement.find(joint::Quantity::gravity_torque)->estimate;
+  ASSERT_TRUE(found);
+  c.manifest.known_gravity = joint::StatedGravity(n * found->value, 0);
+  ASSERT_TRUE(stated(joint::Quantity::gravity_torque));
+  EXPECT_EQ(stated(joint::Quantity::gravity_torque)->word, "agrees");
+  c.manifest.known_gravity = joint::StatedGravity(0.9 * n * found->value, 0);
+  EXPECT_EQ(stated(joint::Quantity::gravity_torque)->word.find("differs by +"), 0U)
+      << stated(joint::Quantity::gravity_torque)->word;
+  EXPECT_EQ(stated(joint::Quantity::gravity_torque)->outcome, report::elements::Outcome::partial);
+  EXPECT_FALSE(stated(joint::Quantity::inertia));
 }
 
 // The speeds that the manifest asks for, and a word for what no recording reaches.

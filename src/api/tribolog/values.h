@@ -62,6 +62,11 @@ struct FrictionAtSpeed {
   Verdict verdict{Verdict::not_identifiable};
   Message reason;    ///< Empty only if it is usable.
   bool is_stated{};  ///< The manifest asks for this speed.
+  /// While the joint's angle rises and while it falls, both at the motor: what the drive gives
+  /// beside gravity, friction with the torque's offset, which no motion tells from friction that
+  /// differs. Absent: of a file that an older program wrote.
+  std::optional<Estimate> forward;
+  std::optional<Estimate> backward;
 };
 
 /// A check on the recordings, before anything is identified.

@@ -74,8 +74,10 @@ std::string csv_table(const ArchivedJoint& joint) {
   std::string text;
   for (const std::string& line : comment_lines(joint)) text += comment(line);
   text += comment("low and high: 95 % interval; empty: not identified");
-  text +=
-      comment("friction_at_speed: friction torque at the speed of the last column, on that side");
+  text += comment(
+      "friction_at_speed: friction torque at the speed of the last column, on that side; "
+      "friction_forward while the angle rises, friction_backward while it falls: with the "
+      "torque's offset, which no motion tells from friction that differs");
   text += "quantity,value,low,high,unit,side,verdict,conversion,speed_rad_s\n";
   for (const calibration::SidedQuantity& row :
        calibration::on_both_sides(joint.quantities, joint.entry.facts.gear_ratio)) {
@@ -91,17 +93,21 @@ std::string csv_table(const ArchivedJoint& joint) {
                         calibration::conversion_words(row.gear_power));
   }
   for (const SidedFriction& row : friction_rows(joint, std::nullopt)) {
-    const statistics::Estimate& e = row.friction.torque_Nm;
-    text += "friction_at_speed,";
-    for (const double number : {e.value, e.low, e.high}) {
-      append_number(text, number);
-      text += ",";
-    }
-    text += fmt::format("{},{},{},{},", torque_unit(joint), joint::to_string(row.side),
-                        calibration::to_string(row.friction.verdict),
-                        calibration::conversion_words(row.side == joint::Side::joint ? 1 : 0));
-    append_number(text, row.friction.speed_rad_s);
-    text += "\n";
+    const auto add = [&](const char* name, const statistics::Estimate& e) {
+      text += name;
+      for (const double number : {e.value, e.low, e.high}) {
+        text += ",";
+        append_number(text, number);
+      }
+      text += fmt::format(",{},{},{},{},", torque_unit(joint), joint::to_string(row.side),
+                          calibration::to_string(row.friction.verdict),
+                          calibration::conversion_words(row.side == joint::Side::joint ? 1 : 0));
+      append_number(text, row.friction.speed_rad_s);
+      text += "\n";
+    };
+    add("friction_at_speed", row.friction.torque_Nm);
+    if (row.friction.forward_Nm) add("friction_forward", *row.friction.forward_Nm);
+    if (row.friction.backward_Nm) add("friction_backward", *row.friction.backward_Nm);
   }
   return text;
 }

@@ -83,6 +83,11 @@ double Point::friction_at(double speed_rad_s) const {
   return coulomb_Nm + viscous_Nms_rad * speed_rad_s + dip;
 }
 
+Eigen::RowVector2d Point::asymmetry_at(double speed_rad_s, double slowest_rad_s) const {
+  const double dip_speed = dip_speed_rad_s > 0 ? dip_speed_rad_s : 2 * slowest_rad_s;
+  return {speed_rad_s / fastest_rad_s, std::exp(-std::pow(speed_rad_s / dip_speed, dip_power))};
+}
+
 Point first_point(const Cells& cells, bool has_gravity) {
   const ArrayXd torque = cells.of(&Cell::torque_Nm);
   const ArrayXd v = cells.of(&Cell::speed_rad_s);
@@ -224,8 +229,6 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
   }
   const ArrayXd own_friction =
       s * v.unaryExpr([&](double speed) { return point.friction_at(speed); });
-  const double dip_speed = point.dip_speed_rad_s > 0 ? point.dip_speed_rad_s : 2 * v.minCoeff();
-  const ArrayXd dip = (-(v / dip_speed).pow(point.dip_power)).exp();
   const ArrayXd model = g + point.inertia_kgm2 * a + own_friction;
   add(effect::torque_nonlinear, beside(model * model.abs() / top, model.cube() / (top * top)),
       ArrayXd::Constant(2, size_of(effect::torque_nonlinear)));
@@ -245,8 +248,9 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
           sizes.is_stated(effect::lag) ? lag_s : std::max(lag_s, 0.3 * intervals[n / 2]));
 
   // Direction.
-  add(effect::asymmetry, beside(v / point.fastest_rad_s, dip),
-      ArrayXd::Constant(2, 0.4 * size_of(effect::asymmetry) * friction));
+  MatrixXd uneven(n, 2);
+  for (Index k = 0; k < n; ++k) uneven.row(k) = point.asymmetry_at(v[k], v.minCoeff());
+  add(effect::asymmetry, uneven, ArrayXd::Constant(2, 0.4 * size_of(effect::asymmetry) * friction));
 
   // Friction by load, place and time; torque by place.
   if (has_gravity && has_place)

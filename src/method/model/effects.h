@@ -34,6 +34,9 @@ struct Point {
 
   /// Size of the friction at a speed > 0, or at rest.
   [[nodiscard]] double friction_at(double speed_rad_s) const;
+  /// The asymmetry's columns at a speed: torque that does not change its sign with the direction.
+  /// @param slowest_rad_s of the cells.
+  [[nodiscard]] Eigen::RowVector2d asymmetry_at(double speed_rad_s, double slowest_rad_s) const;
 };
 
 /// Least squares of gravity, offset, inertia, Coulomb and viscous torque.

@@ -256,8 +256,14 @@ ModelQuantity Describer::describe(const Wanted& wanted) const {
     whole += of_time;
     between -= of_time;
   }
-  ModelQuantity q{wanted.quantity,        wanted.speed_rad_s,     estimate,
-                  quantile(parts, 0.025), quantile(parts, 0.975), {}};
+  ModelQuantity q{wanted.quantity,
+                  wanted.speed_rad_s,
+                  estimate,
+                  quantile(parts, 0.025),
+                  quantile(parts, 0.975),
+                  {},
+                  {},
+                  {}};
   for (std::size_t e = 0; e < m_.effects.size(); ++e) {
     if (m_.effects[e].effect->kind == Kind::core) continue;
     q.shares.push_back({m_.effects[e].effect->key, effects.shares[e] / whole});
@@ -414,6 +420,10 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
     if (found.quantity == Quantity::cog_angle) {
       const double turns = wrapped(found.estimate, middle) - found.estimate;
       for (double* value : {&found.estimate, &found.low, &found.high}) *value += turns;
+    }
+    if (!found.quantity) {
+      found.forward = describer.describe({{}, one.speed_rad_s, {}, false, 1}).as_estimate();
+      found.backward = describer.describe({{}, one.speed_rad_s, {}, false, -1}).as_estimate();
     }
     result.quantities.push_back(std::move(found));
   }

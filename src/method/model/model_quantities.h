@@ -27,6 +27,10 @@ struct ModelQuantity {
   double low{};                             ///< 95 % credible interval.
   double high{};
   std::vector<VarianceShare> shares;  ///< Largest first.
+  /// Of friction at a speed, while the angle rises and while it falls: with the torque's offset,
+  /// which no motion tells from friction that differs.
+  std::optional<statistics::Estimate> forward{};
+  std::optional<statistics::Estimate> backward{};
 
   [[nodiscard]] statistics::Estimate as_estimate() const {
     return {estimate, low, high, {"interval.of_model"}};

@@ -17,6 +17,24 @@ bool is_of_friction(const Wanted& wanted) {
          *wanted.quantity == Quantity::viscous_coefficient;
 }
 
+namespace {
+
+/// What the torque has of the direction, whatever its sign there: offset and asymmetry.
+void add_direction(const JointModel& m, const VectorXd& theta, const Wanted& wanted, Value& v) {
+  const auto add = [&](const joint::Effect& effect, const VectorXd& row) {
+    const std::size_t e = m.find(effect.key);
+    if (e == m.effects.size()) return;
+    v.gradient.segment(m.first[e], row.size()) = wanted.direction * row;
+    v.value += wanted.direction * row.dot(theta.segment(m.first[e], row.size()));
+  };
+  add(joint::effect::offset, VectorXd::Ones(1));
+  add(joint::effect::asymmetry,
+      m.point.asymmetry_at(wanted.speed_rad_s, m.cells.of(&Cell::speed_rad_s).minCoeff())
+          .transpose());
+}
+
+}  // namespace
+
 Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta,
                const Wanted& wanted, const Meaning& meaning) {
   const Index effects = m.first.back();
@@ -48,6 +66,7 @@ Value value_of(const JointModel& m, const LawPosterior& p, const VectorXd& theta
       v.gradient.segment(m.first[e], hats.size()) = hats.transpose();
       v.value += hats * theta.segment(m.first[e], hats.size());
     }
+    if (wanted.direction != 0) add_direction(m, theta, wanted, v);
     const std::size_t session = m.find(joint::effect::friction_of_session.key);
     if (wanted.of_this_session && session < m.effects.size()) {
       v.gradient[m.first[session]] = m.point.friction_at(wanted.speed_rad_s);

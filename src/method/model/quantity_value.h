@@ -33,6 +33,9 @@ struct Wanted {
   Eigen::VectorXd row{};  ///< Of the effects' coefficients; empty: it is not that.
   /// Friction at the speed as it was in this session, which other recordings of it share.
   bool of_this_session{false};
+  /// Of friction at a speed: 1, the angle rises; -1, it falls; 0, the mean of both. In one
+  /// direction the torque's offset counts, which no motion tells from friction that differs.
+  int direction{0};
 };
 
 bool is_of_friction(const Wanted& wanted);

@@ -75,9 +75,29 @@ std::string ranges_or_reason(const std::vector<FrictionAtSpeed>& all, bool has_g
   return worst.verdict == Verdict::usable ? good : good + " " + reason();
 }
 
-}  // namespace
-
-namespace {
+/// Where both directions differ beyond their intervals, and by most of their mean; empty: nowhere.
+std::string difference_of_directions(const std::vector<FrictionAtSpeed>& all,
+                                     const wording::Scale& scale) {
+  const FrictionAtSpeed* most = nullptr;
+  const auto share = [](const FrictionAtSpeed& f) {
+    return std::abs(f.forward_Nm->value - f.backward_Nm->value) / f.torque_Nm.value;
+  };
+  for (const FrictionAtSpeed& f : all) {
+    if (!f.forward_Nm || !f.backward_Nm || f.verdict == Verdict::not_identifiable) continue;
+    const bool differs =
+        f.forward_Nm->low > f.backward_Nm->high || f.backward_Nm->low > f.forward_Nm->high;
+    if (differs && (most == nullptr || share(f) > share(*most))) most = &f;
+  }
+  constexpr double worth_a_word = 0.01;
+  if (most == nullptr || share(*most) < worth_a_word) return "";
+  const auto shown = [&](const statistics::Estimate& e) {
+    return wording::with_unit(wording::round_by_interval(e, scale).estimate, scale.unit);
+  };
+  return tr("At {speed} friction is {forward} while the angle rises and {backward} while it falls.",
+            {{"speed", wording::with_unit(shown_speed(most->speed_rad_s), "rad/s")},
+             {"forward", shown(*most->forward_Nm)},
+             {"backward", shown(*most->backward_Nm)}});
+}
 
 /// A speed that the manifest states and no recording reaches.
 FrictionRow unmeasured(double speed_at_joint_rad_s, double gear_ratio) {
@@ -124,6 +144,9 @@ FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
     if (speed > fastest) made.rows.push_back(unmeasured(speed, gear_ratio));
   }
   made.good_for = ranges_or_reason(all, gear_ratio != 1.0);
+  if (const std::string differs = difference_of_directions(all, scale); !differs.empty()) {
+    made.good_for += " " + differs;
+  }
   return made;
 }
 

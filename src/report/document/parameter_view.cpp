@@ -1,8 +1,11 @@
 // Stage 8: the law of friction over the speed, and the effects beside it.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "calibration/friction_speeds.h"
 #include "report/document/view_parts.h"
 #include "report/elements/result_words.h"
 #include "wording/rounding.h"
@@ -43,6 +46,41 @@ Table law_table(const method::model::ModelLaw& law, const Section& section) {
          "stated speeds: they hold every law that the recordings do not exclude.",
          {{"slowest", wording::with_unit(wording::significant(law.slowest_rad_s, 3), "rad/s")},
           {"fastest", wording::with_unit(wording::significant(law.fastest_rad_s, 3), "rad/s")}});
+  return table;
+}
+
+/// Friction while the angle rises and while it falls, at a few speeds; no rows: none is known.
+Table direction_table(const calibration::Calibration& c, const Section& section) {
+  Table table;
+  table.id = section.id + "-directions";
+  table.caption = tr("Friction by direction, at the motor");
+  double largest_Nm = 0;
+  for (const calibration::FrictionAtSpeed& f : c.judgement.friction_at_speed) {
+    largest_Nm = std::max(largest_Nm, f.torque_Nm.value);
+  }
+  const wording::Scale scale = wording::torque_scale(largest_Nm);
+  table.columns = {{tr("Motor speed"), "rad/s", true},
+                   {tr("Angle rises"), scale.unit, true},
+                   {tr("Angle falls"), scale.unit, true},
+                   {tr("Mean"), scale.unit, true}};
+  const auto shown = [&](const statistics::Estimate& e) {
+    return wording::round_by_interval(
+               statistics::symmetric_estimate(e.value, std::max(e.high - e.value, e.value - e.low)),
+               scale)
+        .plus_minus();
+  };
+  constexpr int digits = 3;
+  for (const calibration::FrictionAtSpeed& f :
+       calibration::of_a_table(c.judgement.friction_at_speed)) {
+    if (!f.forward_Nm || !f.backward_Nm) continue;
+    table.rows.push_back({{wording::significant(f.speed_rad_s, digits), shown(*f.forward_Nm),
+                           shown(*f.backward_Nm), shown(f.torque_Nm)},
+                          false});
+  }
+  table.note =
+      tr("What the drive gives beside gravity and acceleration. An offset of the torque is in both "
+         "directions, with opposite signs: no motion tells it from friction that differs. What "
+         "both share, such as a scale of the torque, is in all three columns.");
   return table;
 }
 
@@ -121,6 +159,9 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
     section.facts.push_back({tr("Law of friction"), wording::words(described(law))});
     section.tables.push_back(law_table(law, section));
     section.tables.push_back(candidates_table(law, section));
+  }
+  if (Table directions = direction_table(c, section); !directions.rows.empty()) {
+    section.tables.push_back(std::move(directions));
   }
   const Table effects = effects_table(c.model, section);
   if (!effects.rows.empty()) section.tables.push_back(effects);
