@@ -214,6 +214,16 @@ std::optional<Measured> stribeck_exponent_in_loops(const Calibration& c) {
       {"cause.stribeck_exponent_in_loops", {{"exponent", law.dip_power}, {"percent", percent}}}};
 }
 
+/// How many speeds the runs lack of five, as many as the law with a dip has parameters: with fewer
+/// any dip goes through all of them, and nothing shows that it is of another form.
+std::optional<Measured> missing_run_speeds(const Calibration& c) {
+  const method::checks::DataCheck* const check =
+      c.data_checks.find(method::checks::CheckName::run_speeds);
+  if (check == nullptr || !check->measured || !check->at_least) return std::nullopt;
+  return Measured{*check->at_least - *check->measured,
+                  {"cause.few_run_speeds", {{"speeds", std::lround(*check->measured)}}}};
+}
+
 std::optional<Measured> stribeck_exponent_without_ramps(const Calibration& c) {
   return c.break_away.mean_Nm ? std::nullopt : stribeck_exponent_in_loops(c);
 }
@@ -340,6 +350,13 @@ std::vector<Rule> friction_rules() {
       {{"friction_by_motor_angle", "%", 1, by_motor_angle}, reported, none, none, {}},
       {{"break_away_by_motor_angle", "%", 1, between_ramps}, reported, none, none, {}},
       {{"stribeck_exponent", "%", 0.5, stribeck_exponent}, reported, none, none, {}},
+      // At three speeds 8 of 26 usable Stribeck velocities were wrong (study --less-data,
+      // sweep_and_three_runs).
+      {{"missing_run_speeds", "", 0, missing_run_speeds},
+       doubtful,
+       {Quantity::stribeck_speed},
+       none,
+       "record.runs"},
       // A shape that is off by this bends stiffness by a tenth and damping by half of what matters
       // (study --misfit, disturbance stribeck_power).
       {{"stribeck_exponent_in_loops", "%", 4, stribeck_exponent_in_loops},
