@@ -53,6 +53,18 @@ TEST(HtmlReport, SectionsComeInTheContractsOrder) {
   }
 }
 
+TEST(HtmlReport, ABudgetOfTheRecordingsAloneIsALineAndWhatWouldAddToIt) {
+  calibration::Calibration c = complete_calibration();
+  EXPECT_NE(report_of(c).find("id=\"table-budget\""), std::string::npos);
+  for (calibration::QuantityVerdict& q : c.judgement.quantities) {
+    if (q.budget) q.budget->parts.resize(1);
+  }
+  const std::string html = report_of(c);
+  EXPECT_EQ(html.find("id=\"table-budget\""), std::string::npos);
+  EXPECT_NE(html.find("torque_constant_percent = 2"), std::string::npos);
+  EXPECT_NE(html.find("hoses and cables, typical 0.10"), std::string::npos);
+}
+
 TEST(HtmlReport, KeyNumbersAppear) {
   const std::string html = report_of(complete_calibration());
   for (const char* text : {"79.168 ± 0.088", "−22.232 ± 0.012", "388.32 ± 0.43", "USABLE",

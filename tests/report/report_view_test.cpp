@@ -8,7 +8,6 @@
 
 #include "calibration/friction_speeds.h"
 #include "identify/identify.h"
-#include "paper/drawings/printed_paper.h"
 #include "report/document/key_pictures.h"
 #include "report/document/view_parts.h"
 #include "report/sample_calibration.h"
@@ -189,7 +188,7 @@ TEST(ReportView, AQuantitysBudgetIsWhole) {
   EXPECT_NEAR(rows[0].parts[0].percent, 95.3, 0.1);  // (0.5 % of 3.883 N·m)² of all
   EXPECT_EQ(
       rows[0].effects,
-      "of A: hoses and cables, typical 0.10\u00a0%: 60\u00a0%; a lag between torque and angle, "
+      "hoses and cables, typical 0.10\u00a0%: 60\u00a0%; a lag between torque and angle, "
       "stated 0.50\u00a0ms: 20\u00a0%; the choice among laws of friction over the speed: "
       "10\u00a0%");
 }

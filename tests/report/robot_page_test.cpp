@@ -80,11 +80,11 @@ TEST(RobotPage, QuantitiesByJointsHaveOneUnitARow) {
   EXPECT_EQ(row("Gravity torque").cells[0].text.find("N·m"), std::string::npos);
   EXPECT_NE(row("Gravity torque").cells[0].text.find(" ± "), std::string::npos);
   // Each joint at the speeds that it reaches.
-  EXPECT_NE(row("Friction at 1 rad/s").cells[0].text, "");
-  EXPECT_EQ(row("Friction at 1 rad/s").cells[1].text, "");
-  EXPECT_NE(row("Friction at 10 rad/s").cells[0].text, "");
-  EXPECT_NE(row("Friction at 10 rad/s").cells[1].text, "");
-  EXPECT_EQ(row("Friction at 30 rad/s").cells[0].text, "");
+  EXPECT_NE(row("Friction at 1\u00a0rad/s").cells[0].text, "");
+  EXPECT_EQ(row("Friction at 1\u00a0rad/s").cells[1].text, "");
+  EXPECT_NE(row("Friction at 10\u00a0rad/s").cells[0].text, "");
+  EXPECT_NE(row("Friction at 10\u00a0rad/s").cells[1].text, "");
+  EXPECT_EQ(row("Friction at 30\u00a0rad/s").cells[0].text, "");
 }
 
 TEST(RobotPage, TheWorstJointDecides) {

@@ -48,9 +48,7 @@ std::string effects_in_words(const UncertaintyBudget& budget) {
   for (const calibration::BudgetEffect& one : budget.effects) {
     if (words.size() < most) words.push_back(effect_in_words(one));
   }
-  return words.empty()
-             ? std::string()
-             : tr("of A: {effects}", {{"effects", fmt::format("{}", fmt::join(words, "; "))}});
+  return fmt::format("{}", fmt::join(words, "; "));
 }
 
 }  // namespace

@@ -174,28 +174,44 @@ void fill_terms(const ReportView& view, engine::TemplateValues& values) {
   }
 }
 
+void fill_budget_row(const BudgetRow& row, engine::TemplateValues& out) {
+  out.set("QUANTITY", wording::capitalised(row.quantity));
+  out.set("STANDARD", row.standard);
+  out.set("FREEDOM", row.freedom);
+  out.set("COVERAGE", row.coverage);
+  out.set("EXPANDED", row.expanded);
+  for (const BudgetRow::Part& part : row.parts) {
+    engine::TemplateValues& bar = out.add_section("BAR");
+    bar.set("KIND", part.kind);
+    bar.set("FROM", fmt::format("{:.1f}", part.from_percent));
+    bar.set("WIDTH", fmt::format("{:.1f}", part.percent));
+    engine::TemplateValues& named = out.add_section("PART");
+    named.set("KIND", part.kind);
+    named.set("NAME", part.name);
+  }
+  if (row.parts.empty()) out.add_section("NO_PARTS");
+  out.set_optional("EFFECTS", row.effects);
+}
+
+/// A table where something is beside the recordings; else it would have but one bar a row.
 void fill_budget(const std::vector<BudgetRow>& rows, engine::TemplateValues& values) {
   if (rows.empty()) return;
   values.add_section("HAS_BUDGET");
-  engine::TemplateValues& table = values.add_include("BUDGET", "budget.tpl");
+  engine::TemplateValues& budget = values.add_include("BUDGET", "budget.tpl");
+  if (std::any_of(rows.begin(), rows.end(),
+                  [](const BudgetRow& row) { return row.parts.size() > 1; })) {
+    engine::TemplateValues& table = budget.add_section("PARTS_TABLE");
+    for (const BudgetRow& row : rows) fill_budget_row(row, table.add_section("ROW"));
+    return;
+  }
+  engine::TemplateValues& alone = budget.add_section("RECORDINGS_ALONE");
+  engine::TemplateValues* effects = nullptr;
   for (const BudgetRow& row : rows) {
-    engine::TemplateValues& out = table.add_section("ROW");
-    out.set("QUANTITY", wording::capitalised(row.quantity));
-    out.set("STANDARD", row.standard);
-    out.set("FREEDOM", row.freedom);
-    out.set("COVERAGE", row.coverage);
-    out.set("EXPANDED", row.expanded);
-    for (const BudgetRow::Part& part : row.parts) {
-      engine::TemplateValues& bar = out.add_section("BAR");
-      bar.set("KIND", part.kind);
-      bar.set("FROM", fmt::format("{:.1f}", part.from_percent));
-      bar.set("WIDTH", fmt::format("{:.1f}", part.percent));
-      engine::TemplateValues& named = out.add_section("PART");
-      named.set("KIND", part.kind);
-      named.set("NAME", part.name);
-    }
-    if (row.parts.empty()) out.add_section("NO_PARTS");
-    out.set_optional("EFFECTS", row.effects);
+    if (row.effects.empty()) continue;
+    if (effects == nullptr) effects = &alone.add_section("HAS_EFFECTS");
+    engine::TemplateValues& one = effects->add_section("EFFECTS_OF");
+    one.set("QUANTITY", wording::capitalised(row.quantity));
+    one.set("EFFECTS", row.effects);
   }
 }
 
