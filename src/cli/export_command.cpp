@@ -80,8 +80,9 @@ void check(ExportOptions& options) {
         "the joint's");
   }
   if (options.simulator.arm_inertia_kgm2 && options.format != "mjcf" &&
-      options.format != "isaaclab" && options.format != "usd" && options.format != "bam") {
-    throw UsageError("export: --arm-inertia is for mjcf, isaaclab, usd and bam");
+      options.format != "mjcf-lugre" && options.format != "isaaclab" && options.format != "usd" &&
+      options.format != "bam") {
+    throw UsageError("export: --arm-inertia is for mjcf, mjcf-lugre, isaaclab, usd and bam");
   }
   options.simulator.side = options.side == "motor" ? joint::Side::motor : joint::Side::joint;
 }

@@ -155,7 +155,8 @@ const std::vector<Call>& calls() {
        "mean 'doubtful'?; see tribolog report --help"},
       {"export report.html --format cvs", 2,
        "--format: 'cvs' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; did you mean "
+       "mjcf, mjcf-lugre, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; "
+       "did you mean "
        "'csv'?; see tribolog export --help"},
       {"study -o s.html --factor cycle", 2,
        "--factor: 'cycle' is not usable, expected one of torque_noise, torque_step, encoder, "
@@ -320,7 +321,8 @@ const std::vector<Call>& calls() {
        "calibration (JSON)"},
       {"export report.html --format jsno", 2,
        "--format: 'jsno' is not usable, expected one of csv, json, mat, latex, dcc, urdf, sdf, "
-       "mjcf, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; did you mean "
+       "mjcf, mjcf-lugre, isaaclab, usd, modelica, simscape, ros2, c, python, feedforward, bam; "
+       "did you mean "
        "'json'?; see tribolog export --help"},
       {"archive list --archive=", 2,
        "--archive: the value is empty; state one, or leave the option out; see tribolog archive "

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +14,7 @@
 #include "base/temporary_directory.h"
 #include "exports/export_sample.h"
 #include "exports/results/calibration_exports.h"
+#include "exports/results/simulator_numbers.h"
 
 namespace tribolog::archive::export_simulators_test {
 namespace {
@@ -61,7 +66,7 @@ TEST(ExportForSimulators, RefuseAmperes) {
         exports::results::c_header, exports::results::python_module,
         exports::results::simscape_script, exports::results::isaac_lab_config,
         exports::results::usd_joint, exports::results::feed_forward_table,
-        exports::results::bam_parameters}) {
+        exports::results::bam_parameters, exports::results::mjcf_lugre}) {
     for (const bool doubtful_too : {false, true}) {
       exports::results::SimulatorOptions options;
       options.doubtful_too = doubtful_too;
@@ -71,6 +76,50 @@ TEST(ExportForSimulators, RefuseAmperes) {
                 "NM_PER_A (in a manifest: torque_constant_Nm_A)");
     }
   }
+}
+
+// Curves of the model itself, whatever its numbers, are found again.
+TEST(MjcfLuGre, FindsTheCurveOfALuGreJoint) {
+  std::mt19937_64 random(11);
+  const auto from = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+  };
+  for (int k = 0; k < 200; ++k) {
+    exports::results::SteadyLuGre truth;
+    truth.coulomb_Nm = from(0.1, 100);
+    truth.static_Nm = truth.coulomb_Nm * from(1.02, 3);
+    truth.stribeck_rad_s = from(0.01, 1);
+    truth.viscous_Nms_rad = truth.coulomb_Nm * from(0.01, 1);
+    std::vector<exports::results::SpeedFriction> friction;
+    for (double speed = 0.003; speed < 6; speed *= 1.04) {
+      friction.push_back({speed, truth.torque_Nm(speed), 0, 0});
+    }
+    const exports::results::SteadyLuGre found =
+        exports::results::nearest_lugre(friction, truth.static_Nm);
+    for (const exports::results::SpeedFriction& f : friction) {
+      EXPECT_NEAR(found.torque_Nm(f.speed_rad_s), f.torque_Nm, 0.01 * f.torque_Nm)
+          << k << ": " << f.speed_rad_s;
+    }
+    EXPECT_NEAR(found.coulomb_Nm, truth.coulomb_Nm, 0.02 * truth.coulomb_Nm) << k;
+    EXPECT_GE(found.static_Nm, found.coulomb_Nm);
+    EXPECT_GE(found.viscous_Nms_rad, 0);
+  }
+}
+
+TEST(MjcfLuGre, HasTheJointsNumbersAtTheJoint) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  const std::string text = exports::results::mjcf_lugre(joint, {});
+  // 500 N·m/rad and 0.45 N·m at the motor, times 50² and 50.
+  EXPECT_NE(text.find("lugre=\"1250000 0 "), std::string::npos) << text;
+  EXPECT_NE(text.find(" 22.5 "), std::string::npos) << text;
+  EXPECT_NE(text.find("input=\"none\" motorconst=\"0\" resistance=\"1\""), std::string::npos);
+  EXPECT_NE(text.find("bristle damping is 0, for it is not usable: "), std::string::npos) << text;
+  EXPECT_NE(text.find("the largest error there is "), std::string::npos) << text;
+  test::quantity_of(joint, "bristle_stiffness").verdict = calibration::Verdict::doubtful;
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
+              return exports::results::mjcf_lugre(joint, {});
+            }).find("; mjcf has friction without pre-sliding"),
+            std::string::npos);
 }
 
 // What the format has no place for stands beside it.

@@ -186,11 +186,10 @@ TEST(ReportView, AQuantitysBudgetIsWhole) {
   EXPECT_EQ(rows[0].parts[0].from_percent, 0);
   EXPECT_NEAR(rows[0].parts[1].from_percent + rows[0].parts[1].percent, 100, 1e-9);
   EXPECT_NEAR(rows[0].parts[0].percent, 95.3, 0.1);  // (0.5 % of 3.883 N·m)² of all
-  EXPECT_EQ(
-      rows[0].effects,
-      "hoses and cables, typical 0.10\u00a0%: 60\u00a0%; a lag between torque and angle, "
-      "stated 0.50\u00a0ms: 20\u00a0%; the choice among laws of friction over the speed: "
-      "10\u00a0%");
+  EXPECT_EQ(rows[0].effects,
+            "hoses and cables, typical 0.10\u00a0%: 60\u00a0%; a lag between torque and angle, "
+            "stated 0.50\u00a0ms: 20\u00a0%; the choice among laws of friction over the speed: "
+            "10\u00a0%");
 }
 
 TEST(ReportView, PageOneShowsLoopAndFrictionCurve) {

@@ -68,7 +68,11 @@ TEST(RobotPage, QuantitiesByJointsHaveOneUnitARow) {
   const auto row = [&](const std::string& words) {
     const auto found =
         std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.words == words; });
-    if (found == rows.end()) throw std::logic_error("no row " + words);
+    if (found == rows.end()) {
+      std::string all;
+      for (const auto& one : rows) all += "; " + one.words;
+      throw std::logic_error("no row " + words + " among" + all);
+    }
     return *found;
   };
   for (const auto& one : rows) {

@@ -92,6 +92,13 @@ std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& 
 /// @throw as urdf_joint().
 std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
 
+/// The joint's friction with pre-sliding for MuJoCo 3.12 and newer: a `<dcmotor>` without input
+/// that is a passive LuGre friction. Bristle stiffness and damping, and the torque at rest, as
+/// identified; Coulomb torque, Stribeck velocity and viscous coefficient of the LuGre curve nearest
+/// to the friction at the usable speeds, with its largest error.
+/// @throw UsageError: in amperes; no friction at speeds or no bristle stiffness that may be used.
+std::string mjcf_lugre(const ArchivedJoint& joint, const SimulatorOptions& options);
+
 // The joint's friction curve for Modelica.
 
 /// A model `JointFriction` that extends Modelica.Mechanics.Rotational.Components.BearingFriction

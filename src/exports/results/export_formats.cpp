@@ -29,6 +29,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"urdf", "<dynamics damping friction>", urdf_joint},
       {"sdf", "the same for Gazebo", sdf_joint},
       {"mjcf", "MuJoCo's <joint damping frictionloss armature>", mjcf_joint},
+      {"mjcf-lugre", "MuJoCo's <dcmotor> as passive LuGre friction (3.12 and newer)", mjcf_lugre},
       {"isaaclab", "arguments of an actuator's configuration in Isaac Lab (Python)",
        isaac_lab_config},
       {"usd", "attributes of PhysxJointAxisAPI, for Isaac Sim", usd_joint},

@@ -203,6 +203,72 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
          "</mujoco>\n";
 }
 
+std::string mjcf_lugre(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const std::vector<SpeedFriction> friction = needed_friction(joint, options);
+  std::string why_not;
+  const auto* const stiffness =
+      if_usable(joint, joint::Quantity::bristle_stiffness, options.doubtful_too, why_not);
+  if (stiffness == nullptr) {
+    refuse_export(joint, why_not + "; mjcf has friction without pre-sliding");
+  }
+  std::string no_damping;
+  const auto* const damping =
+      if_usable(joint, joint::Quantity::bristle_damping, options.doubtful_too, no_damping);
+  const double stiffness_Nm_rad = calibration::at_joint(*stiffness, f.gear_ratio).value;
+  const double damping_Nms_rad =
+      damping == nullptr ? 0 : calibration::at_joint(*damping, f.gear_ratio).value;
+  const RestTorque rest = rest_torque(joint, options, friction);
+  const SteadyLuGre law = nearest_lugre(friction, rest.torque_Nm);
+  const Armature armature = armature_of(joint, options);
+  std::vector<std::string> lines = comment_lines(joint);
+  lines.emplace_back(
+      "Copy <dcmotor> into your <actuator>, with your joint's name; it needs MuJoCo 3.12 or newer. "
+      "Nothing commands it: input=\"none\" makes it a passive friction torque. The body is there "
+      "to "
+      "make this file complete; its mass and inertia were not identified.");
+  const std::vector<std::string> numbers{
+      "lugre: bristle stiffness, bristle damping, Coulomb torque, static torque, Stribeck "
+      "velocity, "
+      "all at the joint; damping: the viscous coefficient.",
+      estimate_line(*stiffness, f.gear_ratio, joint::Side::joint),
+      damping == nullptr ? "bristle damping is 0, for it is not usable: " + no_damping
+                         : estimate_line(*damping, f.gear_ratio, joint::Side::joint),
+      "static torque: " + rest.words + ".",
+      fmt::format("Coulomb torque, Stribeck velocity and viscous coefficient are an APPROXIMATION: "
+                  "of LuGre's steady curves the one nearest to the friction identified at {} "
+                  "speeds, measured at the joint from {}; the largest error there is {}.",
+                  friction.size(), speeds_in_words(friction), largest_error_words(law, friction)),
+      armature.words};
+  std::string attribute;
+  for (const double number :
+       {stiffness_Nm_rad, damping_Nms_rad, law.coulomb_Nm, law.static_Nm, law.stribeck_rad_s}) {
+    attribute += (attribute.empty() ? "" : " ") + shortest(number);
+  }
+  const std::string name = xml_attribute(f.of.joint, "joint");
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
+         "<mujoco model=\"" + xml_attribute(f.of.robot, "robot") +
+         "\">\n"
+         "  <compiler angle=\"radian\"/>\n"
+         "  <worldbody>\n"
+         "    <body>\n"
+         "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n"
+         "      <joint name=\"" +
+         name + "\" type=\"hinge\"" +
+         (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
+         "/>\n"
+         "    </body>\n"
+         "  </worldbody>\n"
+         "  <actuator>\n" +
+         xml_comment(numbers, "    ") + "    <dcmotor joint=\"" + name +
+         "\" input=\"none\" motorconst=\"0\" resistance=\"1\"\n"
+         "             damping=\"" +
+         shortest(law.viscous_Nms_rad) + "\" lugre=\"" + attribute +
+         "\"/>\n"
+         "  </actuator>\n"
+         "</mujoco>\n";
+}
+
 std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options) {
   refuse_amperes(joint);
   const calibration::Facts& f = joint.entry.facts;

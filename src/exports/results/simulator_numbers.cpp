@@ -143,7 +143,7 @@ std::string joined(const std::vector<SpeedFriction>& friction, double SpeedFrict
 
 namespace {
 
-/// How far a line is off at most, and where.
+/// How far a law is off at most, and where.
 struct LargestError {
   double error_Nm{-1};
   SpeedFriction at;
@@ -236,19 +236,95 @@ DryAndViscous dry_and_viscous(const ArchivedJoint& joint, const SimulatorOptions
                     error_text(largest_error(out, friction)),
                     options.range_rad_s ? "" : "; --range chooses other speeds"));
   }
-  out.static_Nm = out.dry_Nm;
-  if (!friction.empty()) out.static_Nm = std::max(out.dry_Nm, friction.front().torque_Nm);
-  std::string no_break_away;
-  out.static_words = "the break-away torque";
-  if (const auto* const break_away = if_usable(joint, joint::Quantity::break_away_torque,
-                                               options.doubtful_too, no_break_away)) {
-    out.static_Nm = std::max(out.dry_Nm, calibration::at_joint(*break_away, n).value);
-  } else {
-    out.static_words =
-        "friction at the slowest measured speed, for the break-away torque is not usable: " +
-        without_hint(no_break_away);
-  }
+  const RestTorque rest = rest_torque(joint, options, friction);
+  out.static_Nm = std::max(out.dry_Nm, rest.torque_Nm);
+  out.static_words = rest.words;
   return out;
+}
+
+RestTorque rest_torque(const ArchivedJoint& joint, const SimulatorOptions& options,
+                       const std::vector<SpeedFriction>& friction) {
+  std::string why_not;
+  if (const auto* const break_away =
+          if_usable(joint, joint::Quantity::break_away_torque, options.doubtful_too, why_not)) {
+    return {calibration::at_joint(*break_away, joint.entry.facts.gear_ratio).value,
+            "the break-away torque"};
+  }
+  return {friction.empty() ? 0 : friction.front().torque_Nm,
+          "friction at the slowest measured speed, for the break-away torque is not usable: " +
+              without_hint(why_not)};
+}
+
+double SteadyLuGre::torque_Nm(double speed_rad_s) const {
+  const double share = speed_rad_s / stribeck_rad_s;
+  return coulomb_Nm + (static_Nm - coulomb_Nm) * std::exp(-share * share) +
+         viscous_Nms_rad * speed_rad_s;
+}
+
+namespace {
+
+/// Least squares of the errors in percent, with that Stribeck velocity.
+SteadyLuGre of_stribeck(double stribeck_rad_s, double static_Nm,
+                        const std::vector<SpeedFriction>& friction) {
+  double cc = 0, cv = 0, vv = 0, cr = 0, vr = 0;
+  for (const SpeedFriction& f : friction) {
+    const double share = f.speed_rad_s / stribeck_rad_s;
+    const double dip = std::exp(-share * share);
+    const double c = (1 - dip) / f.torque_Nm;
+    const double v = f.speed_rad_s / f.torque_Nm;
+    const double rest = 1 - static_Nm * dip / f.torque_Nm;
+    cc += c * c, cv += c * v, vv += v * v, cr += c * rest, vr += v * rest;
+  }
+  const double determinant = cc * vv - cv * cv;
+  double coulomb = cc > 0 ? cr / cc : static_Nm;
+  double viscous = 0;
+  if (determinant > 1e-12 * cc * vv) {
+    const double both_coulomb = (cr * vv - vr * cv) / determinant;
+    const double both_viscous = (vr * cc - cr * cv) / determinant;
+    if (both_viscous > 0) coulomb = both_coulomb, viscous = both_viscous;
+  }
+  if (coulomb < 0 || coulomb > static_Nm) {
+    coulomb = std::clamp(coulomb, 0.0, static_Nm);
+    viscous = vv > 0 ? std::max(0.0, (vr - coulomb * cv) / vv) : 0;
+  }
+  return {coulomb, static_Nm, stribeck_rad_s, viscous};
+}
+
+}  // namespace
+
+SteadyLuGre nearest_lugre(const std::vector<SpeedFriction>& friction, double static_Nm) {
+  constexpr int steps = 1500;
+  const double slowest = 0.1 * friction.front().speed_rad_s;
+  const double fastest = 3 * friction.back().speed_rad_s;
+  SteadyLuGre best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
+    const SteadyLuGre law =
+        of_stribeck(slowest * std::pow(fastest / slowest, share), static_Nm, friction);
+    double largest = 0;
+    for (const SpeedFriction& f : friction) {
+      largest = std::max(largest, std::abs(law.torque_Nm(f.speed_rad_s) / f.torque_Nm - 1));
+    }
+    if (largest < least) least = largest, best = law;
+  }
+  return best;
+}
+
+std::string largest_error_words(const SteadyLuGre& law,
+                                const std::vector<SpeedFriction>& friction) {
+  LargestError largest;
+  for (const SpeedFriction& f : friction) {
+    const double error_Nm = std::abs(law.torque_Nm(f.speed_rad_s) - f.torque_Nm);
+    if (largest.error_Nm * f.torque_Nm < error_Nm * largest.at.torque_Nm || largest.error_Nm < 0) {
+      largest = {error_Nm, f};
+    }
+  }
+  return error_text(largest);
+}
+
+std::string speeds_in_words(const std::vector<SpeedFriction>& friction) {
+  return range_text(friction.front().speed_rad_s, friction.back().speed_rad_s);
 }
 
 Armature armature_of(const ArchivedJoint& joint, const SimulatorOptions& options) {

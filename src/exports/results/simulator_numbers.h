@@ -80,6 +80,37 @@ struct DryAndViscous : FrictionLine {
 DryAndViscous dry_and_viscous(const ArchivedJoint& joint, const SimulatorOptions& options,
                               const std::string& dry, const std::string& viscous);
 
+/// Steady sliding of the LuGre model: coulomb + (static - coulomb) exp(-(speed / stribeck)²) +
+/// viscous * speed.
+struct SteadyLuGre {
+  double coulomb_Nm{};
+  double static_Nm{};  ///< >= coulomb_Nm
+  double stribeck_rad_s{};
+  double viscous_Nms_rad{};
+  [[nodiscard]] double torque_Nm(double speed_rad_s) const;
+};
+
+/// Of those with this torque at rest the one whose largest error at these speeds, in percent of the
+/// friction there, is about the smallest; no number is below zero.
+/// @param friction not empty; speeds and torques > 0. @param static_Nm > 0
+SteadyLuGre nearest_lugre(const std::vector<SpeedFriction>& friction, double static_Nm);
+
+/// "0.0123 N·m (1.2 %), at 3 rad/s": where a law is farthest from the friction.
+std::string largest_error_words(const SteadyLuGre& law, const std::vector<SpeedFriction>& friction);
+
+/// "from 0.1 to 3 rad/s"
+std::string speeds_in_words(const std::vector<SpeedFriction>& friction);
+
+/// Torque at rest: the break-away torque where it is usable, else friction at the slowest speed.
+struct RestTorque {
+  double torque_Nm{};
+  std::string words;
+};
+
+/// At the joint. @param friction may be empty: nothing but the break-away torque is known then.
+RestTorque rest_torque(const ArchivedJoint& joint, const SimulatorOptions& options,
+                       const std::vector<SpeedFriction>& friction);
+
 /// The rotor's inertia as the joint feels it: what was identified of rotor, gear and arm together
 /// less the arm's, as the options state it.
 struct Armature {

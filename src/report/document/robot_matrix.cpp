@@ -158,7 +158,7 @@ void add_friction(const std::vector<RobotJoint>& joints, std::vector<MatrixRow>&
   for (const auto& [speed, numbers] : at) speeds.push_back(speed);
   for (const std::size_t which :
        calibration::evenly_in_log(speeds, calibration::speeds_of_a_table)) {
-    const std::string speed = wording::with_unit(wording::significant(speeds[which], 3), "rad/s");
+    const std::string speed = wording::with_unit(wording::as_stated(speeds[which]), "rad/s");
     rows.push_back(
         row_of(tr("Friction at {speed}", {{"speed", speed}}), joints, at.at(speeds[which])));
     add_changes(calibration::friction_name(speeds[which]), joints, rows.back());

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Round trip of `export --format mjcf-lugre` in MuJoCo: the engine, run on the exported file, gives the
+certified friction at each speed within the largest error that the file states.
+
+  mujoco_lugre.py TRIBOLOG SCENARIO.toml [JOINTS]
+
+JOINTS (default 200) are made of the scenario's calibration: every torque, stiffness and inertia times a factor
+drawn at random, every speed by another, the gear ratio anew. Exit status 1 where one is off; prints
+SKIPPED without MuJoCo 3.12 or newer in this Python.
+"""
+
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def scaled(e, factor):
+    for key in ("estimate", "low", "high"):
+        if e.get(key) is not None:
+            e[key] *= factor
+
+
+def drawn(calibration, rng):
+    """Another joint: torque and speed in other units, so to speak, and another gear."""
+    joint = json.loads(json.dumps(calibration))
+    torque, speed = 10 ** rng.uniform(-1.5, 1), 10 ** rng.uniform(-0.7, 0.7)
+    joint["drive"]["gear_ratio"] = rng.uniform(1, 160)
+    of = {"break_away_torque": torque, "coulomb_torque": torque, "gravity_torque": torque,
+          "bristle_stiffness": torque, "bristle_damping": torque / speed,
+          "viscous_coefficient": torque / speed, "inertia": torque}
+    for q in joint["verdict"]["quantities"]:
+        if q["estimate"] and q["key"] in of:
+            scaled(q["estimate"], of[q["key"]])
+            if q.get("budget"):
+                scaled(q["budget"]["expanded"], of[q["key"]])
+    for f in joint["friction_at_speed"]:
+        f["speed_rad_s"] *= speed
+        scaled(f, torque)
+        for key in ("forward", "backward"):
+            if f.get(key):
+                scaled(f[key], torque)
+    joint["friction_stated_at_rad_s"] = []
+    return joint
+
+
+def torque_in_engine(mujoco, model, speed):
+    """Torque that a servo gives to hold the speed, the armature moving against the friction."""
+    model.opt.timestep = 1e-4
+    data = mujoco.MjData(model)
+    data.qvel[0] = speed
+    gain, integral = 2000 * model.dof_M0[0], 0.0
+    steps = 4000
+    held = []
+    for step in range(steps):
+        error = speed - data.qvel[0]
+        integral += error * model.opt.timestep
+        data.qfrc_applied[0] = gain * (error + 200 * integral)
+        mujoco.mj_step(model, data)
+        if step > 0.95 * steps:
+            held.append(data.qfrc_applied[0])
+    return sum(held) / len(held)
+
+
+def main(program, scenario, joints):
+    try:
+        import mujoco
+    except ImportError:
+        print("SKIPPED: no module mujoco")
+        return 0
+    if tuple(int(x) for x in mujoco.__version__.split(".")[:2]) < (3, 12):
+        print(f"SKIPPED: MuJoCo {mujoco.__version__} has no passive dcmotor")
+        return 0
+    rng = random.Random(5)
+    worst, off = 0.0, 0
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "joint.json"
+        for words in (["simulate", scenario, "-o", folder],
+                      ["identify", f"{folder}/dataset.toml", "-o", str(path)]):
+            subprocess.run([program, "-q", *words], check=True)
+        calibration = json.loads(path.read_text())
+        for k in range(joints):
+            joint = drawn(calibration, rng)
+            path.write_text(json.dumps(joint))
+            text = subprocess.run([program, "export", str(path), "--format", "mjcf-lugre",
+                                   "--doubtful-too"], capture_output=True, text=True, check=True).stdout
+            stated = float(re.search(r"largest error there is [^(]*\(([0-9.e+-]+) %", text)[1])
+            n = joint["drive"]["gear_ratio"]
+            inertia = n**2 * next(q["estimate"]["estimate"] for q in joint["verdict"]["quantities"]
+                                  if q["key"] == "inertia")
+            model = mujoco.MjModel.from_xml_string(
+                text.replace('diaginertia="1 1 1"', f'diaginertia="{inertia} {inertia} {inertia}"'))
+            usable = [f for f in joint["friction_at_speed"] if f["verdict"] != "not_identifiable"]
+            for f in usable[:: max(1, len(usable) // 4)]:
+                for sign in (1, -1):
+                    speed, want = sign * f["speed_rad_s"] / n, sign * f["estimate"] * n
+                    error = abs(torque_in_engine(mujoco, model, speed) - want) / abs(want)
+                    worst = max(worst, 100 * error - stated)
+                    if 100 * error > stated + 1:
+                        off += 1
+                        print(f"joint {k}: {speed:.4g} rad/s: {100 * error:.3g} % off, stated {stated} %")
+    print(f"MuJoCo {mujoco.__version__}: {joints} joints, {off} speeds beyond the stated error; "
+          f"largest excess {worst:.3g} % of the friction")
+    return 1 if off else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2], int(sys.argv[3]) if len(sys.argv) > 3 else 200))
