@@ -102,7 +102,7 @@ TEST(HtmlReport, EachQuantityHasItsVerdictAndRefersToItsReasons) {
     EXPECT_NE(table.find(text), std::string::npos) << text << " in\n" << table;
   }
   // Said once, referred to by number.
-  EXPECT_EQ(occurrences(html, "The data do not show it."), 1U);
+  EXPECT_EQ(occurrences(html, ": the data do not show it."), 1U);
   EXPECT_EQ(occurrences(html, "A fast sine."), 1U);
 }
 

@@ -74,7 +74,7 @@ TEST(ReportView, EachReasonIsSaidOnceAndReferredTo) {
   ASSERT_EQ(findings.all().size(), 4U);
   EXPECT_EQ(findings.all()[0].consequence, "Speeds are wrong.");
   EXPECT_EQ(findings.all()[1].text, "No oscillation was recorded.");
-  EXPECT_EQ(findings.all()[2].text, "Known only roughly.");
+  EXPECT_EQ(findings.all()[2].text, "Bristle damping: known only roughly.") << "the noun first";
   EXPECT_EQ(findings.all()[3].text, "A note.") << "lowers nothing";
   EXPECT_EQ(findings.numbers_of(mass), (std::vector<int>{1, 2}));
   EXPECT_EQ(findings.numbers_of(damping), (std::vector<int>{2, 3}));

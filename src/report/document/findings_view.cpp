@@ -6,8 +6,12 @@
 #include <variant>
 
 #include "report/document/view_parts.h"
+#include "wording/tr.h"
+#include "wording/words.h"
 
 namespace tribolog::report::document {
+
+using wording::tr;
 
 namespace {
 
@@ -103,6 +107,20 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
       findings_[static_cast<std::size_t>(number_of(reason)) - 1].consequence =
           wording::as_sentence(consequence->front());
     }
+  }
+  put_nouns_first(judgement);
+}
+
+void NumberedFindings::put_nouns_first(const calibration::Judgement& judgement) {
+  for (std::size_t k = 0; k < statements_.size(); ++k) {
+    const bool is_of_its_own = std::find(judgement.findings.begin(), judgement.findings.end(),
+                                         statements_[k]) == judgement.findings.end();
+    Finding& finding = findings_[k];
+    if (!is_of_its_own || finding.quantities.size() != 1) continue;
+    finding.text = wording::as_sentence(tr(
+        "{quantity}: {finding}",
+        {{"quantity", finding.quantities.front()}, {"finding", wording::words(statements_[k])}}));
+    finding.quantities.clear();
   }
 }
 

@@ -21,6 +21,9 @@ class NumberedFindings {
   [[nodiscard]] const std::vector<Finding>& all() const { return findings_; }
 
  private:
+  /// A reason that is no finding of its own, of one quantity, is a sentence on that quantity.
+  void put_nouns_first(const calibration::Judgement& judgement);
+
   std::vector<Statement> statements_;
   std::vector<Finding> findings_;
 };

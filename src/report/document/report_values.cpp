@@ -48,7 +48,9 @@ void fill_row(const QuantityRow& row, ShownColumns shown, engine::TemplateValues
   if (shown.joint_side) {
     engine::TemplateValues& cell = out.add_section("JOINT_SIDE");
     cell.set("AT_JOINT", wording::or_dash(row.at_joint));
-    cell.set("JOINT_KIND", row.at_joint.empty() ? "none" : "some");
+    cell.set("JOINT_KIND", row.at_joint.empty()   ? "none"
+                           : row.at_motor.empty() ? "value some"
+                                                  : "some");
   }
   out.set("COVERAGE", wording::or_dash(row.coverage));
   out.set("COVERAGE_KIND", row.coverage.empty() ? "none" : "some");
