@@ -387,6 +387,58 @@ const ModelEffect* ModelResult::find(std::string_view effect) const {
   return found == effects.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// Friction in both directions at a few of the speeds; between them what a direction has beside the
+/// mean, which changes slowly with the speed, is that of its neighbours.
+void describe_directions(const JointModel& model, const Describer& describer,
+                         std::vector<ModelQuantity>& quantities) {
+  std::vector<ModelQuantity*> all;
+  for (ModelQuantity& q : quantities) {
+    if (!q.quantity) all.push_back(&q);
+  }
+  const bool differ = model.find(joint::effect::offset.key) < model.effects.size() ||
+                      model.find(joint::effect::asymmetry.key) < model.effects.size();
+  if (!differ) {
+    for (ModelQuantity* q : all) q->forward = q->backward = q->as_estimate();
+    return;
+  }
+  constexpr std::size_t most = 24;
+  const std::size_t step = std::max<std::size_t>(1, all.size() / most);
+  std::vector<std::size_t> described;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k % step != 0 && k + 1 != all.size()) continue;
+    const double speed_rad_s = all[k]->speed_rad_s;
+    all[k]->forward = describer.describe({{}, speed_rad_s, {}, false, 1}).as_estimate();
+    all[k]->backward = describer.describe({{}, speed_rad_s, {}, false, -1}).as_estimate();
+    described.push_back(k);
+  }
+  for (std::size_t i = 1; i < described.size(); ++i) {
+    const ModelQuantity& a = *all[described[i - 1]];
+    const ModelQuantity& b = *all[described[i]];
+    for (std::size_t k = described[i - 1] + 1; k < described[i]; ++k) {
+      ModelQuantity& q = *all[k];
+      const double share =
+          std::log(q.speed_rad_s / a.speed_rad_s) / std::log(b.speed_rad_s / a.speed_rad_s);
+      const auto between = [&](const statistics::Estimate& before,
+                               const statistics::Estimate& behind) {
+        statistics::Estimate e = q.as_estimate();
+        for (double statistics::Estimate::* const member :
+             {&statistics::Estimate::value, &statistics::Estimate::low,
+              &statistics::Estimate::high}) {
+          e.*member = q.estimate + (1 - share) * (before.*member - a.estimate) +
+                      share * (behind.*member - b.estimate);
+        }
+        return e;
+      };
+      q.forward = between(*a.forward, *b.forward);
+      q.backward = between(*a.backward, *b.backward);
+    }
+  }
+}
+
+}  // namespace
+
 ModelResult describe_joint_model(const JointModel& model, const std::vector<double>& speeds_rad_s) {
   ModelResult result;
   result.cells = model.cells.rows.size();
@@ -421,12 +473,9 @@ ModelResult describe_joint_model(const JointModel& model, const std::vector<doub
       const double turns = wrapped(found.estimate, middle) - found.estimate;
       for (double* value : {&found.estimate, &found.low, &found.high}) *value += turns;
     }
-    if (!found.quantity) {
-      found.forward = describer.describe({{}, one.speed_rad_s, {}, false, 1}).as_estimate();
-      found.backward = describer.describe({{}, one.speed_rad_s, {}, false, -1}).as_estimate();
-    }
     result.quantities.push_back(std::move(found));
   }
+  describe_directions(model, describer, result.quantities);
   result.law = law_of(model);
   constexpr double seen_of_dip = 0.5;
   if (result.law.has_dip() && slowest <= seen_of_dip * result.law.dip_rad_s) {
