@@ -176,6 +176,21 @@ std::string ros2_parameters(const ArchivedJoint& joint, const SimulatorOptions& 
   return text;
 }
 
+namespace {
+
+/// A model of one body as far as its joint. @param lines its comment.
+std::string mjcf_start(const ArchivedJoint& joint, const std::vector<std::string>& lines) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
+         "<mujoco model=\"" + xml_attribute(joint.entry.facts.of.robot, "robot") +
+         "\">\n"
+         "  <compiler angle=\"radian\"/>\n"
+         "  <worldbody>\n"
+         "    <body>\n"
+         "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n";
+}
+
+}  // namespace
+
 std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
   const calibration::Facts& f = joint.entry.facts;
   const DryAndViscous friction = dry_and_viscous(joint, options, "frictionloss", "damping");
@@ -186,14 +201,7 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
       "Copy the attributes of <joint> into your joint. The body is there to make this file "
       "complete; its mass and inertia were not identified.");
   numbers.push_back(armature.words);
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
-         "<mujoco model=\"" + xml_attribute(f.of.robot, "robot") +
-         "\">\n"
-         "  <compiler angle=\"radian\"/>\n"
-         "  <worldbody>\n"
-         "    <body>\n"
-         "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n" +
-         xml_comment(numbers, "      ") + "      <joint name=\"" +
+  return mjcf_start(joint, lines) + xml_comment(numbers, "      ") + "      <joint name=\"" +
          xml_attribute(f.of.joint, "joint") + "\" type=\"hinge\" damping=\"" +
          shortest(friction.viscous_Nms_rad) + "\" frictionloss=\"" + shortest(friction.dry_Nm) +
          "\"" + (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
@@ -246,15 +254,7 @@ std::string mjcf_lugre(const ArchivedJoint& joint, const SimulatorOptions& optio
     attribute += (attribute.empty() ? "" : " ") + shortest(number);
   }
   const std::string name = xml_attribute(f.of.joint, "joint");
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
-         "<mujoco model=\"" + xml_attribute(f.of.robot, "robot") +
-         "\">\n"
-         "  <compiler angle=\"radian\"/>\n"
-         "  <worldbody>\n"
-         "    <body>\n"
-         "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n"
-         "      <joint name=\"" +
-         name + "\" type=\"hinge\"" +
+  return mjcf_start(joint, lines) + "      <joint name=\"" + name + "\" type=\"hinge\"" +
          (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
          "/>\n"
          "    </body>\n"
