@@ -106,10 +106,16 @@ void add_changes(const std::string& name, const std::vector<RobotJoint>& joints,
     const auto& all = joints[k].since_last->quantities;
     const auto found = std::find_if(
         all.begin(), all.end(), [&](const history::ComparedQuantity& c) { return c.name == name; });
-    if (found == all.end() || !found->change || !found->change->percent) continue;
+    if (found == all.end() || !found->change) continue;
     MatrixCell& cell = row.cells[k];
+    // An angle, and a number near zero, have none in percent.
+    const wording::TorquesIn unit(torque_unit_of(joints[k]));
+    const statistics::Estimate change = found->change->percent.value_or(found->change->absolute);
+    const wording::Scale scale = found->change->percent
+                                     ? wording::plain_scale("%")
+                                     : wording::quantity_scale(found->unit, change.value);
     cell.change = wording::with_unit(
-        wording::with_plus_sign(wording::significant(found->change->percent->value, 2)), "%");
+        wording::with_plus_sign(wording::significant(change.value * scale.factor, 2)), scale.unit);
     cell.is_changed = found->word == history::ChangeWord::changed;
     if (cell.is_changed) cell.change_word = wording::words(history::statement_of(found->word));
   }
