@@ -25,6 +25,8 @@
 #include "figures/figure_csv.h"
 #include "ingest/manifest/scenario_file.h"
 #include "report/experiments/study_page.h"
+#include "statistics/distributions.h"
+#include "statistics/order_statistics.h"
 #include "study/misfit.h"
 #include "study/trust.h"
 #include "wording/language.h"
@@ -45,6 +47,7 @@ struct StudyCommandOptions {
   std::vector<std::string> factors;  ///< Keys; none: all.
   bool misfit{false};     ///< On joints and logs that the method's model does not describe.
   bool sound{false};      ///< The same on joints that it does describe.
+  bool unstated{false};   ///< With `sound`: manifests that do not state which effects are absent.
   bool mixed{false};      ///< On joints drawn at random, with many small effects at once.
   bool less_data{false};  ///< On sound joints of which less was recorded than one would wish.
   std::vector<std::string> disturbances;  ///< With `misfit`: keys; none: all.
@@ -172,32 +175,60 @@ void say_quantities(const study::MisfitCase& c, Console& console) {
   }
 }
 
+/// How a quantity fared over all joints.
+struct QuantitySum {
+  std::size_t found{};
+  std::size_t judged{};
+  std::size_t inside{};
+  std::size_t usable{};
+  std::size_t wrong_usable{};
+  std::vector<double> half_widths;  ///< Of each joint, as shares of what matters.
+  std::vector<double> widths;       ///< Of each joint, over 1.96 root mean squares of its errors.
+
+  void add(const study::MisfitQuantity& q) {
+    found += q.found;
+    judged += q.judged;
+    inside += q.inside;
+    usable += q.usable;
+    wrong_usable += q.wrong_usable;
+    if (q.judged == 0) return;
+    half_widths.push_back(q.half_width);
+    if (q.judged > 1 && q.rms_error > 0) {
+      widths.push_back(q.half_width / (statistics::normal_975 * q.rms_error));
+    }
+  }
+
+  std::string line(const std::string& name) const {
+    std::string out =
+        fmt::format("  {}: found {}, inside {:.1f} %, usable {}, wrong and usable {}", name, found,
+                    100 * static_cast<double>(inside) / std::max(1.0, static_cast<double>(judged)),
+                    usable, wrong_usable);
+    if (!half_widths.empty()) {
+      const auto [least, most] = std::minmax_element(half_widths.begin(), half_widths.end());
+      out += fmt::format("; half width {:.2g} to {:.2g} times what matters", *least, *most);
+    }
+    if (!widths.empty()) {
+      out += fmt::format(", {:.2f} times 1.96 RMS (median of the joints; at most {:.2f})",
+                         statistics::median_of(widths),
+                         *std::max_element(widths.begin(), widths.end()));
+    }
+    return out;
+  }
+};
+
 /// How each quantity fared with each lack of data, over all joints, a line each.
-void say_lacks(const std::vector<study::MisfitCase>& cases, Console& console) {
+void say_sums(const std::vector<study::MisfitCase>& cases, Console& console) {
   std::vector<std::string> order;
-  std::map<std::string, std::map<joint::Quantity, study::MisfitQuantity>> sums;
+  std::map<std::string, std::map<joint::Quantity, QuantitySum>> sums;
   std::map<std::string, std::size_t> runs;
   for (const study::MisfitCase& c : cases) {
     if (!sums.contains(c.disturbance)) order.push_back(c.disturbance);
     runs[c.disturbance] += c.runs;
-    for (const study::MisfitQuantity& q : c.quantities) {
-      study::MisfitQuantity& sum = sums[c.disturbance][q.quantity];
-      sum.found += q.found;
-      sum.judged += q.judged;
-      sum.inside += q.inside;
-      sum.usable += q.usable;
-      sum.wrong_usable += q.wrong_usable;
-    }
+    for (const study::MisfitQuantity& q : c.quantities) sums[c.disturbance][q.quantity].add(q);
   }
   for (const std::string& key : order) {
     console.say(fmt::format("{}, {} runs:", key.empty() ? "all data" : key, runs[key]));
-    for (const auto& [quantity, q] : sums[key]) {
-      console.say(fmt::format(
-          "  {}: found {}, inside {:.0f} %, usable {}, wrong and usable {}", to_string(quantity),
-          q.found,
-          100 * static_cast<double>(q.inside) / std::max(1.0, static_cast<double>(q.judged)),
-          q.usable, q.wrong_usable));
-    }
+    for (const auto& [quantity, sum] : sums[key]) console.say(sum.line(to_string(quantity)));
   }
 }
 
@@ -232,6 +263,7 @@ std::vector<study::MisfitCase> run_misfit_cases(const StudyCommandOptions& optio
   study.disturbances = options.disturbances;
   study.joints = options.joints;
   study.only_sound = options.sound;
+  study.unstated = options.unstated;
   study.lacks = options.less_data;
   study.keep_logs = keep_in(options.logs);
   return study::run_misfit_study(study, progress);
@@ -268,7 +300,7 @@ ExitStatus run_misfit_command(const StudyCommandOptions& options, Console& conso
   if (options.mixed) {
     for (const study::MisfitCase& c : cases) say_quantities(c, console);
   }
-  if (options.less_data) say_lacks(cases, console);
+  if (options.sound || options.less_data) say_sums(cases, console);
   say_outcome(cases, console);
   console.say("numbers: " + options.json);
   return ExitStatus::done;
@@ -278,6 +310,9 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console) {
   if (options.sound && !options.disturbances.empty()) {
     throw UsageError("--sound lays no --disturbance: choose one of them");
+  }
+  if (options.unstated && !options.sound) {
+    throw UsageError("--unstated is for --sound, which is not given");
   }
   if (int{options.misfit} + int{options.sound} + int{options.mixed} + int{options.less_data} > 1) {
     throw UsageError(
@@ -367,6 +402,8 @@ Run add_study(CLI::App& app) {
                    "joints and logs that the method's model does not describe");
   command.add_flag("--sound", options->sound,
                    "twelve joints that the model describes: coverage, and share called usable");
+  command.add_flag("--unstated", options->unstated,
+                   "with --sound: manifests that do not state which effects the joints lack");
   command.add_flag("--mixed", options->mixed,
                    "joints drawn at random, with many small effects at once");
   command.add_flag("--less-data", options->less_data,

@@ -138,7 +138,8 @@ MisfitCase run_misfit_case(const MisfitJoint& joint, const Disturbance* disturba
       [&](std::size_t run) {
         const simulate::Noise noise = noise_of_run(laid.noise, options.seed, run);
         const auto keep = run == 0 ? options.keep_logs : KeepLogs{};
-        const calibration::Judgement judgement = identified(out, laid, ideal, noise, keep);
+        const calibration::Judgement judgement =
+            identified(out, laid, ideal, noise, keep, options.unstated);
         is_named[run] = out.has_cause && names(judgement, *disturbance) ? 1 : 0;
         runs[run] = {judgement.quantities, truths};
       },
@@ -178,14 +179,17 @@ std::vector<Item> picked(const std::vector<Item>& all, const std::vector<std::st
 
 calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
                                   std::vector<simulate::IdealRecording> ideal,
-                                  const simulate::Noise& noise, const KeepLogs& keep) {
+                                  const simulate::Noise& noise, const KeepLogs& keep,
+                                  bool unstated) {
   std::vector<joint::Recording> logs =
       simulate::with_noise(std::move(ideal), noise, laid.gear_ratio);
   if (keep) keep(of, laid, logs);
   identify::IdentifyOptions how;
   how.seed = noise.seed;
   how.threads = 1;
-  return identify::identify(simulate::simulated_dataset(laid, std::move(logs)), how).judgement;
+  joint::Dataset dataset = simulate::simulated_dataset(laid, std::move(logs));
+  if (unstated) dataset.manifest.effects = {};
+  return identify::identify(dataset, how).judgement;
 }
 
 std::vector<MisfitQuantity> count_runs(const std::vector<MisfitRun>& runs) {

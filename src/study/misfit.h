@@ -90,8 +90,9 @@ struct MisfitOptions {
   std::vector<std::string> disturbances;  ///< Keys of those to lay; none: all.
   std::vector<std::string> joints;        ///< Keys; none: the first four, or all if only_sound.
   bool only_sound{};                      ///< Nothing is laid: what sound joints and logs give.
-  bool lacks{};                           ///< lacks() are laid, on all joints where none is chosen.
-  KeepLogs keep_logs;                     ///< Of each case's first run; may be empty.
+  bool unstated{};     ///< The manifest does not say which effects the joint does not have.
+  bool lacks{};        ///< lacks() are laid, on all joints where none is chosen.
+  KeepLogs keep_logs;  ///< Of each case's first run; may be empty.
 };
 
 using MisfitProgress =

@@ -19,9 +19,11 @@ struct MisfitRun {
 };
 
 /// One run by the whole chain. @param of the case, for `keep`, if there is one.
+/// @param unstated the manifest does not say which effects the joint does not have.
 calibration::Judgement identified(const MisfitCase& of, const simulate::Scenario& laid,
                                   std::vector<simulate::IdealRecording> ideal,
-                                  const simulate::Noise& noise, const KeepLogs& keep);
+                                  const simulate::Noise& noise, const KeepLogs& keep,
+                                  bool unstated = false);
 
 /// Each quantity that has a truth. @param runs one or more.
 std::vector<MisfitQuantity> count_runs(const std::vector<MisfitRun>& runs);

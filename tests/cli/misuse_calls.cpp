@@ -18,6 +18,8 @@ const std::vector<Call>& calls() {
       {"study --json m.json --runs 2 --mixed", 0, "numbers: m.json"},
       {"study --sound --json m.json --mixed", 2,
        "--misfit, --sound, --mixed and --less-data are studies of their own: choose one"},
+      {"study --unstated --mixed --json m.json", 2,
+       "--unstated is for --sound, which is not given"},
       {"study --mixed --joint geared_arm --json m.json", 2,
        "--mixed draws joints and effects: --joint and --disturbance do not apply"},
       {"report --archive dataset.toml -o r1.html --no-figures --truth-runs 0", 0,

@@ -261,6 +261,23 @@ TEST(MisfitStudy, OfSoundJointsLaysNothingOnAnyOfThem) {
   }
 }
 
+TEST(MisfitStudy, WhatIsNotStatedWidensTheIntervals) {
+  study::MisfitOptions options;
+  options.runs = test::seeds_of(1, 2);
+  options.only_sound = true;
+  options.joints = {"small_servo"};
+  const auto stated = study::run_misfit_study(options);
+  options.unstated = true;
+  const auto unstated = study::run_misfit_study(options);
+  for (const joint::Quantity which :
+       {joint::Quantity::gravity_torque, joint::Quantity::coulomb_torque}) {
+    const study::MisfitQuantity& wide = quantity(unstated.front(), which);
+    EXPECT_GT(wide.half_width, 1.2 * quantity(stated.front(), which).half_width)
+        << to_string(which);
+    EXPECT_EQ(wide.inside, unstated.front().runs) << to_string(which);
+  }
+}
+
 TEST(MisfitStudy, LessDataLeavesWhatIsAnsweredRight) {
   study::MisfitOptions options;
   options.runs = test::seeds_of(2, 10);
