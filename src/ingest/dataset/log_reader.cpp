@@ -16,16 +16,18 @@
 #include "base/parallel_for.h"
 #include "base/requirements.h"
 #include "ingest/arrays/array_readers.h"
-#include "ingest/bags/bag_readers.h"
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/dataset/found_joints.h"
 #include "ingest/dataset/long_text_log.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/log/row_clock.h"
 #include "ingest/log/units.h"
+#include "ingest/text/csv_reader.h"
+#if TRIBOLOG_LOG_FORMATS
+#include "ingest/bags/bag_readers.h"
 #include "ingest/measurement/measurement_readers.h"
 #include "ingest/parquet/parquet_reader.h"
-#include "ingest/text/csv_reader.h"
+#endif
 
 namespace tribolog::ingest::dataset {
 
@@ -87,12 +89,6 @@ log::LogFormat format_of_log(const std::string& path) {
 
 std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format) {
   switch (format) {
-    case log::LogFormat::mcap:
-      return bags::read_mcap(path);
-    case log::LogFormat::rosbag:
-      return bags::read_rosbag(path);
-    case log::LogFormat::sqlite_bag:
-      return bags::read_rosbag_db3(path);
     case log::LogFormat::mat:
       return arrays::read_mat(path);
     case log::LogFormat::hdf5:
@@ -102,12 +98,30 @@ std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat f
       return arrays::read_npz(path);
     case log::LogFormat::json:
       return arrays::read_bam_json(path);
+#if TRIBOLOG_LOG_FORMATS
+    case log::LogFormat::mcap:
+      return bags::read_mcap(path);
+    case log::LogFormat::rosbag:
+      return bags::read_rosbag(path);
+    case log::LogFormat::sqlite_bag:
+      return bags::read_rosbag_db3(path);
     case log::LogFormat::mdf:
       return measurement::read_mdf(path);
     case log::LogFormat::tdms:
       return measurement::read_tdms(path);
     case log::LogFormat::parquet:
       return parquet::read_parquet(path);
+#else
+    case log::LogFormat::mcap:
+    case log::LogFormat::rosbag:
+    case log::LogFormat::sqlite_bag:
+    case log::LogFormat::mdf:
+    case log::LogFormat::tdms:
+    case log::LogFormat::parquet:
+      throw InputError({path, 0, 0}, {"is a log in a format that this program was built without",
+                                      log::to_string(format), "text, MAT, HDF5, NumPy or JSON",
+                                      "build it with -DTRIBOLOG_LOG_FORMATS=ON"});
+#endif
     case log::LogFormat::text:
       break;
   }
