@@ -23,6 +23,7 @@
 <div class="answer">
 {{>VERDICT}}
 {{>QUANTITIES}}
+{{>NEXT_EXPERIMENT}}
 </div>
 <div class="key-pictures">
 {{>KEY_PICTURE}}

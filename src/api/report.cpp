@@ -1,5 +1,6 @@
 #include "tribolog/report.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "api/contents.h"
@@ -15,6 +16,10 @@
 #include "paper/scenes/scene_figures.h"
 #include "report/document/html_report.h"
 #include "report/document/robot_page.h"
+#if TRIBOLOG_EXPERIMENTS
+#include "ingest/manifest/joint_file.h"
+#include "plan/experiment_plan.h"
+#endif
 
 namespace tribolog::api {
 namespace {
@@ -35,6 +40,34 @@ std::optional<history::Comparison> since(const std::optional<EarlierCalibration>
   if (!earlier) return std::nullopt;
   return history::compare(measured(earlier->calibration, earlier->id),
                           measured(calibration, kept_as), {}, false);
+}
+
+/// Within what the recordings show, for the quantities that are not usable; nothing where they show
+/// no limits.
+std::vector<report::document::NextPart> next_experiment(const calibration::Judgement& judgement,
+                                                        const std::string& json) {
+  std::vector<report::document::NextPart> parts;
+#if TRIBOLOG_EXPERIMENTS
+  std::vector<joint::Quantity> wanted;
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
+    if (q.verdict != calibration::Verdict::usable) wanted.push_back(q.quantity);
+  }
+  if (wanted.empty()) return parts;
+  try {
+    plan::PlanOptions options;
+    options.roles = plan::roles_that_show(wanted);
+    const plan::ExperimentPlan plan =
+        plan::plan_experiment(ingest::manifest::recorded_joint(json, "the calibration"), options);
+    for (const plan::PlannedPart& part : plan.parts) {
+      if (part.recordings > 0) parts.push_back({part.role, part.recordings, part.duration_s});
+    }
+  } catch (const InputError&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+#endif
+  return parts;
 }
 
 }  // namespace
@@ -68,9 +101,12 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
       provenance.drawing = api::software_that_drew(drawn);
     }
     if (options.progress) options.progress("writing the report", 1, 1);
-    return Report{report::document::html_report(identified.calibration, figures, drawn, provenance,
-                                                since_last, language, options.kept_as),
-                  api::outcomes_of(drawn)};
+    const report::document::PageContext context{
+        since_last, language, options.kept_as,
+        api::next_experiment(identified.calibration.judgement, calibration.to_json())};
+    return Report{
+        report::document::html_report(identified.calibration, figures, drawn, provenance, context),
+        api::outcomes_of(drawn)};
   });
 }
 

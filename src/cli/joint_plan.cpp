@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "api/drawing.h"
-#include "base/input_file.h"
+#include "calibration/read_calibration.h"
 #include "cli/drawing.h"
+#include "cli/given_files.h"
 #include "exports/experiment/plan_files.h"
 #include "figures/experiments/plan_figure.h"
 #include "figures/figure_csv.h"
@@ -22,16 +23,6 @@ namespace tribolog::cli {
 namespace {
 
 constexpr double fastest_usual_Hz = 10'000;
-constexpr std::uint64_t largest_calibration_bytes = std::uint64_t{1} << 28;
-
-joint::JointFacts facts_of(const PlanCommandOptions& options, const std::string& text,
-                           const std::string& joint) {
-  joint::JointFacts facts = ingest::manifest::parse_joint(text, options.joint, joint);
-  if (options.calibration.empty()) return facts;
-  return ingest::manifest::with_calibration(
-      std::move(facts), read_file(options.calibration, largest_calibration_bytes),
-      options.calibration);
-}
 
 /// Simulating more would take hours and all memory.
 void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
@@ -60,40 +51,71 @@ void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
 }
 
 /// @throw InputError: numbers of which each is possible, and of which together no plan comes.
-plan::ExperimentPlan planned(const joint::JointFacts& facts, const std::string& text,
-                             const std::string& file) {
+plan::ExperimentPlan planned(const JointInput& joint) {
+  const std::string text = joint.stated_text();
   try {
-    plan::ExperimentPlan plan = plan::plan_experiment(facts);
-    refuse_endless(plan, text, file);
+    plan::PlanOptions options;
+    options.roles = joint.roles;
+    plan::ExperimentPlan plan = plan::plan_experiment(joint.facts, options);
+    refuse_endless(plan, text, joint.file);
     return plan;
   } catch (const std::invalid_argument& error) {
-    refuse_together(error, text, file);
+    refuse_together(error, text, joint.file);
   }
 }
 
 /// @throw InputError as planned().
 plan::ExpectedIntervals expected(const plan::ExperimentPlan& plan,
-                                 const PlanCommandOptions& options, const std::string& text) {
+                                 const PlanCommandOptions& options, const JointInput& joint) {
   try {
     return plan::expect_intervals(plan, {options.runs, options.seed, options.threads});
   } catch (const std::invalid_argument& error) {
-    refuse_together(error, text, options.joint);
+    refuse_together(error, joint.stated_text(), joint.file);
   }
 }
 
 }  // namespace
 
+JointInput joint_in_file(const PlanCommandOptions& options, const std::string& text,
+                         const std::string& joint) {
+  JointInput made;
+  made.file = options.joint;
+  made.text = text;
+  made.facts = ingest::manifest::parse_joint(text, options.joint, joint);
+  if (options.calibration.empty()) return made;
+  made.facts = ingest::manifest::with_calibration(
+      std::move(made.facts), calibration_in(options.calibration), options.calibration);
+  return made;
+}
+
+JointInput joint_of_calibration(const std::string& file) {
+  const std::string json = calibration_in(file);
+  JointInput made;
+  made.file = file;
+  made.facts = ingest::manifest::recorded_joint(json, file);
+  std::vector<joint::Quantity> wanted;
+  for (const calibration::Quantity& q : calibration::read_calibration(json, file).quantities) {
+    const auto quantity = joint::quantity_of(q.name);
+    if (quantity && q.verdict != calibration::Verdict::usable) wanted.push_back(*quantity);
+  }
+  made.roles = plan::roles_that_show(wanted);
+  made.text = exports::experiment::joint_toml(made.facts);
+  made.is_from_recordings = true;
+  return made;
+}
+
 report::experiments::PlanReport plan_of_joint(const PlanCommandOptions& options,
-                                              const std::string& text, const std::string& joint,
+                                              const JointInput& joint,
                                               const calibration::Provenance& provenance,
                                               const std::function<void()>& simulates) {
   report::experiments::PlanReport report;
   report.provenance = provenance;
-  report.joint_text = text;
-  report.joint_file = calibration::command_line_text({options.joint});
-  report.plan = planned(facts_of(options, text, joint), text, options.joint);
+  report.joint_text = joint.text;
+  report.joint_file = calibration::command_line_text(
+      {joint.is_from_recordings ? planned_joint_name : options.joint});
+  report.plan = planned(joint);
   simulates();
-  report.expected = expected(report.plan, options, text);
+  report.expected = expected(report.plan, options, joint);
   return report;
 }
 

@@ -10,6 +10,8 @@
 #include "base/error.h"
 #include "calibration/provenance.h"
 #include "cli/console.h"
+#include "joint/joint_facts.h"
+#include "joint/recording.h"
 #include "render/workers/renderer.h"
 #include "report/experiments/plan_page.h"
 #include "wording/language.h"
@@ -31,15 +33,36 @@ struct PlanCommandOptions {
 
 inline constexpr const char* plan_page_name = "plan.html";
 
-/// @param text of the file that the options name. @param joint of a robot's, by name; empty: the
-///        file is a single joint's.
+/// What a plan is made from.
+struct JointInput {
+  joint::JointFacts facts;
+  std::vector<joint::Role> roles;  ///< That are asked for; empty: all.
+  std::string file;                ///< The user's, for messages.
+  std::string text;                ///< The joint's file (TOML).
+  bool is_from_recordings{};       ///< The text is made of a calibration, and is no file yet.
+
+  /// In which the place of a number can be named; empty: it is no file yet.
+  [[nodiscard]] std::string stated_text() const { return is_from_recordings ? "" : text; }
+};
+
+/// Of a joint's file. @param text of the file that the options name.
+/// @param joint of a robot's, by name; empty: the file is a single joint's.
+/// @throw InputError as parse_joint() and with_calibration().
+JointInput joint_in_file(const PlanCommandOptions& options, const std::string& text,
+                         const std::string& joint);
+
+/// Of a calibration or a report: within what was recorded, what the quantities need that are not
+/// usable; all where each is. @throw InputError as recorded_joint().
+JointInput joint_of_calibration(const std::string& file);
+
 /// @param simulates called once the plan is made and its simulation begins.
-/// @throw InputError as parse_joint() and with_calibration(), and for numbers of which each is
-///        possible, and of which together no plan comes.
+/// @throw InputError for numbers of which each is possible, and of which together no plan comes.
 report::experiments::PlanReport plan_of_joint(const PlanCommandOptions& options,
-                                              const std::string& text, const std::string& joint,
+                                              const JointInput& joint,
                                               const calibration::Provenance& provenance,
                                               const std::function<void()>& simulates);
+
+inline constexpr const char* planned_joint_name = "joint.toml";
 
 /// What add_plan_files() writes to the directory.
 const std::vector<std::string>& plan_file_names();

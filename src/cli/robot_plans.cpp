@@ -70,7 +70,7 @@ void plan_one(const PlanCommandOptions& options, const std::string& text,
   own.calibration = joint.calibration;
   try {
     progress("planning", 0, 1);
-    joint.report = plan_of_joint(own, text, joint.name, provenance,
+    joint.report = plan_of_joint(own, joint_in_file(own, text, joint.name), provenance,
                                  [&] { progress("simulating the plan", 0, 1); });
     progress("planned", 1, 1);
   } catch (const Error& error) {

@@ -25,6 +25,7 @@ constexpr double viscous_at_rest_share = 1.1e-3;
 constexpr double damping_time_s = 1.656e-3;  // sigma1 / sigma0
 constexpr double usual_deflection_rad = 1.9e-3;
 constexpr double usual_stribeck_rad_s = 5;
+constexpr double usual_stribeck_share = 0.1;  // of the speed limit, at most
 constexpr double stribeck_power = 0.7;
 constexpr double viscous_power = 0.6;
 constexpr double smoothing_s_rad = 1e6;
@@ -84,9 +85,13 @@ AssumedJoint assume_joint(const joint::JointFacts& f) {
   j.coulomb_Nm =
       a.take("coulomb_Nm", f.coulomb_Nm, coulomb_share * j.static_Nm, "assumed.coulomb_torque",
              "N·m", "assumed_from.break_away_torque_68_percent");
+  // The paper's, of a motor behind a gear; a slower drive's lies as far below its fastest.
+  const double by_limit = usual_stribeck_share * f.gear_ratio * f.speed_limit_rad_s;
   j.stribeck_speed_rad_s =
-      a.take("stribeck_speed_rad_s", f.stribeck_speed_rad_s, usual_stribeck_rad_s,
-             "assumed.stribeck_speed", "rad/s", "assumed_from.papers_joint");
+      a.take("stribeck_speed_rad_s", f.stribeck_speed_rad_s,
+             std::min(usual_stribeck_rad_s, by_limit), "assumed.stribeck_speed", "rad/s",
+             by_limit < usual_stribeck_rad_s ? Code("assumed_from.speed_limit_10_percent")
+                                             : Code("assumed_from.papers_joint"));
   j.viscous_coefficient = a.take("", {}, viscous_share * j.static_Nm, "assumed.viscous_coefficient",
                                  "N·m·(s/rad)^0.4", "assumed_from.break_away_torque");
   j.bristle_stiffness_Nm_rad = a.take(

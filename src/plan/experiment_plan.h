@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/statement.h"
+#include "joint/quantity.h"
 #include "joint/recording.h"
 #include "plan/assumed_joint.h"
 #include "plan/planned_motions.h"
@@ -48,9 +49,10 @@ enum class PartState {
   later,    ///< Follows from the result of this plan's rough sweep.
   limited,  ///< Planned, but it will not show everything.
   impossible,
+  not_asked,  ///< Nobody asked for what it shows.
 };
 
-/// "planned", "follows from the rough sweep", "planned, limited", "not possible"
+/// "planned", "follows from the rough sweep", "planned, limited", "not possible", "not needed"
 Statement stated(PartState state);
 
 /// One row of the plan's table.
@@ -63,13 +65,22 @@ struct PlannedPart {
   Statement gives;      ///< What it is for.
   Statement why;        ///< Why it is limited or impossible, with numbers; else empty.
   Statement help;       ///< What would change that; else empty.
+
+  [[nodiscard]] bool is_as_asked() const {
+    return state == PartState::planned || state == PartState::not_asked;
+  }
 };
 
 /// How much work is put in; 1 is usual. Sweeps take so much longer, the oscillation has so many
 /// more cycles, and speeds, positions and ramps grow with it, more slowly.
 struct PlanOptions {
   std::optional<double> effort;  ///< > 0; absent: the most that the time budget allows, or 1.
+  /// Parts to plan; the others are not asked for. Empty: all.
+  std::vector<joint::Role> roles{};
 };
+
+/// The parts that show the quantities, each once.
+std::vector<joint::Role> roles_that_show(const std::vector<joint::Quantity>& quantities);
 
 struct ExperimentPlan {
   AssumedJoint joint;

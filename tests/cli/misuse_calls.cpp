@@ -16,6 +16,7 @@ const std::vector<Call>& calls() {
       {"figures --format svg dataset.toml -o f1", 0, "f1: 3 figures as svg"},
       {"study --factor cycles scenario.toml --runs 2 --json s.json", 0, "numbers: s.json"},
       {"study --json m.json --runs 2 --mixed", 0, "numbers: m.json"},
+      {"plan --runs 0 -o next report.html", 0, "plan: next/plan.html"},
       {"study --sound --json m.json --mixed", 2,
        "--misfit, --sound, --mixed and --less-data are studies of their own: choose one"},
       {"study --unstated --mixed --json m.json", 2,
@@ -279,13 +280,17 @@ const std::vector<Call>& calls() {
        "archive.db: is an archive, expected a report (HTML) or a calibration (JSON); hint: "
        "tribolog archive list --archive archive.db"},
       {"plan dataset.toml -o p", 3,
-       "dataset.toml: is a manifest, expected the file of a joint or of a robot's joints (TOML); "
-       "hint: tribolog report dataset.toml"},
+       "dataset.toml: is a manifest, expected the file of a joint or of a robot's joints (TOML), a "
+       "report or a calibration; hint: tribolog report dataset.toml"},
       {"plan scenario.toml -o p", 3,
-       "scenario.toml: is a scenario, expected the file of a joint or of a robot's joints (TOML); "
-       "hint: tribolog simulate scenario.toml -o DIRECTORY"},
-      {"plan joint.toml --calibration report.html -o p", 3,
-       "report.html: is a report, expected a calibration (JSON); hint: tribolog show report.html"},
+       "scenario.toml: is a scenario, expected the file of a joint or of a robot's joints (TOML), "
+       "a "
+       "report or a calibration; hint: tribolog simulate scenario.toml -o DIRECTORY"},
+      {"plan joint.toml --calibration archive.db -o p", 3,
+       "archive.db: is an archive, expected a report (HTML) or a calibration (JSON); hint: "
+       "tribolog archive list --archive archive.db"},
+      {"plan report.html --joint 3 -o p", 2,
+       "plan of a report or calibration: --calibration and --joint are for a joint's file"},
       {"init dataset.toml -o i.toml", 3,
        "dataset.toml: is a manifest, expected a log; hint: tribolog report dataset.toml"},
       {"init report.html -o i.toml", 3,

@@ -38,6 +38,24 @@ TEST(PlanCommand, WritesPageNumbersSetPointsAndManifest) {
   EXPECT_EQ(page.find("This figure is missing"), std::string::npos);
 }
 
+TEST(PlanCommand, OfAReportPlansWhatIsMissingWithinWhatWasRecorded) {
+  const SmallDataset directory;
+  const std::string at = "cd '" +
+                         std::filesystem::path(directory.file("r.html")).parent_path().string() +
+                         "' && " + program;
+  ASSERT_EQ(run_shell(at + "report dataset.toml -o r.html --no-figures").status, 0);
+  const std::string page = read_text(directory.file("r.html"));
+  EXPECT_NE(page.find("id=\"next-experiment\""), std::string::npos);
+  EXPECT_NE(page.find("tribolog plan REPORT.html -o next"), std::string::npos);
+  const ProgramRun run = run_shell(at + "plan r.html -o next --runs 0");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("not needed"), std::string::npos) << run.out;
+  const json first = json::parse(read_text(directory.file("next/plan.json")));
+  EXPECT_GT(first["duration_s"], 10);
+  // Its own file of the joint, with the limits put right, is a plan too.
+  EXPECT_EQ(run_shell(at + "plan next/joint.toml -o again --runs 0").status, 0);
+}
+
 TEST(PlanCommand, SameInputSameBytes) {
   TRIBOLOG_EACH_NIGHT();
   const ScratchDirectory scratch;

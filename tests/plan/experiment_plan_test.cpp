@@ -85,6 +85,31 @@ TEST(Plan, WithoutThePeakHoldsTheRoughSweepAndTheRuns) {
   }
 }
 
+TEST(Plan, HoldsThePartsThatAreAskedForAlone) {
+  plan::PlanOptions options;
+  options.roles =
+      plan::roles_that_show({joint::Quantity::coulomb_torque, joint::Quantity::viscous_curve});
+  EXPECT_EQ(options.roles, std::vector<joint::Role>{joint::Role::constant_speed});
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), options);
+  for (const plan::PlannedPart& part : plan.parts) {
+    const bool is_asked = part.role == joint::Role::constant_speed;
+    EXPECT_EQ(part.state, is_asked ? plan::PartState::planned : plan::PartState::not_asked);
+    EXPECT_EQ(part.recordings > 0, is_asked);
+    EXPECT_TRUE(part.is_as_asked());
+  }
+  EXPECT_LT(plan.duration_s(), plan::plan_experiment(paper_facts()).duration_s() / 2);
+  EXPECT_FALSE(plan.is_first_of_two());
+}
+
+TEST(Plan, ASlowJointsStribeckVelocityIsAssumedBelowItsSpeedLimit) {
+  joint::JointFacts f = bare_facts();
+  f.gear_ratio = 1;
+  f.speed_limit_rad_s = 0.7;
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
+  EXPECT_NEAR(plan.joint.stribeck_speed_rad_s, 0.07, 1e-12);
+  EXPECT_EQ(plan.part(joint::Role::constant_speed).state, plan::PartState::planned);
+}
+
 TEST(Plan, NamesWhatItAssumes) {
   const auto known = [](const plan::ExperimentPlan& plan) {
     return std::count_if(plan.joint.assumptions.begin(), plan.joint.assumptions.end(),

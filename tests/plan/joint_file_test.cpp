@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/requirements.h"
 #include "base/temporary_directory.h"
+#include "exports/experiment/plan_files.h"
 #include "joint/degrees.h"
+#include "plan/experiment_plan.h"
 #include "plan/paper_facts.h"
 
 namespace tribolog::test::joint_file_test {
@@ -120,6 +123,77 @@ TEST(JointCalibration, RefusesWhatIsNone) {
   std::string other = calibration;
   other.replace(other.find("50"), 2, "60");
   EXPECT_NE(refused(other).find("another gear ratio, found 60, expected 50"), std::string::npos);
+}
+
+constexpr const char* recorded = R"({"schema": "tribolog-calibration-1",
+ "robot": {"name": "R", "serial": "7", "joint": "2"},
+ "drive": {"gear_ratio": 50, "effort_kind": "motor_current", "effort_side": "motor",
+           "torque_constant_Nm_A": 0.1, "torque_is_in_amperes": false},
+ "speeds": [{"window_samples": 20, "window_s": 0.04}],
+ "cog": {"q_peak_rad": {"estimate": 0.25},
+         "rough": {"lowest_rad": -1, "highest_rad": 0.5, "argmax_torque_Nm": 1.8,
+                   "gravity_Nm": {"estimate": 1.5}}, "precise": {}},
+ "viscous": {"runs": [{"speed_rad_s": -90, "torque_Nm": -2, "lowest_rad": -0.4,
+                       "highest_rad": 0.7}]},
+ "friction_at_speed": [{"speed_rad_s": 0.5}, {"speed_rad_s": 100}],
+ "friction": {"waiboer": null, "lugre": null}})";
+
+TEST(RecordedJoint, HasTheLimitsThatItsRecordingsShow) {
+  const joint::JointFacts f = ingest::manifest::recorded_joint(recorded, "c.json");
+  EXPECT_EQ(f.robot, "R");
+  EXPECT_EQ(f.joint, "2");
+  constexpr double digits = 0.005;  // rounded to three
+  EXPECT_NEAR(f.lowest_rad, -1, digits);
+  EXPECT_NEAR(f.highest_rad, 0.7, digits);
+  EXPECT_NEAR(f.speed_limit_rad_s, 100.0 / 50, 2 * digits);
+  EXPECT_NEAR(f.acceleration_limit_rad_s2, 100.0 / 50 / 0.2, 10 * digits);
+  EXPECT_NEAR(f.torque_limit_Nm, 1.3 * 2, digits);
+  EXPECT_EQ(f.sample_rate_Hz, 500);
+  EXPECT_EQ(f.effort_kind, joint::EffortKind::motor_current);
+  EXPECT_EQ(f.torque_constant_Nm_A, 0.1);
+  EXPECT_EQ(f.gravity_Nm, 1.5);
+  EXPECT_EQ(f.q_peak_rad, 0.25);
+}
+
+TEST(RecordedJoint, ComesBackFromItsFile) {
+  const joint::JointFacts f = ingest::manifest::recorded_joint(recorded, "c.json");
+  const joint::JointFacts read =
+      ingest::manifest::parse_joint(exports::experiment::joint_toml(f), "joint.toml");
+  EXPECT_EQ(read.robot, f.robot);
+  EXPECT_EQ(read.serial, f.serial);
+  EXPECT_NEAR(read.lowest_rad, f.lowest_rad, 1e-6);
+  EXPECT_NEAR(read.highest_rad, f.highest_rad, 1e-6);
+  EXPECT_NEAR(read.speed_limit_rad_s, f.speed_limit_rad_s, 1e-5);
+  EXPECT_NEAR(read.torque_limit_Nm, f.torque_limit_Nm, 1e-5);
+  EXPECT_EQ(read.sample_rate_Hz, f.sample_rate_Hz);
+  EXPECT_EQ(read.gravity_Nm, f.gravity_Nm);
+  EXPECT_NEAR(present(read.q_peak_rad), 0.25, 1e-5);
+  EXPECT_EQ(read.effort_kind, f.effort_kind);
+  EXPECT_EQ(read.torque_constant_Nm_A, f.torque_constant_Nm_A);
+  EXPECT_NEAR(plan::plan_experiment(read).duration_s(), plan::plan_experiment(f).duration_s(), 0.1);
+}
+
+TEST(RecordedJoint, GoesRoundNoMoreThanOnce) {
+  std::string text = recorded;
+  text.replace(text.find("0.7"), 3, "80.0");
+  const joint::JointFacts f = ingest::manifest::recorded_joint(text, "c.json");
+  EXPECT_NEAR(f.highest_rad - f.lowest_rad, 2 * std::numbers::pi, 0.02);
+}
+
+TEST(RecordedJoint, RefusesWhatShowsNoLimits) {
+  const auto refused = [](const std::string& what, const std::string& by) {
+    std::string text = recorded;
+    text.replace(text.find(what), what.size(), by);
+    return refusal_of<InputError>([&] { return ingest::manifest::recorded_joint(text, "c.json"); });
+  };
+  EXPECT_NE(refused("\"torque_is_in_amperes\": false", "\"torque_is_in_amperes\": true")
+                .find("its torques are in ampere"),
+            std::string::npos);
+  const std::string nothing = R"({"schema": "tribolog-calibration-1"})";
+  EXPECT_NE(refusal_of<InputError>([&] {
+              return ingest::manifest::recorded_joint(nothing, "c.json");
+            }).find("neither a sweep nor a run"),
+            std::string::npos);
 }
 
 }  // namespace

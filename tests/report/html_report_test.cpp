@@ -125,8 +125,8 @@ TEST(HtmlReport, EveryReferenceLeadsToAFinding) {
 
 TEST(HtmlReport, ItsNumberIsThatOfTheArchiveOrOfItsContent) {
   const calibration::Calibration c = complete_calibration();
-  const std::string filed = report::document::html_report(c, {}, {}, sample_provenance(),
-                                                          std::nullopt, {}, "0123456789abcdef0123");
+  const std::string filed = report::document::html_report(
+      c, {}, {}, sample_provenance(), {std::nullopt, {}, "0123456789abcdef0123"});
   EXPECT_NE(filed.find("Identification report <bdi>tribolog-0123456789ab</bdi>"),
             std::string::npos);
   EXPECT_NE(filed.find("@top-right{content:\"tribolog-0123456789ab\""), std::string::npos);
@@ -155,7 +155,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   angle.change = history::Change{{0.01, 0.008, 0.012, {}}, {}, 1e-6};
   angle.word = history::ChangeWord::changed;
   since.quantities = {angle};
-  const std::string html = report::document::html_report(c, {}, {}, sample_provenance(), since);
+  const std::string html = report::document::html_report(c, {}, {}, sample_provenance(), {since});
   const std::size_t at = html.find("id=\"table-quantities\"");
   const std::string table = html.substr(at, html.find("</section>", at) - at);
   EXPECT_NE(table.find("Since <span class=\"unit\">2026-01-04</span></th>"), std::string::npos);
@@ -238,7 +238,7 @@ TEST(HtmlReport, SpeaksOfItsFiguresInThePagesLanguage) {
                          "(Segmentation fault)."),
             std::string::npos);
   const std::string polish =
-      report::document::html_report(c, figures, drawn, sample_provenance(), std::nullopt, {"pl"});
+      report::document::html_report(c, figures, drawn, sample_provenance(), {std::nullopt, {"pl"}});
   EXPECT_NE(polish.find("seria &#39;tarcie&#39;: pominięto 2 z 6 próbek, które nie są skończone"),
             std::string::npos);
   EXPECT_NE(polish.find("Utracono proces rysujący: zatrzymał go sygnał 11 (Segmentation fault)."),

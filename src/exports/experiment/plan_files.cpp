@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
 #include "exports/experiment/plan_table.h"
 #include "ingest/manifest/toml_document.h"
+#include "joint/degrees.h"
 #include "plan/simulated_plan.h"
 #include "wording/language.h"
 #include "wording/words.h"
@@ -80,6 +84,47 @@ std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
              plan::planned_log_name)) +
          robot_table(f) + "\n[joint]\n" + name_and_gear(f) +
          log_tables(plan, "", plan::planned_log_name);
+}
+
+std::string joint_toml(const joint::JointFacts& f) {
+  std::string text =
+      "# What the joint did in the recordings: put its true limits here, and plan again.\n"
+      "schema = \"tribolog-joint-1\"\n" +
+      robot_table(f) + "\n[joint]\n" + name_and_gear(f);
+  const auto add = [&](const char* key, double value) {
+    text += fmt::format("{} = {:.6g}\n", key, value);
+  };
+  add("lowest_deg", f.lowest_rad * joint::degrees_per_rad);
+  add("highest_deg", f.highest_rad * joint::degrees_per_rad);
+  add("speed_limit_deg_s", f.speed_limit_rad_s * joint::degrees_per_rad);
+  add("acceleration_limit_deg_s2", f.acceleration_limit_rad_s2 * joint::degrees_per_rad);
+  add("motor_torque_limit_Nm", f.torque_limit_Nm);
+  const auto add_table =
+      [&](const char* name,
+          const std::vector<std::pair<const char*, std::optional<double>>>& keys) {
+        std::string lines;
+        for (const auto& [key, value] : keys) {
+          if (value) lines += fmt::format("{} = {:.6g}\n", key, *value);
+        }
+        if (!lines.empty()) text += fmt::format("\n[{}]\n", name) + lines;
+      };
+  std::optional<double> q_peak_deg = f.q_peak_rad;
+  if (q_peak_deg) *q_peak_deg *= joint::degrees_per_rad;
+  add_table("gravity", {{"motor_torque_Nm", f.gravity_Nm}, {"q_peak_deg", q_peak_deg}});
+  add_table("friction", {{"static_Nm", f.static_Nm},
+                         {"coulomb_Nm", f.coulomb_Nm},
+                         {"stribeck_speed_rad_s", f.stribeck_speed_rad_s},
+                         {"bristle_stiffness_Nm_rad", f.bristle_stiffness_Nm_rad}});
+  add_table("log", {{"sample_rate_Hz", f.sample_rate_Hz},
+                    {"encoder_counts_per_turn", f.encoder_counts_per_turn}});
+  if (!f.ripple_periods_per_turn.empty()) {
+    text += fmt::format("\n[ripple]\nperiods_per_turn = [{:.6g}]\n",
+                        fmt::join(f.ripple_periods_per_turn, ", "));
+  }
+  text += fmt::format("\n[effort]\nkind = \"{}\"\nside = \"{}\"\n", joint::to_string(f.effort_kind),
+                      joint::to_string(f.effort_side));
+  if (f.torque_constant_Nm_A) add("torque_constant_Nm_A", *f.torque_constant_Nm_A);
+  return text;
 }
 
 std::string plan_robot_toml(const std::vector<PlannedJoint>& joints) {

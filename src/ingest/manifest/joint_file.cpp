@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -11,7 +10,6 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "ingest/arrays/json_text.h"
 #include "ingest/manifest/robot_joints.h"
 #include "ingest/manifest/scenario_tables.h"
 #include "ingest/manifest/toml_document.h"
@@ -184,115 +182,6 @@ joint::JointFacts parse_joint(std::string_view text, const std::string& file,
     budget->refuse_unknown_keys();
   }
   top.refuse_unknown_keys();
-  return f;
-}
-
-// What an earlier calibration tells a plan.
-
-namespace {
-
-const arrays::JsonValue* member(const arrays::JsonValue* object, std::string_view key) {
-  if (object == nullptr || object->kind != arrays::JsonKind::object) return nullptr;
-  for (std::size_t i = 0; i < object->content->keys.size(); ++i) {
-    if (object->content->keys[i] == key) return &object->content->elements[i];
-  }
-  return nullptr;
-}
-
-const arrays::JsonValue* at(const arrays::JsonValue& top, std::initializer_list<const char*> path) {
-  const arrays::JsonValue* value = &top;
-  for (const char* key : path) value = member(value, key);
-  return value;
-}
-
-std::optional<double> number_at(const arrays::JsonValue& top,
-                                std::initializer_list<const char*> path) {
-  const arrays::JsonValue* value = at(top, path);
-  if (value == nullptr || value->kind != arrays::JsonKind::number) return std::nullopt;
-  return value->number;
-}
-
-std::vector<double> ripple_periods(const arrays::JsonValue& top) {
-  std::vector<double> periods;
-  const arrays::JsonValue* lines = at(top, {"ripple", "lines"});
-  if (lines == nullptr || lines->kind != arrays::JsonKind::array) return periods;
-  for (const arrays::JsonValue& line : lines->content->elements) {
-    const auto period = number_at(line, {"periods_per_turn"});
-    if (period && *period > 0 && range_of_key("periods_per_turn").holds(*period)) {
-      periods.push_back(*period);
-    }
-  }
-  return periods;
-}
-
-/// What the calibration gives, in the ranges that a joint's file has.
-class Taken {
- public:
-  Taken(joint::JointFacts& facts, const std::string& file) : facts_(facts), file_(file) {}
-
-  void take(const char* name, std::optional<double>& fact, const std::optional<double>& found) {
-    if (!found) return;
-    const KeyRange range = range_of_key(name);
-    if (!range.holds(*found)) {
-      throw InputError({file_, 0, 0}, {std::string(name) + " is out of any joint's range",
-                                       fmt::format("{}", *found), range.in_words(), ""});
-    }
-    fact = found;
-    facts_.identified.insert(name);
-  }
-
-  /// Only where the joint's file does not state it.
-  void fill(const char* name, std::optional<double>& fact, const std::optional<double>& found) {
-    if (!fact && found && *found > 0) take(name, fact, found);
-  }
-
- private:
-  joint::JointFacts& facts_;
-  const std::string& file_;
-};
-
-}  // namespace
-
-joint::JointFacts with_calibration(joint::JointFacts f, std::string_view calibration,
-                                   const std::string& file) {
-  const arrays::JsonValue top = arrays::parse_json_text(calibration, file);
-  const arrays::JsonValue* schema = at(top, {"schema"});
-  if (schema == nullptr || schema->kind != arrays::JsonKind::text ||
-      schema->content->text != "tribolog-calibration-1") {
-    throw InputError({file, 0, 0}, {"is no calibration", "", "schema \"tribolog-calibration-1\"",
-                                    "tribolog identify writes one"});
-  }
-  const auto gear_ratio = number_at(top, {"drive", "gear_ratio"});
-  constexpr double same = 1e-9;
-  if (gear_ratio && std::abs(*gear_ratio - f.gear_ratio) > same * f.gear_ratio) {
-    throw InputError({file, 0, 0}, {"is of another gear ratio", fmt::format("{}", *gear_ratio),
-                                    fmt::format("{}, as the joint's", f.gear_ratio), ""});
-  }
-  Taken taken(f, file);
-  taken.take("q_peak_rad", f.q_peak_rad, number_at(top, {"cog", "q_peak_rad", "estimate"}));
-  const auto gravity = number_at(top, {"cog", "rough", "gravity_Nm", "estimate"});
-  if (gravity && *gravity > 0) taken.take("gravity_Nm", f.gravity_Nm, gravity);
-  if (f.ripple_periods_per_turn.empty()) {
-    f.ripple_periods_per_turn = ripple_periods(top);
-    if (!f.ripple_periods_per_turn.empty()) f.identified.insert("ripple_periods_per_turn");
-  }
-  const auto waiboer = [&](const char* name) {
-    return number_at(top, {"friction", "waiboer", name, "motor", "estimate"});
-  };
-  taken.fill("stribeck_speed_rad_s", f.stribeck_speed_rad_s, waiboer("stribeck_speed_rad_s"));
-  const auto at_rest = waiboer("asperity_torque_Nm");
-  if (at_rest && *at_rest >= f.coulomb_Nm.value_or(0)) {
-    taken.fill("static_Nm", f.static_Nm, at_rest);
-  }
-  taken.fill(
-      "bristle_stiffness_Nm_rad", f.bristle_stiffness_Nm_rad,
-      number_at(top, {"friction", "lugre", "bristle_stiffness_Nm_rad", "motor", "estimate"}));
-  try {
-    joint::check_joint_facts(f);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({file, 0, 0},
-                     {"does not go with the joint's file: " + wording::words(error), "", "", ""});
-  }
   return f;
 }
 

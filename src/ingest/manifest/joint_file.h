@@ -46,6 +46,13 @@ joint::JointFacts parse_joint(std::string_view text, const std::string& file,
 /// @throw InputError as joint_names().
 std::vector<std::string> joints_to_plan(std::string_view text, const std::string& file);
 
+/// The joint as a calibration's recordings show it, for a plan of what to record next: its limits
+/// are what the joint did, of angle, speed and torque (30 % more, for what no plateau shows), and
+/// an acceleration that reaches the speed within 0.2 s; with with_calibration().
+/// @throw as with_calibration(); InputError where neither sweep nor run was recorded, or the torque
+///        is in ampere.
+joint::JointFacts recorded_joint(std::string_view calibration, const std::string& file);
+
 inline constexpr std::uint64_t largest_joint_bytes = 1 << 20;
 
 /// What a calibration adds: angle of the gravity peak, gravity torque, ripple periods, break-away

@@ -133,6 +133,9 @@ std::string what_was_seen(const calibration::Calibration& c) {
   for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
     if (run.speed_rad_s != 0) speeds.add(std::abs(run.speed_rad_s));
   }
+  for (const calibration::FrictionAtSpeed& one : c.judgement.friction_at_speed) {
+    speeds.add(one.speed_rad_s);
+  }
   if (!speeds.empty) {
     const std::string range =
         range_in_words(speeds.low, speeds.high, wording::plain_scale("rad/s"));

@@ -99,9 +99,23 @@ void fill_quantities(const ReportView& view, engine::TemplateValues& values) {
   table.set_optional("NOT_ASKED_FOR", view.not_asked_for);
   for (const QuantityRow& row : rows) {
     engine::TemplateValues& out = table.add_section("QUANTITY");
-    out.set("SIDE", view.has_gear ? tr("At the motor") : tr("At the joint"));
     fill_row(row, shown, out);
   }
+}
+
+/// On page one: the first of the steps, and what a plan of them takes.
+void fill_next_experiment(const ReportView& view, engine::TemplateValues& values) {
+  if (view.next_steps.empty()) return;
+  engine::TemplateValues& out = values.add_include("NEXT_EXPERIMENT", "next_experiment.tpl");
+  const NextStep& first = view.next_steps.front();
+  out.set("TEXT", first.text);
+  out.set("QUANTITIES", fmt::format("{}", fmt::join(first.quantities, ", ")));
+  const std::size_t more = view.next_steps.size() - 1;
+  if (more > 0) {
+    out.add_section("MORE").set(
+        "COUNT", tr_count(more, "{steps} more step", "{steps} more steps", {{"steps", more}}));
+  }
+  out.set_optional("PARTS", view.next_parts);
 }
 
 void fill_ticks(const std::vector<KeyPicture::Tick>& ticks, const std::string& section,
@@ -437,6 +451,7 @@ void fill_report(const ReportView& view, bool has_viewer, engine::TemplateValues
   fill_findings(view, verdict, values);
 
   fill_quantities(view, values);
+  fill_next_experiment(view, values);
   fill_friction_speeds(view.friction_speeds, values);
   if (view.log) fill_log(*view.log, values);
   fill_pictures(view.pictures, values);

@@ -174,6 +174,7 @@ struct ReportView {
   std::string verdict_rows;      ///< Which quantities are usable, doubtful...; may be empty.
   std::vector<Finding> findings;
   std::vector<NextStep> next_steps;
+  std::string next_parts;  ///< What to record for them, and how long it takes; may be empty.
   std::string
       not_asked_for;  ///< Quantities that nothing rests on and that do not show; may be empty.
   std::optional<LogPicture> log;  ///< Above all else; absent without recordings.

@@ -164,9 +164,8 @@ std::vector<elements::Fact> facts_of(const plan::ExperimentPlan& plan) {
 
 void fill_verdict(const plan::ExperimentPlan& plan, engine::TemplateValues& values) {
   engine::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const bool is_all =
-      std::all_of(plan.parts.begin(), plan.parts.end(),
-                  [](const plan::PlannedPart& p) { return p.state == plan::PartState::planned; });
+  const bool is_all = std::all_of(plan.parts.begin(), plan.parts.end(),
+                                  [](const plan::PlannedPart& p) { return p.is_as_asked(); });
   const elements::Outcome outcome = plan.segments.empty()            ? elements::Outcome::bad
                                     : is_all && plan.remarks.empty() ? elements::Outcome::good
                                                                      : elements::Outcome::partial;

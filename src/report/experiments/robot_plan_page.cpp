@@ -29,9 +29,8 @@ using RobotPlanJson = nlohmann::ordered_json;
 
 elements::Outcome outcome_of_plan(const RobotPlanJoint& joint) {
   if (joint.plan == nullptr || joint.plan->segments.empty()) return elements::Outcome::bad;
-  const bool is_all = std::all_of(
-      joint.plan->parts.begin(), joint.plan->parts.end(),
-      [](const plan::PlannedPart& part) { return part.state == plan::PartState::planned; });
+  const bool is_all = std::all_of(joint.plan->parts.begin(), joint.plan->parts.end(),
+                                  [](const plan::PlannedPart& part) { return part.is_as_asked(); });
   return is_all && joint.plan->remarks.empty() ? elements::Outcome::good
                                                : elements::Outcome::partial;
 }
