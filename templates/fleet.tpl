@@ -43,7 +43,17 @@
 {{/CARD}}</div>
 {{#MORE_IF}}<p>{{MORE}}</p>{{/MORE_IF}}
 </section>
-{{/OUTLIERS}}<section id="how" aria-labelledby="how-title">
+{{/OUTLIERS}}<section id="robots" aria-labelledby="robots-title">
+<h2 id="robots-title">Joints, those of the robot furthest off first</h2>
+<p>A joint's name leads to its report where one lies beside this page or in its folder <code>reports</code>. To write one: <code>tribolog archive report ID -o ID.html</code>, with the ID in the last column; to write all: <code>--reports reports</code>. A robot's trends, where <code>--trends trends</code> has written them, are behind its name.</p>
+<p class="find" hidden><label>Robot, joint, day or ID <input type="search" id="fleet-find"></label> <output id="fleet-found" for="fleet-find"></output></p>
+<div id="fleet">
+{{#TABLE}}<div class="some"><table class="fleet"><caption class="spoken">Latest results of the joints</caption><thead><tr><th scope="col" class="of">Robot</th><th scope="col" class="joint">Joint</th><th scope="col" class="day">Latest</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}<th scope="col" class="id">ID</th></tr></thead><tbody>
+{{#JOINT}}<tr><td class="of">{{#TREND}}<a class="trend" href="{{HREF}}"><bdi>{{ROBOT}}</bdi></a>{{/TREND}}{{#NO_TREND}}<bdi>{{ROBOT}}</bdi>{{/NO_TREND}}</td><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}</th><td class="day">{{DAY}}{{#DECISION_IF}} <small>{{DECISION}}</small>{{/DECISION_IF}}</td>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}<td class="id">{{ID}}</td></tr>
+{{/JOINT}}</tbody></table></div>
+{{/TABLE}}</div>
+</section>
+<section id="how" aria-labelledby="how-title">
 <h2 id="how-title">How to read it</h2>
 <p class="spark-key"><svg class="spark"><path d="M0 10h184v32H0z"/><path d="M0 20h184"/><path d="M5 30 34 22 63 28 92 25 121 27 150 21 179 12M179 5V19"/><path d="M179 12h0"/></svg>
 <span>Each small picture is one result of one joint over the period of all calibrations. The line is its history, the dot the latest result with its 95 % interval as a bar. Within the grey band the dot does not stand out from the joint's own past. The dashed line is the median of the same joint of the other robots; it is drawn at the edge if it is farther away. Each picture has its own scale. All values are SI, on the motor's side of the gear; the angle of the centre of gravity and the surrogate mass are of the joint. Red: stands out. Grey: the verdict on it is not usable.</span></p>
@@ -52,14 +62,6 @@
 <p>A joint stands out where |<i>z</i>| of one of its results is beyond {{LIMIT}}: at least 3.5, and so large that of the {{DISTANCES}} distances on this page half of one would be expected beyond it by chance. The same joint: one of the same name and gear ratio, on robots of the same name where there are six or more, otherwise on all. Temperature and payload are not taken into account: a joint that was measured cold may stand out for that reason.</p>
 </details>
 </section>
-<section id="robots" aria-labelledby="robots-title">
-<h2 id="robots-title">Robots, furthest off first</h2>
-<p>A joint's name leads to its report where one lies beside this page or in its folder <code>reports</code>. To write one: <code>tribolog archive report ID -o ID.html</code>, with the ID given below the joint's name; to write all: <code>--reports reports</code>. A robot's trends, where <code>--trends trends</code> has written them, are behind its name.</p>
-{{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi>{{#TREND}} <a class="trend" href="{{HREF}}">Trends</a>{{/TREND}}</h3>
-<table class="fleet"><caption class="spoken">Latest results of {{ROBOT}}</caption><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
-{{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}{{#DECISION_IF}} <br>{{DECISION}}{{/DECISION_IF}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>
-{{/JOINT}}</tbody></table></section>
-{{/ROBOT_SECTION}}</section>
 <section id="made" aria-labelledby="made-title">
 <h2 id="made-title">How this was made</h2>
 <p>Made {{CREATED:x-dates}} with:</p>
@@ -67,5 +69,6 @@
 </section>
 </main>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED:x-dates}}</p></footer>
+<script>{{SCRIPT:x-script}}</script>
 </body>
 </html>

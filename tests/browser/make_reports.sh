@@ -2,11 +2,12 @@
 # The reports that the browser tests open: the paper's joint without and with noise, the noisy one in
 # Polish, both compared, the plan of an experiment, the paper regenerated, the fleet's page, and with markup of strangers in every text of its
 # manifest and its logs.
-#   make_reports.sh TRIBOLOG DIRECTORY
+#   make_reports.sh TRIBOLOG FLEET_ARCHIVE DIRECTORY
 set -e
 tribolog=$1
+fleet_archive=$2
 sources=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$2" && cd "$2"
+mkdir -p "$3" && cd "$3"
 
 quick='--truth-runs 0'
 
@@ -57,7 +58,9 @@ ids=$("$tribolog" archive list --archive pair.tribolog | awk 'length($1) == 10 {
 "$tribolog" --quiet plan "$sources/../../examples/plan/joint.toml" --runs 2 -o planned
 cp planned/plan.html plan.html
 "$tribolog" --quiet paper -o regenerated.html
-"$tribolog" --quiet archive fleet --archive pair.tribolog --trends trends -o fleet.html
+rm -f fleet.tribolog
+"$fleet_archive" fleet.tribolog 30 4 6
+"$tribolog" --quiet archive fleet --archive fleet.tribolog -o fleet.html
 
 # Recorded names of columns and files become markup too.
 python3 "$sources/plant_markup.py" scenario_noise harmless x

@@ -104,6 +104,21 @@ const std::string& own_script() {
   return script;
 }
 
+namespace {
+
+const std::string& table_script() {
+  static const std::string script =
+      "\"use strict\";\nif (document.querySelector(\"#fleet table\")) {\n" +
+      without_indentation(embedded_file("fleet.js")) + "}\n";
+  return script;
+}
+
+}  // namespace
+
+bool is_own_script(std::string_view script) {
+  return script == own_script() || script == table_script();
+}
+
 std::vector<std::string> script_messages() {
   constexpr std::string_view call = "t(\"";
   const std::string_view script = own_script();
@@ -142,7 +157,7 @@ void fill_style(TemplateValues& values, PageKind kind, const std::string& number
 }
 
 void allow_script(TemplateValues& values, PageKind kind) {
-  fill(own_style(kind), own_script(), values);
+  fill(own_style(kind), kind == PageKind::fleet ? table_script() : own_script(), values);
 }
 
 void fill_style_and_script(TemplateValues& values, const std::string& number) {

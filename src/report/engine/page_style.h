@@ -25,6 +25,9 @@ const std::string& own_script();
 /// What the script says by itself: the texts of its calls t("...").
 std::vector<std::string> script_messages();
 
+/// Whether it is the script of one of the pages.
+bool is_own_script(std::string_view script);
+
 // Internal to the report: what the head of every page has.
 
 /// fill_style(), and TOOL, CREATED and COMMAND_LINE from the provenance.
@@ -37,7 +40,8 @@ void fill_head(const calibration::Provenance& provenance, TemplateValues& values
 void fill_style(TemplateValues& values, PageKind kind = PageKind::plain,
                 const std::string& number = {});
 
-/// On top of fill_head(): SCRIPT, that of the loop viewer, which the policy allows by its hash.
+/// On top of fill_head(): SCRIPT, that of the fleet's table or of the loop viewer, which the policy
+/// allows by its hash.
 void allow_script(TemplateValues& values, PageKind kind);
 
 /// The same with the style of the loop viewer, and SCRIPT, its script, which the policy allows by

@@ -64,7 +64,7 @@ class OwnScript : public ctemplate::TemplateModifier {
  public:
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
               ctemplate::ExpandEmitter* out, const std::string&) const override {
-    if (std::string_view(in, length) == own_script()) out->Emit(in, length);
+    if (is_own_script(std::string_view(in, length))) out->Emit(in, length);
   }
 };
 

@@ -67,17 +67,33 @@ void fill_joint(const history::FleetJoint& joint, const history::Fleet& fleet,
   leave_out_before(fleet.columns.size());
 }
 
-void fill_robot(const history::FleetRobot& robot, const history::Fleet& fleet,
-                const FleetLinks& links, engine::TemplateValues& values) {
-  values.set("ROBOT", robot_name(robot.robot, robot.serial));
-  fill_trend_link(links, robot, values);
+engine::TemplateValues& add_table(const history::Fleet& fleet, engine::TemplateValues& values) {
+  engine::TemplateValues& table = values.add_section("TABLE");
   for (const history::FleetColumn& column : fleet.columns) {
-    engine::TemplateValues& head = values.add_section("HEAD");
+    engine::TemplateValues& head = table.add_section("HEAD");
     head.set("WORDS", wording::or_dash(column_name(column)));
     head.set("UNIT", wording::or_dash(column.unit));
   }
-  for (const history::FleetJoint& joint : robot.joints) {
-    fill_joint(joint, fleet, links, values.add_section("JOINT"));
+  return table;
+}
+
+/// One table where it is not long; a browser lays out those in sight alone.
+void fill_tables(const history::Fleet& fleet, const FleetLinks& links,
+                 engine::TemplateValues& values) {
+  constexpr std::size_t most_rows = 60;
+  engine::TemplateValues* table = nullptr;
+  std::size_t rows = 0;
+  for (const history::FleetRobot& robot : fleet.robots) {
+    const std::string trend = links.trend_href(robot);
+    for (const history::FleetJoint& joint : robot.joints) {
+      if (rows % most_rows == 0) table = &add_table(fleet, values);
+      ++rows;
+      engine::TemplateValues& row = table->add_section("JOINT");
+      engine::TemplateValues& name = row.add_section(trend.empty() ? "NO_TREND" : "TREND");
+      if (!trend.empty()) name.set("HREF", trend);
+      name.set("ROBOT", robot_name(robot.robot, robot.serial));
+      fill_joint(joint, fleet, links, row);
+    }
   }
 }
 
@@ -234,6 +250,7 @@ std::string fleet_page(const history::Fleet& fleet, const std::vector<history::J
   const wording::WordsIn words(language);
   engine::TemplateValues values;
   engine::fill_head(provenance, values, engine::PageKind::fleet);
+  engine::allow_script(values, engine::PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);
   elements::fill_facts(facts_of(fleet, archive, outliers), values);
   const std::vector<const history::JointTrend*> changing = changing_joints(trends);
@@ -244,9 +261,7 @@ std::string fleet_page(const history::Fleet& fleet, const std::vector<history::J
   values.set("DISTANCES", wording::count(fleet.distances));
   values.set("OTHERS_NEEDED", std::to_string(history::fewest_others));
   values.set("EARLIER_NEEDED", std::to_string(history::fewest_earlier));
-  for (const history::FleetRobot& robot : fleet.robots) {
-    fill_robot(robot, fleet, links, values.add_section("ROBOT_SECTION"));
-  }
+  fill_tables(fleet, links, values);
   return engine::expand_template("fleet.tpl", values, language);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The fleet sheet: all joints on one page, outliers first. One HTML file without script.
+// The fleet sheet: all joints on one page, outliers first. One HTML file; its script sorts and
+// finds, and without it nothing is missing.
 
 #include <map>
 #include <set>
