@@ -71,8 +71,14 @@ TEST(RobotModel, MjcfGetsItsAttributesOfTheBodysJointAlone) {
   options.arm_inertia_kgm2 = 4.5;
   EXPECT_EQ(
       patched(head + "<joint name='J2' frictionloss='0.1' type='hinge'/>" + behind, options).text,
-      head + "<joint name='J2' frictionloss='15.5' type='hinge' damping=\"5\" armature=\"0.5\"/>" +
+      head +
+          "<joint name='J2' frictionloss='15.5' type='hinge' damping=\"5\" "
+          "solimpfriction=\"0.9999 0.9999 0.001 0.5 2\" armature=\"0.5\"/>" +
           behind);
+  // What the model says of it stays.
+  const std::string own = "<joint name='J2' frictionloss='0.1' solimpfriction='0.95'/>";
+  EXPECT_NE(patched(head + own + behind, options).text.find("solimpfriction='0.95'"),
+            std::string::npos);
 }
 
 TEST(RobotModel, IsUnchangedByASecondApplication) {

@@ -258,6 +258,15 @@ class JointEditor {
     }
   }
 
+  /// Of a model that says nothing of it.
+  void add_attribute(const Element& element, const std::string& name, const std::string& value) {
+    const std::string_view tag = text_of(element.tag);
+    if (value_of(tag, name).first != 0) return;
+    const std::size_t at = element.tag.first + end_of_attributes(tag);
+    edits_.push_back({{at, at}, fmt::format(" {}=\"{}\"", name, value)});
+    made_.changes.push_back(fmt::format("{}: none -> {}", name, value));
+  }
+
   void set_content(const Element& element, const std::string& name, double value) {
     if (!element.has_end_tag()) {
       change(element.tag, fmt::format("<{0}>{1}</{0}>", name, shortest(value)), name, "none",
@@ -375,6 +384,8 @@ PatchedModel with_friction(const std::string& model, const std::string& file,
   if (is_mjcf) {
     editor.set_attribute(*found.joint, "damping", friction.viscous_Nms_rad);
     editor.set_attribute(*found.joint, "frictionloss", friction.dry_Nm);
+    editor.add_attribute(*found.joint, "solimpfriction", mjcf_hard_friction);
+    made.remarks.emplace_back(mjcf_hard_friction_words);
     const Armature armature = armature_of(joint, options);
     if (armature.kgm2) editor.set_attribute(*found.joint, "armature", *armature.kgm2);
     made.remarks.push_back(armature.words);

@@ -16,8 +16,9 @@ struct PatchedModel {
 };
 
 /// The model with the joint's numbers: `<dynamics damping friction>` of URDF and SDF, attributes
-/// damping, frictionloss and, where the options state the arm's inertia, armature of MJCF. Every
-/// other byte stays as it is.
+/// damping, frictionloss and, where the options state the arm's inertia, armature of MJCF, which
+/// gets mjcf_hard_friction where it says nothing of solimpfriction. Every other byte stays as it
+/// is.
 /// @param model UTF-8, or another encoding that holds ASCII. @param file its name, for messages.
 /// @param name of the joint in the model.
 /// @throw InputError at the place: no XML or none of the three formats; a document type; no joint

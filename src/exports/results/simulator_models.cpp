@@ -200,11 +200,13 @@ std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& optio
   lines.emplace_back(
       "Copy the attributes of <joint> into your joint. The body is there to make this file "
       "complete; its mass and inertia were not identified.");
+  numbers.emplace_back(mjcf_hard_friction_words);
   numbers.push_back(armature.words);
   return mjcf_start(joint, lines) + xml_comment(numbers, "      ") + "      <joint name=\"" +
          xml_attribute(f.of.joint, "joint") + "\" type=\"hinge\" damping=\"" +
          shortest(friction.viscous_Nms_rad) + "\" frictionloss=\"" + shortest(friction.dry_Nm) +
-         "\"" + (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
+         "\" solimpfriction=\"" + mjcf_hard_friction + "\"" +
+         (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
          "/>\n"
          "    </body>\n"
          "  </worldbody>\n"

@@ -80,6 +80,14 @@ struct DryAndViscous : FrictionLine {
 DryAndViscous dry_and_viscous(const ArchivedJoint& joint, const SimulatorOptions& options,
                               const std::string& dry, const std::string& viscous);
 
+/// solimpfriction of MJCF: MuJoCo's dry friction is soft, and with the engine's usual impedance of
+/// 0.9 less than frictionloss at slow speeds, by up to all of it. With this, the largest that the
+/// engine takes, it is frictionloss (tests/exports/mujoco_friction.py).
+inline constexpr const char* mjcf_hard_friction = "0.9999 0.9999 0.001 0.5 2";
+inline constexpr const char* mjcf_hard_friction_words =
+    "solimpfriction keeps MuJoCo from softening the dry friction: by itself the engine gives less "
+    "than frictionloss at slow speeds.";
+
 /// Steady sliding of the LuGre model: coulomb + (static - coulomb) exp(-(speed / stribeck)²) +
 /// viscous * speed.
 struct SteadyLuGre {
