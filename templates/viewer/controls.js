@@ -35,8 +35,20 @@ const zoomControls = () => {
     button("−", () => zoom(current, 1 / 0.7), { "aria-label": t("Zoom out") }),
     ...moves.map(([sign, name, x, y]) =>
       button(sign, () => pan(current, x, y), { "aria-label": name })),
-    button(t("Home: show all"), resetRanges), box);
+    button(t("Home: show all"), resetRanges), box, fullControl(),
+    button("CSV", () => saveCsv(current), { "aria-label": t("Save what the plot shows as CSV") }),
+    button("PNG", () => savePng(current), { "aria-label": t("Save the plot as PNG") }));
 };
+const fullControl = () => {
+  const element = toggle(t("Full window"), false, (isOn) => root.classList.toggle("full", isOn));
+  root.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && root.classList.contains("full")) element.click();
+  });
+  return element;
+};
+const cycleControl = () => make("div", { class: "controls", role: "group", "aria-label": t("Cycles one by one") },
+  button("‹", () => stepCycle(-1), { "aria-label": t("Previous cycle") }), cycleText,
+  button("›", () => stepCycle(1), { "aria-label": t("Next cycle") }));
 
 const readings = () => {
   const names = [];

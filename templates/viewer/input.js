@@ -109,6 +109,7 @@ const listen = (plot) => {
     0: resetRanges, PageDown: () => step(plot, 1), PageUp: () => step(plot, -1),
     Escape: () => { start = null; hideBox(); }, m: () => choose("midline", true),
   };
+  if (plot.isLoop) keys.x = toggleMark;
   for (const name of "ABCDEF") keys[name.toLowerCase()] = () => choose(name, true);
   view.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

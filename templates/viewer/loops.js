@@ -119,5 +119,9 @@ const loopMarks = (plot) => {
   if (isNumber(loop[plot.x][i]) && isNumber(loop[plot.y][i]) && isInside(plot, x, y)) {
     out.push(draw("circle", { class: "now", cx: x, cy: y, r: 6 }));
   }
+  if (state.mark && state.mark.loop === state.loop) {
+    const [mx, my] = [plot.px(loop[plot.x][state.mark.sample]), plot.py(loop[plot.y][state.mark.sample])];
+    if (isInside(plot, mx, my)) out.push(draw("rect", { class: "marked", x: mx - 5, y: my - 5, width: 10, height: 10 }));
+  }
   return out;
 };

@@ -44,8 +44,29 @@ const pan = (plot, shareX, shareY) => {
     if (share) setRange(name, low + share * (high - low), high + share * (high - low));
   }
 };
+// One cycle of the loop that is read, with the others pale; 0: all.
+const cycleText = make("output", { id: "review-cycle" });
+const cyclesOf = (loop) => (loop.frequency_Hz ? Math.floor(loop.t[loop.t.length - 1] * loop.frequency_Hz + 0.02) : 0);
+const showCycle = (cycle) => {
+  state.cycle = cycle;
+  cycleText.textContent = cycle === 0 ? t("all cycles") : t("cycle {0}", cycle);
+};
+const stepCycle = (by) => {
+  const loop = loops[state.loop];
+  const count = cyclesOf(loop) + 1;
+  const cycle = (state.cycle + by + count) % count;
+  showCycle(cycle);
+  if (cycle === 0) {
+    setRange("t", ...ranges.t.full);
+  } else {
+    setRange("t", (cycle - 1) / loop.frequency_Hz, cycle / loop.frequency_Hz);
+    setSample(nearestInTime(loop, (cycle - 1) / loop.frequency_Hz));
+  }
+  say(cycleText.textContent);
+};
 const resetRanges = () => {
   for (const name in ranges) setRange(name, ...ranges[name].full);
+  showCycle(0);
   if (state.closeUp) showCloseUp();
   say(t("All plots show everything."));
 };

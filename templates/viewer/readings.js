@@ -10,6 +10,11 @@ const runLine = make("p", { class: "run-line", id: "review-run" });
 const slider = make("input", { type: "range", id: "review-slider", min: "0", step: "1" });
 const sliderText = make("output", { for: "review-slider", id: "review-slider-text" });
 
+// From the marked instant to the present one.
+const markBox = make("div", { hidden: "" });
+const markList = make("dl", { class: "values", id: "review-mark" });
+const markButton = make("button", { type: "button", "aria-pressed": "false" });
+
 // Of loops whose time is not kept.
 const isPhase = loops.length > 0 && quantities.t.unit === "°";
 const timeText = (loop, i) => withUnit(fixed(loop.t0_s + loop.t[i], isPhase ? 1 : 4), "t");
@@ -40,8 +45,43 @@ const showInstant = () => {
   sliderText.textContent = isPhase ? place : `t = ${timeText(loop, i)}, ${phaseText(loop, i)}`;
   root.dataset.sample = i;
   root.dataset.loop = state.loop;
+  showMark();
   requestFrame();
 };
+// The integral of the torque over the angle on the way between two samples.
+const areaBetween = ({ q, T }, from, to) => {
+  const [first, last] = from < to ? [from, to] : [to, from];
+  let area = 0;
+  for (let i = first; i < last; ++i) {
+    if (isNumber(q[i]) && isNumber(q[i + 1])) area += (T[i] + T[i + 1]) / 2 * (q[i + 1] - q[i]);
+  }
+  return from < to ? area : -area;
+};
+const showMark = () => {
+  const { mark, sample } = state;
+  const isOn = mark !== null && mark.loop === state.loop;
+  markBox.hidden = !isOn;
+  markButton.textContent = isOn ? t("Remove the mark") : t("Mark this instant");
+  markButton.setAttribute("aria-pressed", isOn);
+  if (!isOn) return;
+  const loop = loops[state.loop];
+  const apart = (name) => loop[name][sample] - loop[name][mark.sample];
+  const { q, T } = quantities;
+  const rows = [isPhase ? [t("Phase"), withUnit(fixed(apart("t"), 1), "t")] : ["Δt", withUnit(fixed(apart("t"), 4), "t")],
+                ["Δq", valueText(apart("q"), "q")], ["ΔT", valueText(apart("T"), "T")]];
+  if (apart("q") !== 0) rows.push(["ΔT/Δq", `${significant(apart("T") / apart("q"), 4)} ${T.unit}/${q.unit}`]);
+  if (T.joules) {
+    rows.push([t("Energy on the way"), `${significant(T.joules * areaBetween(loop, mark.sample, sample), 4)} J`]);
+  }
+  fillList(markList, rows);
+};
+const toggleMark = () => {
+  state.mark = state.mark && state.mark.loop === state.loop ? null : { loop: state.loop, sample: state.sample };
+  showMark();
+  say(state.mark ? t("Marked.") : t("No mark."));
+  requestFrame();
+};
+markButton.addEventListener("click", toggleMark);
 const setSample = (i, isSpoken) => {
   const loop = loops[state.loop];
   state.sample = clamp(i, 0, loop.t.length - 1);

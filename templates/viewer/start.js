@@ -10,7 +10,10 @@ const addOthers = (pairs, isLoop, paint, kind = "") => {
   }
 };
 const buildPanel = (first, keys) => {
-  if (loops.length) numbers.append(make("div", {}, make("h4", {}, t("At the instant")), instantOf, instant));
+  if (loops.length) {
+    markBox.append(make("h4", {}, t("Since the mark")), markList);
+    numbers.append(make("div", {}, make("h4", {}, t("At the instant")), instantOf, instant, markBox));
+  }
   if (readings().length) numbers.append(make("div", {}, readingTitle, readingWhat, readingList));
   stage.append(make("div", { class: "main" }, first, keys),
     make("div", { class: "panel" }, zoomControls(), ...(readings().length ? [readingControls()] : []), numbers,
@@ -67,6 +70,7 @@ const helpText = make("p", { id: "review-help" },
   t("The wheel and two fingers zoom the plot clicked last.") + " " +
   t("Keys in a plot: arrows move, + and − zoom, Page Up and Page Down step.") + " " +
   (candidates.length ? t("A to F and M choose a reading.") + " " : "") +
+  (loops.length ? t("X marks the instant, from which differences are read.") + " " : "") +
   t("Plots that share a quantity move together.") + " " +
   t("Selecting a part of the time dims the rest of the loops."));
 root.append(stage);
@@ -75,7 +79,8 @@ if (hasCurves) buildCandidates();
 if (curves) buildCurves();
 if (loops.length) {
   root.append(make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
-    playControl(), sliderText));
+    playControl(), markButton, ...(loops.some((loop) => cyclesOf(loop) > 1) ? [cycleControl()] : []), sliderText));
+  showCycle(0);
 }
 root.append(status);
 root.hidden = false;

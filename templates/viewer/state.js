@@ -1,7 +1,8 @@
 // The loop viewer, in the parts that page_style.cpp puts together, in that order, into one block.
 // It shows what stands in #tribolog-loops (src/report/review_json.h) and computes no result:
-// every number shown is one of the embedded ones, their unit's multiple, or the difference of the
-// measured and the fitted torque. Without this script the report lacks nothing but the viewer.
+// every number shown is one of the embedded ones, their unit's multiple, the difference of the measured
+// and the fitted torque, or what lies between two instants. Without this script the report lacks nothing
+// but the viewer.
 //
 // This part: what is shown, and what of it is chosen.
 const root = document.getElementById("review");
@@ -17,6 +18,10 @@ const state = {
   loop: 0,
   // Its sample: the instant marked in all plots.
   sample: 0,
+  // Another instant, from which differences are read: { loop, sample }.
+  mark: null,
+  // The cycle shown alone, from 1; 0: all.
+  cycle: 0,
   shown: loops.map((loop, k) => (loop.shown === undefined ? k === 0 : loop.shown)),
   fit: true,
   // A to F, a pair, midline, fit, sweep ...

@@ -20,9 +20,9 @@ namespace tribolog::report::engine {
 namespace {
 
 /// Each stands on the ones before it.
-constexpr std::array viewer_parts{"state.js", "elements.js",   "ranges.js", "plot.js",
-                                  "loops.js", "candidates.js", "curves.js", "readings.js",
-                                  "input.js", "controls.js",   "start.js"};
+constexpr std::array viewer_parts{"state.js", "elements.js",   "ranges.js",   "plot.js",
+                                  "loops.js", "candidates.js", "curves.js",   "readings.js",
+                                  "input.js", "saving.js",     "controls.js", "start.js"};
 
 std::string without_indentation(std::string_view script) {
   std::string out;

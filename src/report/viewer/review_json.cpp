@@ -50,7 +50,14 @@ std::string review_json(const calibration::Calibration& c) {
   Json quantities;
   const bool from_first_sample =
       std::any_of(drawn.begin(), drawn.end(), [](const Json& loop) { return loop["t0_s"] != 0.0; });
-  if (!drawn.empty()) add_loop_quantities(scales, from_first_sample, quantities);
+  if (!drawn.empty()) {
+    add_loop_quantities(scales, from_first_sample, quantities);
+    // Work at the motor for a torque times an angle of the joint, in the units shown.
+    if (c.manifest.torque_unit() == joint::TorqueUnit::newton_metre) {
+      quantities["T"]["joules"] = std::abs(c.manifest.drive.gear_ratio()) /
+                                  (scales.torque.factor * scales.angle.factor);
+    }
+  }
   if (has_curves) add_run_quantities(c, quantities);
   all["quantities"] = std::move(quantities);
   const figures::SeriesStyle fit = figures::estimator_style(method::hysteresis::Estimator::fit);
