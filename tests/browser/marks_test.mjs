@@ -17,8 +17,8 @@ const near = (actual, expected, share, what) =>
 test("by keys: a mark, and the differences and the energy since it", () =>
   withReport("noisy.html", {}, async (page) => {
     const { loops: [loop], quantities } = await dataOf(page);
-    const cycle = Math.round(loop.t.length / (loop.t.at(-1) * loop.frequency_Hz));
-    const [from, to] = [cycle, 2 * cycle];
+    // Samples are kept where they show the curve, so that they are not evenly apart.
+    const [from, to] = [1, 2].map((cycles) => loop.t.findIndex((time) => time >= cycles / loop.frequency_Hz));
     await atSample(page, from);
     await focusPlot(page, "T-q");
     await page.keyboard.press("x");

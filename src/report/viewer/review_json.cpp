@@ -54,8 +54,8 @@ std::string review_json(const calibration::Calibration& c) {
     add_loop_quantities(scales, from_first_sample, quantities);
     // Work at the motor for a torque times an angle of the joint, in the units shown.
     if (c.manifest.torque_unit() == joint::TorqueUnit::newton_metre) {
-      quantities["T"]["joules"] = std::abs(c.manifest.drive.gear_ratio()) /
-                                  (scales.torque.factor * scales.angle.factor);
+      quantities["T"]["joules"] =
+          std::abs(c.manifest.drive.gear_ratio()) / (scales.torque.factor * scales.angle.factor);
     }
   }
   if (has_curves) add_run_quantities(c, quantities);
