@@ -44,8 +44,9 @@ std::optional<history::Comparison> since(const std::optional<EarlierCalibration>
 
 /// Within what the recordings show, for the quantities that are not usable; nothing where they show
 /// no limits.
-std::vector<report::document::NextPart> next_experiment(const calibration::Judgement& judgement,
-                                                        const std::string& json) {
+std::vector<report::document::NextPart> next_experiment(
+    [[maybe_unused]] const calibration::Judgement& judgement,
+    [[maybe_unused]] const std::string& json) {
   std::vector<report::document::NextPart> parts;
 #if TRIBOLOG_EXPERIMENTS
   std::vector<joint::Quantity> wanted;

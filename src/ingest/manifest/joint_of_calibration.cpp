@@ -96,11 +96,9 @@ class Taken {
   const std::string& file_;
 };
 
-}  // namespace
-
-joint::JointFacts with_calibration(joint::JointFacts f, std::string_view calibration,
-                                   const std::string& file) {
-  const arrays::JsonValue top = calibration_in(calibration, file);
+/// @throw as with_calibration()
+joint::JointFacts with_numbers(joint::JointFacts f, const arrays::JsonValue& top,
+                               const std::string& file) {
   const auto gear_ratio = number_at(top, {"drive", "gear_ratio"});
   constexpr double same = 1e-9;
   if (gear_ratio && std::abs(*gear_ratio - f.gear_ratio) > same * f.gear_ratio) {
@@ -133,6 +131,13 @@ joint::JointFacts with_calibration(joint::JointFacts f, std::string_view calibra
                      {"does not go with the joint's file: " + wording::words(error), "", "", ""});
   }
   return f;
+}
+
+}  // namespace
+
+joint::JointFacts with_calibration(joint::JointFacts facts, std::string_view calibration,
+                                   const std::string& file) {
+  return with_numbers(std::move(facts), calibration_in(calibration, file), file);
 }
 
 namespace {
@@ -268,7 +273,7 @@ joint::JointFacts recorded_joint(std::string_view calibration, const std::string
     f.effort_side = joint::Side::joint;
   }
   f.torque_constant_Nm_A = number_at(top, {"drive", "torque_constant_Nm_A"});
-  return with_calibration(std::move(f), calibration, file);
+  return with_numbers(std::move(f), top, file);
 }
 
 }  // namespace tribolog::ingest::manifest
