@@ -133,6 +133,11 @@ def shown(seconds):
     return f"{seconds:.2f}" if seconds < 10 else f"{seconds:.1f}"
 
 
+def is_refused(command):
+    """Twice: what it wrote must not be in its way."""
+    return any(measured(command)[2] != 0 for _ in range(2))
+
+
 def cells(runs, command):
     walls = sorted(wall for wall, _ in runs)
     processor = statistics.median(cpu for _, cpu in runs)
@@ -157,11 +162,16 @@ def main():
         rows = rows_of(at, f"{at}/out")
         for name in options.rows.split(";") if options.rows else rows:
             commands = [[program, *rows[name]] for program in programs]
+            # What an older program does not know has no cells.
+            is_new = len(commands) > 1 and is_refused(commands[0])
+            if is_new:
+                del commands[0]
             first = [seconds_of(command) for command in commands]
             # A row of half a minute tells enough in three rounds.
             rounds = options.rounds if first[-1][0] < 15 else min(3, options.rounds)
             runs = [[seconds_of(command) for command in commands] for _ in range(rounds)]
-            row = [c for k, command in enumerate(commands) for c in cells([r[k] for r in runs], command)]
+            row = ["–"] * len(columns) if is_new else []
+            row += [c for k, command in enumerate(commands) for c in cells([r[k] for r in runs], command)]
             print(f"| {name} | " + " | ".join(row) + " |", flush=True)
 
 

@@ -13,5 +13,7 @@ peers=$build/bench_peers
 # Of the distribution's NumPy where that is older.
 "$peers/bin/python" -c 'import pyarrow' 2>/dev/null || "$peers/bin/pip" install --quiet 'pyarrow<18' || true
 "$peers/bin/python" tests/bench/compare.py "$build" --rounds "${1:-5}"
-"$peers/bin/python" tests/bench/ratios.py "$build/src/tribolog" --rounds "${1:-5}" --tolerance 0.1
+status=0
+"$peers/bin/python" tests/bench/ratios.py "$build/src/tribolog" --rounds "${1:-5}" --tolerance 0.1 || status=$?
 "$peers/bin/python" tests/bench/commands.py "$build/src/tribolog" --rounds "${1:-5}" ${2:+--before "$2"}
+exit "$status"
