@@ -16,8 +16,7 @@ namespace tribolog::exports::experiment {
 /// SI; the user corrects names and units that the drive's log has otherwise.
 std::string plan_dataset_toml(const plan::ExperimentPlan& plan);
 
-/// The joint's file, to be edited and planned for again: what is known but for friction, gravity
-/// and ripple that a calibration gave. parse_joint() reads it.
+/// The joint's file, to be edited and planned for again. parse_joint() reads it.
 std::string joint_toml(const joint::JointFacts& facts);
 
 /// A joint of a robot, with the directory of its files, relative to that of the robot.

@@ -250,8 +250,7 @@ class JointEditor {
     const std::string_view tag = text_of(element.tag);
     const Stretch old = value_of(tag, name);
     if (old.first == 0) {
-      const std::size_t at = element.tag.first + end_of_attributes(tag);
-      change({at, at}, fmt::format(" {}=\"{}\"", name, shortest(value)), name, "none", value);
+      add_attribute(element, name, shortest(value));
     } else {
       change({element.tag.first + old.first, element.tag.first + old.last}, shortest(value), name,
              std::string(tag.substr(old.first, old.last - old.first)), value);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +17,7 @@
 #include "ingest/manifest/scenario_tables.h"
 #include "ingest/manifest/toml_table.h"
 #include "joint/degrees.h"
+#include "wording/axis_scale.h"
 #include "wording/words.h"
 
 namespace tribolog::ingest::manifest {
@@ -45,12 +45,24 @@ std::optional<double> number_at(const arrays::JsonValue& top,
   return value->number;
 }
 
+std::string text_at(const arrays::JsonValue& top, std::initializer_list<const char*> path) {
+  const arrays::JsonValue* value = at(top, path);
+  const bool is_text = value != nullptr && value->kind == arrays::JsonKind::text;
+  return is_text ? std::string(value->content->text) : std::string();
+}
+
+const std::vector<arrays::JsonValue>& list_at(const arrays::JsonValue& top,
+                                              std::initializer_list<const char*> path) {
+  static const std::vector<arrays::JsonValue> none;
+  const arrays::JsonValue* value = at(top, path);
+  const bool is_list = value != nullptr && value->kind == arrays::JsonKind::array;
+  return is_list ? value->content->elements : none;
+}
+
 /// @throw InputError: it is no calibration.
 arrays::JsonValue calibration_in(std::string_view text, const std::string& file) {
   arrays::JsonValue top = arrays::parse_json_text(text, file);
-  const arrays::JsonValue* schema = at(top, {"schema"});
-  if (schema == nullptr || schema->kind != arrays::JsonKind::text ||
-      schema->content->text != "tribolog-calibration-1") {
+  if (text_at(top, {"schema"}) != "tribolog-calibration-1") {
     throw InputError({file, 0, 0}, {"is no calibration", "", "schema \"tribolog-calibration-1\"",
                                     "tribolog identify writes one"});
   }
@@ -59,9 +71,7 @@ arrays::JsonValue calibration_in(std::string_view text, const std::string& file)
 
 std::vector<double> ripple_periods(const arrays::JsonValue& top) {
   std::vector<double> periods;
-  const arrays::JsonValue* lines = at(top, {"ripple", "lines"});
-  if (lines == nullptr || lines->kind != arrays::JsonKind::array) return periods;
-  for (const arrays::JsonValue& line : lines->content->elements) {
+  for (const arrays::JsonValue& line : list_at(top, {"ripple", "lines"})) {
     const auto period = number_at(line, {"periods_per_turn"});
     if (period && *period > 0 && range_of_key("periods_per_turn").holds(*period)) {
       periods.push_back(*period);
@@ -142,65 +152,36 @@ joint::JointFacts with_calibration(joint::JointFacts facts, std::string_view cal
 
 namespace {
 
-std::string text_at(const arrays::JsonValue& top, std::initializer_list<const char*> path) {
-  const arrays::JsonValue* value = at(top, path);
-  const bool is_text = value != nullptr && value->kind == arrays::JsonKind::text;
-  return is_text ? std::string(value->content->text) : std::string();
-}
-
-const std::vector<arrays::JsonValue>& list_at(const arrays::JsonValue& top,
-                                              std::initializer_list<const char*> path) {
-  static const std::vector<arrays::JsonValue> none;
-  const arrays::JsonValue* value = at(top, path);
-  const bool is_list = value != nullptr && value->kind == arrays::JsonKind::array;
-  return is_list ? value->content->elements : none;
-}
-
-/// The least and the largest of what was recorded.
-struct Span {
-  double low{std::numeric_limits<double>::infinity()};
-  double high{-std::numeric_limits<double>::infinity()};
-
-  void hold(const std::optional<double>& value) {
-    if (!value) return;
-    low = std::min(low, *value);
-    high = std::max(high, *value);
-  }
-};
-
 /// What the joint did in the recordings, motor side but for the angles.
 struct Recorded {
-  Span angle_rad;
-  double speed_rad_s{};
-  double torque_Nm{};
+  wording::Extent angle_rad;
+  wording::Extent speed_rad_s;
+  wording::Extent torque_Nm;
 };
 
 Recorded recorded_in(const arrays::JsonValue& top) {
   Recorded all;
-  const auto fast = [&](const std::optional<double>& speed) {
-    all.speed_rad_s = std::max(all.speed_rad_s, std::abs(speed.value_or(0)));
-  };
-  const auto strong = [&](const std::optional<double>& torque) {
-    all.torque_Nm = std::max(all.torque_Nm, std::abs(torque.value_or(0)));
+  const auto take = [](wording::Extent& extent, const std::optional<double>& value) {
+    if (value) extent.add(*value);
   };
   for (const char* sweep : {"rough", "precise"}) {
-    all.angle_rad.hold(number_at(top, {"cog", sweep, "lowest_rad"}));
-    all.angle_rad.hold(number_at(top, {"cog", sweep, "highest_rad"}));
-    strong(number_at(top, {"cog", sweep, "argmax_torque_Nm"}));
+    take(all.angle_rad, number_at(top, {"cog", sweep, "lowest_rad"}));
+    take(all.angle_rad, number_at(top, {"cog", sweep, "highest_rad"}));
+    take(all.torque_Nm, number_at(top, {"cog", sweep, "argmax_torque_Nm"}));
   }
   for (const arrays::JsonValue& run : list_at(top, {"viscous", "runs"})) {
-    all.angle_rad.hold(number_at(run, {"lowest_rad"}));
-    all.angle_rad.hold(number_at(run, {"highest_rad"}));
-    fast(number_at(run, {"speed_rad_s"}));
-    strong(number_at(run, {"torque_Nm"}));
+    take(all.angle_rad, number_at(run, {"lowest_rad"}));
+    take(all.angle_rad, number_at(run, {"highest_rad"}));
+    take(all.speed_rad_s, number_at(run, {"speed_rad_s"}));
+    take(all.torque_Nm, number_at(run, {"torque_Nm"}));
   }
   for (const arrays::JsonValue& loop : list_at(top, {"hysteresis", "oscillations"})) {
-    all.angle_rad.hold(number_at(loop, {"centre_rad"}));
+    take(all.angle_rad, number_at(loop, {"centre_rad"}));
   }
   for (const arrays::JsonValue& one : list_at(top, {"friction_at_speed"})) {
-    fast(number_at(one, {"speed_rad_s"}));
+    take(all.speed_rad_s, number_at(one, {"speed_rad_s"}));
   }
-  strong(number_at(top, {"model", "top_Nm"}));
+  take(all.torque_Nm, number_at(top, {"model", "top_Nm"}));
   return all;
 }
 
@@ -239,10 +220,12 @@ joint::JointFacts recorded_joint(std::string_view calibration, const std::string
     refuse_to_plan(file, "its torques are in ampere");
   }
   const Recorded recorded = recorded_in(top);
-  if (!(recorded.angle_rad.high > recorded.angle_rad.low)) {
+  if (!(recorded.angle_rad.span() > 0)) {
     refuse_to_plan(file, "neither a sweep nor a run at constant speed was recorded");
   }
-  if (!(recorded.speed_rad_s > 0 && recorded.torque_Nm > 0)) {
+  const double speed_rad_s = recorded.speed_rad_s.largest();
+  const double torque_Nm = recorded.torque_Nm.largest();
+  if (!(speed_rad_s > 0 && torque_Nm > 0)) {
     refuse_to_plan(file, "no friction was found at any speed");
   }
   joint::JointFacts f;
@@ -256,9 +239,9 @@ joint::JointFacts recorded_joint(std::string_view calibration, const std::string
   f.lowest_rad = in_degrees(recorded.angle_rad.low);
   const double one_turn = recorded.angle_rad.low + 2 * std::numbers::pi;  // gravity repeats
   f.highest_rad = in_degrees(std::min(recorded.angle_rad.high, one_turn));
-  f.speed_limit_rad_s = in_degrees(recorded.speed_rad_s / f.gear_ratio);
+  f.speed_limit_rad_s = in_degrees(speed_rad_s / f.gear_ratio);
   f.acceleration_limit_rad_s2 = in_degrees(f.speed_limit_rad_s / time_to_speed_s);
-  f.torque_limit_Nm = rounded(spare_torque * recorded.torque_Nm);
+  f.torque_limit_Nm = rounded(spare_torque * torque_Nm);
   f.sample_rate_Hz = sample_rate_in(top);
   for (const arrays::JsonValue& loop : list_at(top, {"hysteresis", "oscillations"})) {
     const auto step_rad = number_at(loop, {"encoder_step_rad"});

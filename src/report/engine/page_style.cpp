@@ -94,26 +94,27 @@ bool is_own_style(std::string_view style) {
   return false;
 }
 
-const std::string& own_script() {
-  static const std::string script = [] {
-    // A block: its names do not clash with the page's.
-    std::string all = "\"use strict\";\nif (document.getElementById(\"tribolog-loops\")) {\n";
-    for (const char* const part : viewer_parts) all += without_indentation(embedded_file(part));
-    return all + "}\n";
-  }();
-  return script;
-}
-
 namespace {
 
+/// For pages with such an element alone; a block, whose names do not clash with the page's.
+template <typename Parts>
+std::string script_where(const std::string& selector, const Parts& parts) {
+  std::string all = "\"use strict\";\nif (document.querySelector(\"" + selector + "\")) {\n";
+  for (const char* const part : parts) all += without_indentation(embedded_file(part));
+  return all + "}\n";
+}
+
 const std::string& table_script() {
-  static const std::string script =
-      "\"use strict\";\nif (document.querySelector(\"#fleet table\")) {\n" +
-      without_indentation(embedded_file("fleet.js")) + "}\n";
+  static const std::string script = script_where("#fleet table", std::array{"fleet.js"});
   return script;
 }
 
 }  // namespace
+
+const std::string& own_script() {
+  static const std::string script = script_where("#tribolog-loops", viewer_parts);
+  return script;
+}
 
 bool is_own_script(std::string_view script) {
   return script == own_script() || script == table_script();
