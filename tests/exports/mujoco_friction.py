@@ -11,6 +11,7 @@ SKIPPED without MuJoCo in this Python. The LuGre model needs 3.12 or newer.
 
 import json
 import math
+import os
 import pathlib
 import random
 import re
@@ -107,12 +108,14 @@ def main(program, scenario, joints):
         return 0
     is_recent = tuple(int(x) for x in mujoco.__version__.split(".")[:2]) >= (3, 12)
     rng = random.Random(5)
+    program = pathlib.Path(program).absolute()
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "joint.json"
         for words in (["simulate", scenario, "-o", folder],
                       ["identify", f"{folder}/dataset.toml", "-o", str(path)]):
             subprocess.run([program, "-q", *words], check=True)
         calibration = json.loads(path.read_text())
+        os.chdir(folder)  # the engine writes its warnings into a file where it runs
         drawn_joints = [drawn(calibration, rng) for _ in range(joints)]
         forms = ["mjcf", "mjcf-lugre"] if is_recent else ["mjcf"]
         off = sum(round_trip(mujoco, program, path, form, drawn_joints) for form in forms)
