@@ -9,5 +9,6 @@
 {{/QUANTITY}}</tbody>
 </table>
 </div>
-<p class="table-note">± U = k·u; where the 95 % interval is lopsided, its ends. {{#NOT_ASKED_FOR_IF}}{{NOT_ASKED_FOR}} {{/NOT_ASKED_FOR_IF}}{{#NO_LIMITS}}The manifest states no limits. {{/NO_LIMITS}}{{#NO_CHANGES}}There is no earlier calibration of this joint to compare with.{{/NO_CHANGES}}{{#CHANGES_NOTE}}Changes are relative to the calibration of {{DAY}}, <code>{{ID}}</code>; “changed” means more than chance over all quantities together.{{/CHANGES_NOTE}}</p>
+{{#LIMITING_EFFECT_IF}}<p class="table-note limiting"><strong>What limits these numbers most:</strong> {{LIMITING_EFFECT}}</p>
+{{/LIMITING_EFFECT_IF}}<p class="table-note">± U = k·u; where the 95 % interval is lopsided, its ends. {{#NOT_ASKED_FOR_IF}}{{NOT_ASKED_FOR}} {{/NOT_ASKED_FOR_IF}}{{#NO_LIMITS}}The manifest states no limits. {{/NO_LIMITS}}{{#NO_CHANGES}}There is no earlier calibration of this joint to compare with.{{/NO_CHANGES}}{{#CHANGES_NOTE}}Changes are relative to the calibration of {{DAY}}, <code>{{ID}}</code>; “changed” means more than chance over all quantities together.{{/CHANGES_NOTE}}</p>
 </section>

@@ -511,7 +511,7 @@ TEST(ReportView, OfAPrintedAngleTheStepIsABound) {
   const auto oscillations = [&] {
     report::document::Section section;
     section.id = "hysteresis";
-    report::document::describe_hysteresis(c.hysteresis, section);
+    report::document::describe_hysteresis(c.hysteresis, 1.0, section);
     return *std::find_if(
         section.tables.begin(), section.tables.end(),
         [](const report::elements::Table& table) { return table.id == "hysteresis-oscillations"; });

@@ -68,7 +68,8 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
   const method::viscous::ViscousCurve* papers = v.find(c.selection.paper_rule);
   Table table;
   table.id = section.id + "-runs";
-  table.caption = tr("Driving torque and friction of each run, at the motor");
+  table.caption =
+      at_motor(tr("Driving torque and friction of each run"), c.manifest.drive.gear_ratio());
   table.columns = {{tr("Motor speed"), "rad/s", true},
                    {tr("Joint speed"), "°/s", true},
                    {tr("Joint angle"), "°", true},

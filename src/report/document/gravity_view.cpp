@@ -61,22 +61,24 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
     table.rows.push_back(estimate_row(tr("q_peak, fitted"), r.q_peak_rad, scale));
     table.rows.back().is_chosen = true;
   }
-  table.rows.push_back(number_row(tr("Torque there, at the motor"), r.argmax_torque_Nm,
+  table.rows.push_back(number_row(at_motor(tr("Torque there"), gear_ratio), r.argmax_torque_Nm,
                                   wording::torque_scale(r.argmax_torque_Nm),
                                   tr("paper's method: largest torque")));
-  table.rows.push_back(estimate_row(tr("Gravity torque G/n, at the motor"), r.gravity_Nm,
-                                    wording::torque_scale(r.gravity_Nm.value)));
+  table.rows.push_back(estimate_row(
+      at_motor(gear_ratio == 1.0 ? tr("Gravity torque G") : tr("Gravity torque G/n"), gear_ratio),
+      r.gravity_Nm, wording::torque_scale(r.gravity_Nm.value)));
   if (gear_ratio != 1.0) {
     const statistics::Estimate joint = statistics::scaled(r.gravity_Nm, gear_ratio);
-    table.rows.push_back(estimate_row(tr("Gravity torque G, at the joint"), joint,
+    table.rows.push_back(estimate_row(at_joint(tr("Gravity torque G"), gear_ratio), joint,
                                       wording::torque_scale(joint.value)));
   }
   if (r.coulomb_Nm) {
-    table.rows.push_back(estimate_row(tr("Coulomb torque, at the motor"), *r.coulomb_Nm,
+    table.rows.push_back(estimate_row(at_motor(tr("Coulomb torque"), gear_ratio), *r.coulomb_Nm,
                                       wording::torque_scale(r.coulomb_Nm->value)));
   }
   if (r.viscous_Nms_rad) {
-    table.rows.push_back(estimate_row(tr("Viscous coefficient, at the motor"), *r.viscous_Nms_rad,
+    table.rows.push_back(estimate_row(at_motor(tr("Viscous coefficient"), gear_ratio),
+                                      *r.viscous_Nms_rad,
                                       wording::viscous_scale(r.viscous_Nms_rad->value)));
   }
   if (r.inertia_kgm2) {
@@ -84,7 +86,7 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
                                       wording::inertia_scale(r.inertia_kgm2->value)));
   }
   const std::string fit = tr("fit of the whole sweep");
-  table.rows.push_back(number_row(tr("Torque offset that is not gravity, at the motor"),
+  table.rows.push_back(number_row(at_motor(tr("Torque offset that is not gravity"), gear_ratio),
                                   r.offset_Nm, wording::torque_scale(r.offset_Nm), fit));
   table.rows.push_back(number_row(tr("Residual scatter of the fit (standard deviation)"),
                                   r.residual_Nm, wording::torque_scale(r.residual_Nm), fit));
@@ -115,9 +117,12 @@ void describe_surrogate_masses(const calibration::Calibration& c, Section& secti
   Table table;
   table.id = section.id + "-results";
   table.caption = tr("Surrogate mass of every estimator");
-  table.columns = {{tr("Estimator"), "", false},       {tr("What it is"), "", false, true},
-                   {tr("Torque T"), "N·m", true},      {tr("Read at q"), "°", true},
-                   {tr("Surrogate mass"), "kg", true}, {tr("95 % interval"), "kg", true}};
+  table.columns = {{tr("Estimator"), "", false},
+                   {tr("What it is"), "", false, true},
+                   {at_motor(tr("Torque T"), c.manifest.drive.gear_ratio()), "N·m", true},
+                   {tr("Read at q"), "°", true},
+                   {tr("Surrogate mass"), "kg", true},
+                   {tr("95 % interval"), "kg", true}};
   for (const method::hysteresis::SurrogateMass& m : c.masses.masses) {
     const wording::RoundedEstimate torque =
         wording::round_by_interval(m.torque_Nm, wording::plain_scale("N·m"));
@@ -129,7 +134,7 @@ void describe_surrogate_masses(const calibration::Calibration& c, Section& secti
           mass.plus_minus(), wording::or_dash(mass.range())},
          m.estimator == c.selection.recommended});
   }
-  table.note = tr("Torques are at the motor. The marked row is the one this program recommends.");
+  table.note = tr("The marked row is the one this program recommends.");
   section.tables.push_back(table);
 }
 

@@ -56,17 +56,18 @@ Table oscillations_table(const method::hysteresis::HysteresisResult& r, const Se
   return table;
 }
 
-void add_results(const method::hysteresis::HysteresisResult& r, Section& section) {
+void add_results(const method::hysteresis::HysteresisResult& r, double gear_ratio,
+                 Section& section) {
   Table table = estimates_table(section.id + "-results",
                                 tr("Results of stage {stage}", {{"stage", section.number}}));
   if (r.midline_Nm) {
-    table.rows.push_back(estimate_row(tr("Mid-line torque at q_peak, at the motor"), *r.midline_Nm,
-                                      wording::torque_scale(r.midline_Nm->value)));
+    table.rows.push_back(estimate_row(at_motor(tr("Mid-line torque at q_peak"), gear_ratio),
+                                      *r.midline_Nm, wording::torque_scale(r.midline_Nm->value)));
     table.rows.back().is_chosen = true;
   }
   if (r.found) {
-    table.rows.push_back(number_row(tr("Height of the loop, at the motor"), r.loop_height_Nm,
-                                    wording::torque_scale(r.loop_height_Nm),
+    table.rows.push_back(number_row(at_motor(tr("Height of the loop"), gear_ratio),
+                                    r.loop_height_Nm, wording::torque_scale(r.loop_height_Nm),
                                     tr("largest minus smallest torque")));
   }
   if (r.presliding_travel_rad) {
@@ -85,28 +86,30 @@ void add_results(const method::hysteresis::HysteresisResult& r, Section& section
 
 }  // namespace
 
-void describe_hysteresis(const method::hysteresis::HysteresisResult& r, Section& section) {
+void describe_hysteresis(const method::hysteresis::HysteresisResult& r, double gear_ratio,
+                         Section& section) {
   if (r.found) {
     section.facts.push_back({tr("Oscillations used"), wording::count(r.oscillations.size())});
     section.facts.push_back({tr("Bristle deflection z"), r.bristle_source.empty()
                                                              ? tr("not known")
                                                              : wording::words(r.bristle_source)});
   }
-  add_results(r, section);
+  add_results(r, gear_ratio, section);
   if (!r.oscillations.empty()) section.tables.push_back(oscillations_table(r, section));
   if (!r.points.empty()) {
     section.tables.push_back(
         elements::loop_points_table(r.points, section.id + "-points",
-                                    tr("Points A to F, read from the first strokes as the "
-                                       "paper does")));
-    section.tables.back().note =
-        tr("Torques at the motor. The first stroke starts from rest: A is read before the loop has "
-           "closed, which is why A and B do not mirror each other here.");
+                                    at_motor(tr("Points A to F, read from the first strokes as the "
+                                                "paper does"),
+                                             gear_ratio)));
+    section.tables.back().note = tr(
+        "The first stroke starts from rest: A is read before the loop has closed, which is why A "
+        "and B do not mirror each other here.");
   }
   if (!r.steady_points.empty()) {
-    section.tables.push_back(
-        elements::loop_points_table(r.steady_points, section.id + "-steady-points",
-                                    tr("Points A to F of the steady loop, mean of its cycles")));
+    section.tables.push_back(elements::loop_points_table(
+        r.steady_points, section.id + "-steady-points",
+        at_motor(tr("Points A to F of the steady loop, mean of its cycles"), gear_ratio)));
   }
 }
 

@@ -59,11 +59,13 @@ Row not_identified_row(const std::string& quantity, const std::string& why) {
   return {{quantity, tr("not identified"), "–", "–", wording::or_dash(why)}, false};
 }
 
-std::string at_motor(const std::string& quantity) {
+std::string at_motor(const std::string& quantity, double gear_ratio) {
+  if (gear_ratio == 1.0) return quantity;
   return tr("{quantity}, at the motor", {{"quantity", quantity}});
 }
 
-std::string at_joint(const std::string& quantity) {
+std::string at_joint(const std::string& quantity, double gear_ratio) {
+  if (gear_ratio == 1.0) return quantity;
   return tr("{quantity}, at the joint", {{"quantity", quantity}});
 }
 
@@ -76,10 +78,9 @@ void add_both_sides(const std::string& quantity, const statistics::Estimate& mot
 void add_both_sides(const std::string& quantity, const statistics::Estimate& motor,
                     const statistics::Estimate& joint, double gear_ratio,
                     wording::Scale (*scale_for)(double), Table& table) {
-  table.rows.push_back(estimate_row(gear_ratio == 1.0 ? quantity : at_motor(quantity), motor,
-                                    scale_for(motor.value)));
+  table.rows.push_back(estimate_row(at_motor(quantity, gear_ratio), motor, scale_for(motor.value)));
   if (gear_ratio == 1.0) return;
-  table.rows.push_back(estimate_row(at_joint(quantity), joint, scale_for(joint.value)));
+  table.rows.push_back(estimate_row(at_joint(quantity, gear_ratio), joint, scale_for(joint.value)));
 }
 
 const method::hysteresis::SurrogateMass* recommended_mass(const calibration::Calibration& c) {
@@ -269,11 +270,11 @@ class KeyNumbers {
   void loop_height(double height_Nm) {
     const std::string from = stage_reference(StageId::hysteresis);
     const std::string name = tr("Height of the hysteresis loop");
-    table_.rows.push_back(number_row(n_ == 1.0 ? name : at_motor(name), height_Nm,
-                                     wording::torque_scale(height_Nm), from));
-    if (n_ == 1.0) return;
     table_.rows.push_back(
-        number_row(at_joint(name), n_ * height_Nm, wording::torque_scale(n_ * height_Nm), from));
+        number_row(at_motor(name, n_), height_Nm, wording::torque_scale(height_Nm), from));
+    if (n_ == 1.0) return;
+    table_.rows.push_back(number_row(at_joint(name, n_), n_ * height_Nm,
+                                     wording::torque_scale(n_ * height_Nm), from));
   }
 
   /// A number that its verdict refuses is not to be filed.

@@ -253,10 +253,10 @@ std::string outcome_words(const method::hysteresis::BreakAwayRamp& ramp,
                                      travel.unit)}});
 }
 
-Table ramps_table(const method::hysteresis::BreakAwayResult& r, const Section& section) {
+Table ramps_table(const method::hysteresis::BreakAwayResult& r, double n, const Section& section) {
   Table table;
   table.id = section.id + "-ramps";
-  table.caption = tr("The ramps one by one");
+  table.caption = at_motor(tr("The ramps one by one"), n);
   double furthest = 0;
   for (const method::hysteresis::BreakAwayRamp& ramp : r.ramps)
     furthest = std::max(furthest, ramp.travel_rad);
@@ -276,7 +276,7 @@ Table ramps_table(const method::hysteresis::BreakAwayResult& r, const Section& s
          false});
   }
   table.note =
-      tr("Torques at the motor, travel of the joint. Censored: the ramp ended before the joint "
+      tr("Travel is the joint's. Censored: the ramp ended before the joint "
          "broke away; its friction is larger than the value, which is left out of the means.");
   return table;
 }
@@ -291,7 +291,7 @@ void describe_break_away(const calibration::Calibration& c, Section& section) {
   section.facts.push_back({tr("Gravity"), r.gravity ? tr("subtracted") : tr("not known here")});
   Table results = results_table(r, c.manifest.drive.gear_ratio(), section);
   if (!results.rows.empty()) section.tables.push_back(std::move(results));
-  section.tables.push_back(ramps_table(r, section));
+  section.tables.push_back(ramps_table(r, c.manifest.drive.gear_ratio(), section));
 }
 
 Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes, double n,
@@ -308,11 +308,11 @@ Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes
   const wording::Scale stiffness = wording::stiffness_scale(stiffest);
   table.columns = {{tr("Recording"), "", false, true},
                    {tr("Width"), angle.unit, true},
-                   {tr("Height, at the motor"), "N·m", true},
+                   {at_motor(tr("Height"), n), "N·m", true},
                    {tr("Closing gap"), tr("% of the width"), true},
                    {tr("Closed"), "", false},
-                   {tr("Work per cycle, at the joint"), "mJ", true},
-                   {tr("Stiffness after a reversal, at the joint"), stiffness.unit, true},
+                   {at_joint(tr("Work per cycle"), n), "mJ", true},
+                   {at_joint(tr("Stiffness after a reversal"), n), stiffness.unit, true},
                    {tr("95 % interval"), stiffness.unit, true}};
   for (const method::hysteresis::LoopShape& s : shapes) {
     wording::RoundedEstimate k;

@@ -19,11 +19,12 @@ namespace {
 using wording::tr;
 
 /// As a simulator takes it.
-Table law_table(const method::model::ModelLaw& law, const Section& section) {
+Table law_table(const method::model::ModelLaw& law, double gear_ratio, const Section& section) {
   Table table = estimates_table(
       section.id + "-law",
-      tr("Likeliest law, at the motor: |T_f| = T_c + a (|ω|/ω_max)^p + b (|ω|/ω_max)² + E "
-         "exp(−(|ω|/ω_s)^δ)"));
+      at_motor(tr("Likeliest law: |T_f| = T_c + a (|ω|/ω_max)^p + b (|ω|/ω_max)² + E "
+                  "exp(−(|ω|/ω_s)^δ)"),
+               gear_ratio));
   const std::string from = tr("model of sweeps and runs");
   const auto torque = [&](const std::string& name, double torque_Nm) {
     table.rows.push_back(number_row(name, torque_Nm, wording::torque_scale(torque_Nm), from));
@@ -53,7 +54,7 @@ Table law_table(const method::model::ModelLaw& law, const Section& section) {
 Table direction_table(const calibration::Calibration& c, const Section& section) {
   Table table;
   table.id = section.id + "-directions";
-  table.caption = tr("Friction by direction, at the motor");
+  table.caption = at_motor(tr("Friction by direction"), c.manifest.drive.gear_ratio());
   double largest_Nm = 0;
   for (const calibration::FrictionAtSpeed& f : c.judgement.friction_at_speed) {
     largest_Nm = std::max(largest_Nm, f.torque_Nm.value);
@@ -102,10 +103,10 @@ Table candidates_table(const method::model::ModelLaw& law, const Section& sectio
 }
 
 Table waiboer_table(const method::viscous::WaiboerFit& f, const method::model::ModelLaw& law,
-                    const Section& section) {
-  Table table =
-      estimates_table(section.id + "-waiboer",
-                      tr("Friction of a geared joint after Waiboer et al., eq. (6), at the motor"));
+                    double gear_ratio, const Section& section) {
+  Table table = estimates_table(
+      section.id + "-waiboer",
+      at_motor(tr("Friction of a geared joint after Waiboer et al., eq. (6)"), gear_ratio));
   table.rows = {estimate_row(tr("Asperity torque T_a"), f.asperity_torque_Nm,
                              wording::torque_scale(f.asperity_torque_Nm.value)),
                 estimate_row(tr("Stribeck velocity ω_s"), f.stribeck_speed_rad_s,
@@ -128,9 +129,11 @@ Table waiboer_table(const method::viscous::WaiboerFit& f, const method::model::M
 }
 
 /// What the one model takes off beside gravity, inertia and the law of friction.
-Table effects_table(const method::model::ModelResult& model, const Section& section) {
-  Table table = estimates_table(
-      section.id + "-effects", tr("Effects in the torque, each where it is largest, at the motor"));
+Table effects_table(const method::model::ModelResult& model, double gear_ratio,
+                    const Section& section) {
+  Table table =
+      estimates_table(section.id + "-effects",
+                      at_motor(tr("Effects in the torque, each where it is largest"), gear_ratio));
   for (const method::model::ModelEffect& effect : model.effects) {
     if (std::isnan(effect.chi2)) continue;
     table.rows.push_back(
@@ -157,15 +160,15 @@ void describe_parameters(const calibration::Calibration& c, Section& section) {
   const method::model::ModelLaw& law = c.model.law;
   if (!law.empty()) {
     section.facts.push_back({tr("Law of friction"), wording::words(described(law))});
-    section.tables.push_back(law_table(law, section));
+    section.tables.push_back(law_table(law, n, section));
     section.tables.push_back(candidates_table(law, section));
   }
   if (Table directions = direction_table(c, section); !directions.rows.empty()) {
     section.tables.push_back(std::move(directions));
   }
-  const Table effects = effects_table(c.model, section);
+  const Table effects = effects_table(c.model, n, section);
   if (!effects.rows.empty()) section.tables.push_back(effects);
-  if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, law, section));
+  if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, law, n, section));
   if (c.lugre) describe_lugre(*c.lugre, n, section);
 }
 

@@ -97,6 +97,7 @@ void fill_quantities(const ReportView& view, engine::TemplateValues& values) {
     note.set("ID", view.last_id);
   }
   table.set_optional("NOT_ASKED_FOR", view.not_asked_for);
+  table.set_optional("LIMITING_EFFECT", view.limiting_effect);
   for (const QuantityRow& row : rows) {
     engine::TemplateValues& out = table.add_section("QUANTITY");
     fill_row(row, shown, out);

@@ -30,7 +30,7 @@ void describe(const calibration::Calibration& c, StageId stage, Section& section
     case StageId::cog_precise:
       return describe_cog_sweep(c.precise, c.manifest.drive.gear_ratio(), section);
     case StageId::hysteresis:
-      describe_hysteresis(c.hysteresis, section);
+      describe_hysteresis(c.hysteresis, c.manifest.drive.gear_ratio(), section);
       section.tables.push_back(
           loop_shapes_table(c.loop_shapes, c.manifest.drive.gear_ratio(), section));
       return;
@@ -184,6 +184,7 @@ ReportView make_report_view(const calibration::Calibration& c,
   view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);
   view.budget = budget_rows(c.judgement);
+  view.limiting_effect = limiting_effect(c.judgement);
   for (const StageId stage : all_stages) {
     if (stage == StageId::break_away && c.break_away.ramps.empty()) continue;
     view.sections.push_back(make_section(c, stage));

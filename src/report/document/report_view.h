@@ -191,6 +191,7 @@ struct ReportView {
   std::vector<DataCheckRow> rules;  ///< Of the verdict, in the same columns.
   Table key_numbers;
   std::vector<BudgetRow> budget;
+  std::string limiting_effect;           ///< May be empty.
   std::vector<Section> sections;         ///< Stages 1 to 8, then what was recorded beyond.
   std::vector<std::string> notes;        ///< From reading the input.
   std::vector<Table> conversion_tables;  ///< From the log to the motor shaft; speeds.

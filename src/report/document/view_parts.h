@@ -39,7 +39,8 @@ std::string status_in_words(statistics::StageState state);
 // Contents of the stages' sections: facts and tables. Nothing is added where nothing was found.
 void describe_cog_sweep(const method::gravity::CogSweepResult& result, double gear_ratio,
                         Section& section);
-void describe_hysteresis(const method::hysteresis::HysteresisResult& result, Section& section);
+void describe_hysteresis(const method::hysteresis::HysteresisResult& result, double gear_ratio,
+                         Section& section);
 void describe_surrogate_masses(const calibration::Calibration& calibration, Section& section);
 void describe_viscous_curves(const calibration::Calibration& calibration, Section& section);
 void describe_quality_errors(const calibration::Calibration& calibration, Section& section);
@@ -84,6 +85,9 @@ std::vector<Fact> certificate_facts(const calibration::Calibration& calibration,
 std::string payload_in_words(const joint::Manifest& manifest);
 std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks);
 std::vector<DataCheckRow> rule_rows(const std::vector<calibration::RuleOutcome>& rules);
+/// The effect of unknown size that makes most of all intervals, and what U would be without it;
+/// empty: there is none.
+std::string limiting_effect(const calibration::Judgement& judgement);
 /// Of the quantities that have a number to state.
 std::vector<BudgetRow> budget_rows(const calibration::Judgement& judgement);
 /// "the recordings 97 %"; empty without a budget.
@@ -105,8 +109,9 @@ Row number_row(const std::string& quantity, double value, const wording::Scale& 
                const std::string& from);
 Row not_identified_row(const std::string& quantity, const std::string& why);
 
-std::string at_motor(const std::string& quantity);
-std::string at_joint(const std::string& quantity);
+/// "Coulomb torque, at the motor"; as it is without a gear, as motor and joint are one.
+std::string at_motor(const std::string& quantity, double gear_ratio);
+std::string at_joint(const std::string& quantity, double gear_ratio);
 
 /// Of one quantity: it is `to_joint` times as large at the joint.
 struct Gear {
