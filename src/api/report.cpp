@@ -104,7 +104,9 @@ Report make_report(const Calibration& calibration, const ReportOptions& options,
     if (options.progress) options.progress("writing the report", 1, 1);
     const report::document::PageContext context{
         since_last, language, options.kept_as,
-        api::next_experiment(identified.calibration.judgement, calibration.to_json())};
+        api::next_experiment(identified.calibration.judgement, calibration.to_json()),
+        options.earlier ? calibration::read_curves(options.earlier->calibration.to_json())
+                        : calibration::RecordedCurves{}};
     return Report{
         report::document::html_report(identified.calibration, figures, drawn, provenance, context),
         api::outcomes_of(drawn)};

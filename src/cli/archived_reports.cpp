@@ -17,6 +17,7 @@
 #include "calibration/provenance.h"
 #include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
+#include "cli/remarks_file.h"
 #include "cli/shared_options.h"
 #include "report/document/sign_off.h"
 #include "report/engine/embedded_json.h"
@@ -114,6 +115,7 @@ struct ReviewOptions {
   std::string report;
   std::string reviewer;
   std::string note;
+  std::string remarks;
   std::string output;
   bool approve{false};
   bool reject{false};
@@ -151,6 +153,20 @@ calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
                                   "one that it contains, unchanged", hint_for(kept, page, path)});
 }
 
+/// The note, and below it the remarks, one a line.
+std::string note_of(const ReviewOptions& options, archive::store::CalibrationArchive& kept,
+                    const calibration::Entry& entry) {
+  if (options.remarks.empty()) return options.note;
+  const std::vector<Remark> remarks =
+      read_remarks(options.remarks, report_number(original_report(kept, entry), kept.name()));
+  std::string note = options.note;
+  for (std::size_t k = 0; k < remarks.size(); ++k) {
+    if (!note.empty()) note += "\n";
+    note += fmt::format("[{}] {}: {}", k + 1, remarks[k].place, remarks[k].text);
+  }
+  return note;
+}
+
 }  // namespace
 
 Run add_review(CLI::App& app) {
@@ -162,6 +178,8 @@ Run add_review(CLI::App& app) {
   command.add_flag("--reject", options->reject, "it is not")->excludes(approve);
   command.add_option("--reviewer", options->reviewer, "who decides")->required();
   command.add_option("--note", options->note, "reason or condition");
+  command.add_option("--remarks", options->remarks,
+                     "remarks on points of the loops (JSON), as the report's viewer saves them");
   command
       .add_option("-o,--output", options->output,
                   "report with the decision (HTML) to write; default: the report itself")
@@ -180,6 +198,7 @@ Run add_review(CLI::App& app) {
     const std::string output =
         options->output.empty() && is_report ? options->report : options->output;
     where->protect_from(output);
+    if (!options->remarks.empty()) check_output_can_be_written(output, {options->remarks});
     call.console.make_way_for(output);
     archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
     const calibration::Entry entry =
@@ -188,7 +207,7 @@ Run add_review(CLI::App& app) {
                                      options->reviewer,
                                      options->approve ? calibration::Review::Decision::approved
                                                       : calibration::Review::Decision::rejected,
-                                     options->note};
+                                     note_of(*options, kept, entry)};
     // Before the decision is kept: a report that cannot be written keeps none.
     const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
     AtomicFiles files;

@@ -1,10 +1,10 @@
 // What the candidates' plots show.
 const hasRun = (i) => i >= 0 && isNumber(runs.w[i]);
 // Broken at standstill.
-const paintRunCurve = (plot, pen, ys) => {
-  const middle = runs.w.filter((w) => w <= 0).length;
-  trace(plot, pen, runs.w, ys, 0, middle);
-  trace(plot, pen, runs.w, ys, middle);
+const paintRunCurve = (plot, pen, ys, speeds = runs.w) => {
+  const middle = speeds.filter((w) => w <= 0).length;
+  trace(plot, pen, speeds, ys, 0, middle);
+  trace(plot, pen, speeds, ys, middle);
 };
 const paintDots = (plot, pen, ys, colour, radius) => {
   setPen(pen, { colour: ink }, 1);
@@ -59,6 +59,10 @@ const paintRuns = (plot, pen) => {
   if (ys && isLine) {
     setPen(pen, chosen().style, 2.4);
     paintRunCurve(plot, pen, ys);
+  }
+  if (plot.y === "f" && state.earlier) {
+    setPen(pen, data.earlier.style, 2);
+    paintRunCurve(plot, pen, data.earlier.f, data.earlier.w);
   }
   if (plot.y === "f" && laws) paintLaws(plot, pen);
   if (ys) {

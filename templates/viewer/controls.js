@@ -37,6 +37,7 @@ const zoomControls = () => {
       button(sign, () => pan(current, x, y), { "aria-label": name })),
     button(t("Home: show all"), resetRanges), box, fullControl(),
     button("CSV", () => saveCsv(current), { "aria-label": t("Save what the plot shows as CSV") }),
+    button("SVG", () => saveSvg(current), { "aria-label": t("Save the plot as SVG") }),
     button("PNG", () => savePng(current), { "aria-label": t("Save the plot as PNG") }));
 };
 const fullControl = () => {
@@ -45,6 +46,39 @@ const fullControl = () => {
     if (event.key === "Escape" && root.classList.contains("full")) element.click();
   });
   return element;
+};
+// A remark on the instant that is read; saved, `tribolog review` takes it up.
+const remarkList = make("ol", { class: "remarks" });
+const showRemarks = () => {
+  remarkList.replaceChildren(...state.remarks.map((remark, k) => make("li", {},
+    button(remark.text, () => {
+      if (remark.loop === state.loop) setSample(remark.sample, true);
+    }, { title: remark.place }), " ",
+    button("×", () => {
+      state.remarks.splice(k, 1);
+      showRemarks();
+    }, { "aria-label": t("Remove remark {0}", k + 1) }))));
+  saveRemarksButton.hidden = state.remarks.length === 0;
+  requestFrame();
+};
+const saveRemarksButton = button(t("Save remarks"), () => saveRemarks(), { hidden: "" });
+const remarkControl = () => {
+  const input = make("input", { type: "text", id: "review-remark", maxlength: "300", autocomplete: "off" });
+  const form = make("form", { class: "controls" }, make("label", { for: "review-remark" }, t("Remark on this instant")),
+    input, make("button", { type: "submit" }, t("Pin")), saveRemarksButton);
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const text = input.value.trim();
+    if (!text) return;
+    const { loop, sample } = state;
+    const place = [loops[loop].name, slider.getAttribute("aria-valuetext"),
+                   `q − q₀ ${valueText(loops[loop].q[sample], "q")}`].filter(Boolean).join(", ");
+    state.remarks.push({ loop, sample, place, text });
+    input.value = "";
+    showRemarks();
+    say(t("Remark {0} is pinned.", state.remarks.length));
+  });
+  return make("div", { class: "pinning" }, form, remarkList);
 };
 const cycleControl = () => make("div", { class: "controls", role: "group", "aria-label": t("Cycles one by one") },
   button("‹", () => stepCycle(-1), { "aria-label": t("Previous cycle") }), cycleText,
@@ -72,6 +106,11 @@ const readingControls = () => {
   return set;
 };
 
+const earlierControl = () => check(data.earlier.words, false, (isOn) => {
+  state.earlier = isOn;
+  redraw();
+}, swatch(data.earlier.style));
+
 const loopControls = () => {
   const line = make("div", { class: "keys" });
   loops.forEach((loop, k) => {
@@ -94,6 +133,7 @@ const loopControls = () => {
       redraw((plot) => plot.isLoop);
     }));
   }
+  if (data.earlier) line.append(earlierControl());
   if (loops.some((loop) => loop.midline)) line.append(key(midlineStyle, t("mid-line")));
   if (loops.some((loop) => isWithin("q", loop.q_peak))) line.append(key(peakStyle, t("gravity peak")));
   if (candidates.length) line.append(levelKey);
@@ -117,6 +157,7 @@ const candidateControls = () => {
   const box = make("div", { class: "wide" });
   const line = make("div", { class: "keys" });
   if (runs.f) line.append(key(runs.style, t("reference: {0}", runs.reference || "")));
+  if (data.earlier && !loops.length) line.append(earlierControl());
   if (candidates.length > 1) {
     line.append(check(t("other candidates"), true, (isOn) => {
       state.others = isOn;

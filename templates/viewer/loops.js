@@ -43,6 +43,10 @@ const paintLoops = (plot, pen) => {
   if (plot.x === "q" && isShown && isNumber(loop.q_peak)) {
     uprightAt(plot, pen, loop.q_peak, peakStyle);
   }
+  if (plot.y === "T" && plot.x === "q" && state.earlier) {
+    setPen(pen, data.earlier.style, 1.7);
+    for (const { q, T } of data.earlier.loops) trace(plot, pen, q, T);
+  }
   const level = chosen();
   if (plot.y === "T" && level && isNumber(level.T)) {
     acrossAt(plot, pen, level.T, levelStyle(level));
@@ -119,6 +123,12 @@ const loopMarks = (plot) => {
   if (isNumber(loop[plot.x][i]) && isNumber(loop[plot.y][i]) && isInside(plot, x, y)) {
     out.push(draw("circle", { class: "now", cx: x, cy: y, r: 6 }));
   }
+  state.remarks.forEach(({ loop: of, sample }, k) => {
+    const [rx, ry] = [plot.px(loop[plot.x][sample]), plot.py(loop[plot.y][sample])];
+    if (of !== state.loop || !isInside(plot, rx, ry)) return;
+    out.push(draw("circle", { class: "pin", cx: rx, cy: ry, r: 8 }),
+      draw("text", { class: "pin-number", x: rx, y: ry + 4, "text-anchor": "middle" }, String(k + 1)));
+  });
   if (state.mark && state.mark.loop === state.loop) {
     const [mx, my] = [plot.px(loop[plot.x][state.mark.sample]), plot.py(loop[plot.y][state.mark.sample])];
     if (isInside(plot, mx, my)) out.push(draw("rect", { class: "marked", x: mx - 5, y: my - 5, width: 10, height: 10 }));

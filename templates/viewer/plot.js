@@ -197,7 +197,8 @@ const traceWhole = (plot, pen, xs, ys) => {
 const closest = 0.01;
 const isNear = ({ full, now }) => now[1] - now[0] < closest * (full[1] - full[0]);
 const trace = (plot, pen, xs, ys, from = 0, to = xs.length) => {
-  const isWhole = from === 0 && to === xs.length && xs.length > 100;
+  // A pen that writes text has no scaled paths.
+  const isWhole = pen.translate && from === 0 && to === xs.length && xs.length > 100;
   if (isWhole && !isNear(ranges[plot.x]) && !isNear(ranges[plot.y]) &&
       (plot.isInSight || isAnyInSight(plot, xs, ys))) {
     plot.hasData = plot.isInSight = true;

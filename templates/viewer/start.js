@@ -30,6 +30,7 @@ const buildLoops = () => {
     const columns = loops.map((loop) => loop[name]);
     if (name === "T") {
       columns.push(...loops.flatMap((loop) => [loop.fit, (loop.midline || {}).T]));
+      columns.push(...(data.earlier ? data.earlier.loops.map((loop) => loop.T) : []));
     }
     addRange(name, columns.concat(data.points.first.map((point) => [point[name]])));
   }
@@ -41,7 +42,7 @@ const buildLoops = () => {
 };
 const buildCandidates = () => {
   addRange("w", [runs.w]);
-  addRange("f", candidates.map((one) => one.f).concat([runs.f]), 0);
+  addRange("f", candidates.map((one) => one.f).concat([runs.f, (data.earlier || {}).f]), 0);
   const hasErrors = candidates.some((one) => one.e);
   if (hasErrors) addRange("e", candidates.map((one) => one.e), 0);
   const keys = candidateControls();
@@ -80,6 +81,7 @@ if (curves) buildCurves();
 if (loops.length) {
   root.append(make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
     playControl(), markButton, ...(loops.some((loop) => cyclesOf(loop) > 1) ? [cycleControl()] : []), sliderText));
+  if (data.report) root.append(remarkControl());
   showCycle(0);
 }
 root.append(status);

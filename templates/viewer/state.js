@@ -20,6 +20,10 @@ const state = {
   sample: 0,
   // Another instant, from which differences are read: { loop, sample }.
   mark: null,
+  // Pinned to instants: { loop, sample, place, text }.
+  remarks: [],
+  // The joint's calibration before, over loops and runs.
+  earlier: false,
   // The cycle shown alone, from 1; 0: all.
   cycle: 0,
   shown: loops.map((loop, k) => (loop.shown === undefined ? k === 0 : loop.shown)),

@@ -94,7 +94,8 @@ test("every control is reached by Tab, in the order of the page, and its focus i
       await page.keyboard.press("Tab");
     }
     assert.deepEqual(seen, ["T-q", "checkbox", "checkbox", "+", "−", "←", "→", "↑", "↓", "Home: show all", "Box zoom",
-                            "Full window", "CSV", "PNG", "review-reading-model", "Keys, mouse and fingers", "T-t", "q-t", "z-q", "dz-q",
+                            "Full window", "CSV", "SVG", "PNG", "review-reading-model", "Keys, mouse and fingers", "T-t", "q-t", "z-q", "dz-q",
                             "checkbox", "Close-up of the chosen one", ...Array(2).fill("checkbox"), "f-w", "e-w",
-                            "review-slider", "Play", "Mark this instant", "‹", "›"]);
+                            "review-slider", "Play", "Mark this instant", "‹", "›",
+                            "review-remark", "Pin"]);
   }));

@@ -76,6 +76,15 @@ test("what a plot shows is saved as numbers and as a picture", () =>
     const heads = rows[0].split(",");
     assert.match(heads[2], /^"driving torque \[N·m\]"$/);
     assert.equal(Number(rows[11].split(",")[2]), loop.T[10]);
+    const [svgName, svg] = await saved("Save the plot as SVG");
+    assert.match(svgName, /_T-q\.svg$/);
+    const drawn = await page.evaluate((text) => {
+      const picture = new DOMParser().parseFromString(text, "image/svg+xml");
+      const lines = [...picture.querySelectorAll("svg > g > svg path")].map((path) => path.getAttribute("d").split("L").length);
+      return { error: picture.querySelector("parsererror") !== null, longest: Math.max(...lines), text: picture.documentElement.textContent };
+    }, svg.toString());
+    assert.ok(!drawn.error && drawn.longest > 200, drawn.longest);
+    assert.match(drawn.text, /driving torque T \[N·m\]/);
     const [pngName, png] = await saved("Save the plot as PNG");
     assert.match(pngName, /_T-q\.png$/);
     assert.equal(png.subarray(1, 4).toString(), "PNG");
@@ -83,6 +92,32 @@ test("what a plot shows is saved as numbers and as a picture", () =>
     await focusPlot(page, "f-w");
     const [, curve] = await saved("Save what the plot shows as CSV");
     assert.ok(curve.toString().split("\n").length > 20);
+  }));
+
+test("remarks are pinned to instants, listed, saved and removed", () =>
+  withReport("noisy.html", { acceptDownloads: true }, async (page) => {
+    const remark = async (sample, text) => {
+      await atSample(page, sample);
+      await page.getByLabel("Remark on this instant").fill(text);
+      await page.keyboard.press("Enter");
+    };
+    await remark(100, "a step");
+    await remark(300, "noise <b>");
+    await settled(page);
+    assert.deepEqual(await page.locator('[data-plot="T-q"] .pin-number').allTextContents(), ["1", "2"]);
+    await button(page, "a step").click();
+    assert.equal(await page.locator("#review").getAttribute("data-sample"), "100");
+    const [file] = await Promise.all([page.waitForEvent("download"), button(page, "Save remarks").click()]);
+    const number = (await dataOf(page)).report;
+    assert.equal(file.suggestedFilename(), `${number}_remarks.json`);
+    const saved = JSON.parse(await readFile(await file.path()));
+    assert.equal(saved.report, number);
+    assert.deepEqual(saved.remarks.map(({ text }) => text), ["a step", "noise <b>"]);
+    assert.match(saved.remarks[0].place, /t .* s, T .* N·m, q − q₀ /);
+    await button(page, "Remove remark 1").click();
+    assert.deepEqual(await page.locator('[data-plot="T-q"] .pin-number').allTextContents(), ["1"]);
+    await button(page, "Remove remark 1").click();
+    assert.ok(await button(page, "Save remarks").isHidden());
   }));
 
 test("the viewer fills the window, and Escape gives it back", () =>

@@ -1,5 +1,6 @@
 // `tribolog show` and `tribolog review`, as a user would call them.
 
+#include <cstddef>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,59 @@ TEST_F(ReviewCommands, AReportIsSignedAndItsOriginalStays) {
   EXPECT_TRUE(read_text(dataset_.file("original.html")) == original_);
   const ProgramRun verified = run("archive verify --archive a.tribolog");
   EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+}
+
+class Remarks : public ReviewCommands {
+ protected:
+  void SetUp() override {
+    const ProgramRun made =
+        run("simulate " TRIBOLOG_SOURCE_DIR "/examples/paper/scenario.toml -o d && " + program +
+            "report d/dataset.toml -o r.html --no-figures --archive a.tribolog");
+    ASSERT_EQ(made.status, 0) << made.err;
+    original_ = read_text(dataset_.file("r.html"));
+    id_ = json::parse(run("archive list --json --archive a.tribolog").out)["calibrations"][0]["id"];
+    const std::string opening = R"(id="tribolog-loops">)";
+    const std::size_t from = original_.find(opening) + opening.size();
+    number_ =
+        json::parse(original_.substr(from, original_.find("</script>", from) - from))["report"];
+  }
+  /// As the viewer saves them.
+  void save(const std::string& report, const std::string& text) const {
+    const json remarks{{{"place", "loop.csv, t 0.3 s, T 0.2 N·m"}, {"text", text}}};
+    dataset_.scratch().write("remarks.json", json{{"report", report}, {"remarks", remarks}}.dump());
+  }
+  [[nodiscard]] ProgramRun approve() const {
+    return review("r.html --approve --reviewer B --note 'once more' --remarks remarks.json");
+  }
+  std::string number_;
+};
+
+TEST_F(Remarks, OnPointsBecomePartOfTheNote) {
+  save(number_, "a step <here>");
+  const ProgramRun done = approve();
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(reviews()[0]["note"], "once more\n[1] loop.csv, t 0.3 s, T 0.2 N·m: a step <here>");
+  EXPECT_NE(read_text(dataset_.file("r.html")).find("a step &lt;here&gt;"), std::string::npos);
+}
+
+TEST_F(Remarks, ThatAreNotThisReportsAreRefused) {
+  const auto expect_refused = [&](const std::string& why) {
+    const ProgramRun refused = approve();
+    EXPECT_EQ(refused.status, 3) << refused.err;
+    EXPECT_NE(refused.err.find("remarks.json: " + why), std::string::npos) << refused.err;
+  };
+  save("tribolog-000000000000", "a step");
+  expect_refused("these remarks are on another report, found tribolog-000000000000");
+  save(number_, "");
+  expect_refused("a remark without place or text");
+  for (const char* text : {"{", "[1]", R"({"remarks": []})"}) {
+    dataset_.scratch().write("remarks.json", text);
+    expect_refused("no remarks");
+  }
+  EXPECT_EQ(review("r.html --approve --reviewer B --remarks no.json").status, 3);
+  EXPECT_EQ(review("r.html --approve --reviewer B --remarks r.html").status, 2);
+  EXPECT_TRUE(reviews().empty());
+  EXPECT_TRUE(read_text(dataset_.file("r.html")) == original_);
 }
 
 TEST_F(ReviewCommands, AnIdIsReviewedWithoutAFile) {

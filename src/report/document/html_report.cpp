@@ -63,7 +63,9 @@ std::string html_report(const calibration::Calibration& calibration,
       make_report_view(calibration, figures, drawn, provenance, context.since_last, id);
   view.next_parts = parts_in_words(context.next);
   engine::TemplateValues values;
-  const std::string loops = viewer::review_json(calibration);
+  const std::string loops = viewer::review_json(
+      calibration,
+      {view.number, context.since_last ? &context.last_curves : nullptr, view.last_day});
   fill_report(view, !loops.empty(), values);
   if (loops.empty()) {
     engine::fill_style(values, engine::PageKind::plain, view.number);

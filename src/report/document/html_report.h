@@ -9,6 +9,7 @@
 
 #include "calibration/calibration.h"
 #include "calibration/provenance.h"
+#include "calibration/read_calibration.h"
 #include "figures/report_figure.h"
 #include "history/comparison.h"
 #include "joint/recording.h"
@@ -34,6 +35,7 @@ struct PageContext {
   std::string id{};
   /// What to record for the quantities that are not usable; empty: nothing, or it is not known.
   std::vector<NextPart> next{};
+  calibration::RecordedCurves last_curves{};  ///< Of the joint's calibration before.
 };
 
 /// UTF-8 HTML. The style is inline and named by its hash in a content security policy, pictures

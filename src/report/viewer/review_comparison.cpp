@@ -158,6 +158,26 @@ LoopScales scales_of(const RecordedCurves& first, const RecordedCurves& second) 
 
 }  // namespace
 
+Json earlier_curves(const RecordedCurves& curves, const std::string& date, const LoopScales& scales,
+                    const wording::AxisScale& friction) {
+  Json list = Json::array();
+  for (const RecordedLoop& loop : curves.loops) {
+    list.push_back({{"q", column(from_largest_angle(loop, loop.from_centre_rad), scales.angle)},
+                    {"T", column(from_largest_angle(loop, loop.torque_Nm), scales.torque)}});
+  }
+  std::vector<double> speed_rad_s;
+  std::vector<double> friction_Nm;
+  for (const std::size_t i : by_speed(curves.friction)) {
+    speed_rad_s.push_back(curves.friction.speed_rad_s[i]);
+    friction_Nm.push_back(curves.friction.friction_Nm[i]);
+  }
+  return {{"words", shown_text(tr("calibration of {date}", {{"date", date}}))},
+          {"style", style(render::figure::palette::green, render::figure::LineStyle::dash)},
+          {"loops", std::move(list)},
+          {"w", column(speed_rad_s, {1.0, ""})},
+          {"f", column(friction_Nm, friction)}};
+}
+
 std::string compared_curves_json(const history::Comparison& comparison, const RecordedCurves& first,
                                  const RecordedCurves& second) {
   const bool has_loops = !first.loops.empty() && !second.loops.empty();

@@ -37,7 +37,13 @@ std::string review_text(const Json& all) {
   return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-std::string review_json(const calibration::Calibration& c) {
+wording::AxisScale friction_scale(const calibration::Calibration& c) {
+  wording::Extent all;
+  for (const method::viscous::ViscousCurve& curve : c.viscous.curves) all.add(curve.friction_Nm);
+  return wording::prefixed("N·m", all.largest());
+}
+
+std::string review_json(const calibration::Calibration& c, const ReviewContext& context) {
   const method::hysteresis::HysteresisResult& h = c.hysteresis;
   const LoopScales scales = loop_scales(c);
   Json drawn = h.found ? loops(c, scales) : Json::array();
@@ -46,6 +52,7 @@ std::string review_json(const calibration::Calibration& c) {
 
   Json all;
   all["schema"] = "tribolog-loops-1";
+  if (!context.report.empty()) all["report"] = context.report;
   all["bristle"] = shown_text(wording::words(h.bristle_source));
   Json quantities;
   const bool from_first_sample =
@@ -69,6 +76,10 @@ std::string review_json(const calibration::Calibration& c) {
   all["candidates"] = candidates(c, scales.torque);
   if (Json tried = has_curves ? laws(c) : Json(nullptr); !tried.is_null()) {
     all["laws"] = std::move(tried);
+  }
+  if (context.earlier != nullptr && context.earlier->torque_unit == c.manifest.torque_unit()) {
+    all["earlier"] =
+        earlier_curves(*context.earlier, context.earlier_date, scales, friction_scale(c));
   }
   if (Json says = script_texts(); !says.empty()) all["says"] = std::move(says);
   return review_text(all);
@@ -105,12 +116,6 @@ namespace {
 
 using wording::AxisScale;
 using wording::tr;
-
-wording::AxisScale friction_scale(const calibration::Calibration& c) {
-  wording::Extent all;
-  for (const method::viscous::ViscousCurve& curve : c.viscous.curves) all.add(curve.friction_Nm);
-  return wording::prefixed("N·m", all.largest());
-}
 
 const wording::AxisScale as_it_is{1.0, ""};
 

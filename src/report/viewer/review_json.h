@@ -3,6 +3,9 @@
 // in the report computes no result, it shows what stands here.
 //
 // "tribolog-loops-1":
+//   report       its number; absent of compared calibrations
+//   earlier      absent where there is none: words and style; loops, steady, with q and T as above;
+//                w and f of the friction curve
 //   quantities   of the columns below: words, symbol, unit
 //   loops        one per oscillation, columns t, q, T and, where there is one, z, dz and fit
 //   (LuGre's
@@ -35,9 +38,18 @@ namespace tribolog::report::viewer {
 /// Samples of one loop; many loops share the room of five.
 inline constexpr std::size_t most_loop_samples = 2000;
 
+/// What the viewer shows beside the calibration.
+struct ReviewContext {
+  std::string report{};  ///< Its number, to which remarks belong; empty: none can be made.
+  /// Of the joint's calibration before, to be laid over the loops and runs; null: there is none.
+  const calibration::RecordedCurves* earlier{};
+  std::string earlier_date{};
+};
+
 /// Empty if there is neither a loop nor a candidate's curve.
 /// Its texts, and what the viewer says itself (`says`), are in the language of the words.
-std::string review_json(const calibration::Calibration& calibration);
+std::string review_json(const calibration::Calibration& calibration,
+                        const ReviewContext& context = {});
 
 /// The steady loops and friction curves that the archive keeps of two calibrations, to be laid over
 /// each other, in the same form. Time is not kept: t is the phase in degrees from the loop's

@@ -6,6 +6,7 @@
 
 #include "calibration/calibration.h"
 #include "calibration/json_values.h"
+#include "calibration/read_calibration.h"
 #include "render/figure/drawing_style.h"
 #include "wording/axis_scale.h"
 
@@ -31,6 +32,10 @@ Json midline(const method::hysteresis::HysteresisResult& result, const LoopScale
 void add_run_quantities(const calibration::Calibration& calibration, Json& quantities);
 Json runs(const calibration::Calibration& calibration);
 Json candidates(const calibration::Calibration& calibration, const wording::AxisScale& torque);
+wording::AxisScale friction_scale(const calibration::Calibration& calibration);
+/// Steady loops and the friction curve of the joint's calibration before.
+Json earlier_curves(const calibration::RecordedCurves& curves, const std::string& date,
+                    const LoopScales& scales, const wording::AxisScale& friction);
 /// The friction laws tried on the recommended curve; null: none.
 Json laws(const calibration::Calibration& calibration);
 
