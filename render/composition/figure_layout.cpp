@@ -136,10 +136,16 @@ class Attempt {
 
   bool draw_legend(const layout::PanelFrame& frame, const figure::Panel& panel, std::size_t i,
                    const layout::Occupancy& taken) {
-    const double room = figure_.width_px - 2 * style_.margin;
+    const double room = panel.labels_at_ends
+                            ? figure_.width_px - style_.margin - frame.plot.right - style_.gap
+                            : figure_.width_px - 2 * style_.margin;
     const layout::Legend legend(panel, static_cast<int>(i), font_, style_, room, list_.warnings,
                                 faults_);
     if (legend.empty()) return true;
+    if (panel.labels_at_ends) {
+      legend.draw_beside(list_, frame);
+      return true;
+    }
     if (strips_[i] > 0) {
       legend.draw_strip(list_, frame.plot, frame.below);
       return true;

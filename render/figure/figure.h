@@ -79,7 +79,10 @@ struct Axis {
   std::string title;              ///< With the unit in brackets: "T [N·m]".
   std::optional<double> minimum;  ///< Fixed end; absent: from the data with a margin.
   std::optional<double> maximum;
-  bool logarithmic{false};      ///< Decades; all data must be positive.
+  bool logarithmic{false};  ///< Decades; all data must be positive.
+  /// Above 0: decades in both directions beyond this value, evenly divided within (as an inverse
+  /// hyperbolic sine), so that slow and fast motions both ways have room.
+  double linear_within{};
   bool dates{false};            ///< Values are days since 1970-01-01 UTC; ticks are calendar dates.
   bool counts{false};           ///< Values are whole numbers, and so are the ticks.
   std::vector<AxisName> names;  ///< If any, they are the ticks; no numbers are shown.
@@ -96,6 +99,7 @@ struct Panel {
   std::vector<PointLabel> point_labels;
   std::vector<ReferenceLine> reference_lines;
   bool show_legend{true};
+  bool labels_at_ends{};  ///< Each labelled series is named right of its last point instead.
   std::string notice{"no data"};  ///< Where there is nothing to show.
 };
 

@@ -11,6 +11,12 @@ namespace {
 constexpr double largest_magnitude = 1e300;
 constexpr double farthest_pixel = 1e9;
 
+/// Where a value lies along an axis, before it is scaled to pixels.
+double along(double value, bool logarithmic, double linear_within) {
+  if (logarithmic) return std::log10(value);
+  return linear_within > 0 ? std::asinh(value / linear_within) : value;
+}
+
 }  // namespace
 
 bool drawable(double value, bool logarithmic) {
@@ -18,16 +24,18 @@ bool drawable(double value, bool logarithmic) {
   return !logarithmic || value >= 1.0 / largest_magnitude;
 }
 
-AxisMap::AxisMap(AxisRange range, bool logarithmic, double pixel_low, double pixel_high)
-    : range_(range), logarithmic_(logarithmic), pixel_low_(pixel_low) {
-  origin_ = logarithmic ? std::log10(range.low) : range.low;
-  const double end = logarithmic ? std::log10(range.high) : range.high;
-  scale_ = (pixel_high - pixel_low) / (end - origin_);
-}
+AxisMap::AxisMap(AxisRange range, const figure::Axis& axis, double pixel_low, double pixel_high)
+    : range_(range),
+      logarithmic_(axis.logarithmic),
+      linear_within_(axis.linear_within),
+      origin_(along(range.low, logarithmic_, linear_within_)),
+      pixel_low_(pixel_low),
+      scale_((pixel_high - pixel_low) /
+             (along(range.high, logarithmic_, linear_within_) - origin_)) {}
 
 double AxisMap::pixel(double value) const {
-  const double along = (logarithmic_ ? std::log10(value) : value) - origin_;
-  return std::clamp(pixel_low_ + along * scale_, -farthest_pixel, farthest_pixel);
+  const double from_low = along(value, logarithmic_, linear_within_) - origin_;
+  return std::clamp(pixel_low_ + from_low * scale_, -farthest_pixel, farthest_pixel);
 }
 
 namespace {
@@ -77,7 +85,8 @@ AxisRange around_constant(double value, bool logarithmic) {
   return {value - half, value + half};
 }
 
-AxisRange with_margin(const DataExtent& extent, bool logarithmic, double share) {
+AxisRange with_margin(const DataExtent& extent, const figure::Axis& axis, double share) {
+  const bool logarithmic = axis.logarithmic;
   if (extent.empty()) return logarithmic ? AxisRange{1.0, 10.0} : AxisRange{0.0, 1.0};
   const double low = extent.low();
   const double high = extent.high();
@@ -89,6 +98,13 @@ AxisRange with_margin(const DataExtent& extent, bool logarithmic, double share) 
   if (logarithmic) {
     const double factor = std::pow(high / low, share);
     return {low / factor, high * factor};
+  }
+  if (axis.linear_within > 0) {
+    const double first = std::asinh(low / axis.linear_within);
+    const double last = std::asinh(high / axis.linear_within);
+    const double margin = (last - first) * share;
+    return {axis.linear_within * std::sinh(first - margin),
+            axis.linear_within * std::sinh(last + margin)};
   }
   return {low - (high - low) * share, high + (high - low) * share};
 }
@@ -123,7 +139,7 @@ DataExtent y_extent(const figure::Panel& panel) {
 
 AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
                        std::vector<Statement>& warnings) {
-  const AxisRange free = with_margin(extent, axis.logarithmic, margin_share);
+  const AxisRange free = with_margin(extent, axis, margin_share);
   const auto usable = [&](const std::optional<double>& end) {
     if (!end) return false;
     if (drawable(*end, axis.logarithmic)) return true;

@@ -24,7 +24,7 @@ class AxisMap {
  public:
   AxisMap() = default;
   /// `pixel_low` and `pixel_high` are where the ends of the range lie.
-  AxisMap(AxisRange range, bool logarithmic, double pixel_low, double pixel_high);
+  AxisMap(AxisRange range, const figure::Axis& axis, double pixel_low, double pixel_high);
 
   [[nodiscard]] double pixel(double value) const;
   [[nodiscard]] const AxisRange& range() const { return range_; }
@@ -33,7 +33,8 @@ class AxisMap {
  private:
   AxisRange range_{0.0, 1.0};
   bool logarithmic_{false};
-  double origin_{0.0};  ///< Data, or its decimal logarithm, at `pixel_low_`.
+  double linear_within_{0.0};
+  double origin_{0.0};  ///< Data along the axis, at `pixel_low_`.
   double pixel_low_{0.0};
   double scale_{1.0};
 };
@@ -107,6 +108,9 @@ TickSet linear_ticks(const AxisRange& range, int most, double least_step = 0.0);
 
 /// Decades; where the range is short also their 2- and 5-fold, or linear ticks.
 TickSet logarithmic_ticks(const AxisRange& range, int most);
+
+/// Zero, and decades in both directions from `linear_within` on.
+TickSet symmetric_ticks(const AxisRange& range, double linear_within, int most);
 
 /// Whole years ("2026"), months ("2026-03"), days ("2026-03-05") or hours ("2026-03-05 06:00"), at
 /// most `most` of them, and at least one where the range holds a whole hour. UTC.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/figure/draw_list.h"
 
@@ -11,7 +12,13 @@ namespace {
 constexpr double most_of_plot = 0.45;  // share of the plot that a legend inside may take
 constexpr double search_step_px = 8.0;
 
+double padding_of(const FigureStyle& style) { return 12 * style.unit; }
+
 }  // namespace
+
+double Legend::width_of(double text, const FigureStyle& style) {
+  return text + style.legend_sample + 3 * padding_of(style);
+}
 
 Legend::Legend(const figure::Panel& panel, int panel_index, const text::Font& font,
                const FigureStyle& style, double most_width, std::vector<Statement>& warnings,
@@ -20,16 +27,20 @@ Legend::Legend(const figure::Panel& panel, int panel_index, const text::Font& fo
       panel_(panel_index),
       row_height_(1.36 * style.legend.size_px),
       sample_width_(style.legend_sample),
-      padding_(12 * style.unit) {
+      padding_(padding_of(style)) {
   if (!panel.show_legend) return;
-  const double text_width = most_width - sample_width_ - 3 * padding_;
+  const double text_width = most_width - width_of(0, style);
   const auto add = [&](const std::string& text, const figure::Series* series,
                        const figure::Band* band, int index) {
-    if (text.empty()) return;
+    if (text.empty()) {
+      if (series != nullptr && !entries_.empty()) entries_.back().series_end = series + 1;
+      return;
+    }
     bool cut = false;
     auto lines = text::wrap_lines(font, text, style.legend, text_width, 1, faults, cut);
     if (cut) warnings.push_back({"drawing.legend_cut", {{"text", text.substr(0, 60)}}});
     entries_.push_back({series,
+                        series == nullptr ? nullptr : series + 1,
                         band,
                         {figure::Role::legend_sample, panel_index, index},
                         {figure::Role::legend_text, panel_index, static_cast<int>(entries_.size())},
@@ -111,6 +122,82 @@ bool Legend::draw_inside(figure::DrawList& list, const figure::PixelBox& plot,
     return true;
   }
   return false;
+}
+
+namespace {
+
+/// Where the series end, in the plot; its bottom where they do not.
+double end_of(const figure::Series* first, const figure::Series* last, const PanelFrame& frame) {
+  double y = frame.plot.bottom;
+  double farthest = -1e300;
+  for (const figure::Series* one = first; one != last; ++one) {
+    for (std::size_t i = 0; i < std::min(one->x.size(), one->y.size()); ++i) {
+      if (!layout::drawable(one->x[i], frame.x.logarithmic()) ||
+          !layout::drawable(one->y[i], frame.y.logarithmic()) || one->x[i] < farthest) {
+        continue;
+      }
+      farthest = one->x[i];
+      y = frame.y.pixel(one->y[i]);
+    }
+  }
+  return std::clamp(y, frame.plot.top, frame.plot.bottom);
+}
+
+/// Rising heights, moved as little as leaves `apart` between neighbours: those that would touch
+/// stand evenly about their mean.
+void spread(std::vector<double>& heights, double apart) {
+  struct Group {
+    double sum{};  ///< Of the heights, each less its place in the group.
+    std::size_t count{};
+    [[nodiscard]] double first() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Group> groups;
+  for (const double height : heights) {
+    groups.push_back({height, 1});
+    while (groups.size() > 1) {
+      Group& before = groups[groups.size() - 2];
+      const Group& last = groups.back();
+      const double taken = apart * static_cast<double>(before.count);
+      if (before.first() + taken <= last.first()) break;
+      before.sum += last.sum - taken * static_cast<double>(last.count);
+      before.count += last.count;
+      groups.pop_back();
+    }
+  }
+  std::size_t at = 0;
+  for (const Group& group : groups) {
+    for (std::size_t k = 0; k < group.count; ++k) {
+      heights[at++] = group.first() + apart * static_cast<double>(k);
+    }
+  }
+}
+
+}  // namespace
+
+void Legend::draw_beside(figure::DrawList& list, const PanelFrame& frame) const {
+  std::vector<std::pair<double, const Entry*>> ends;
+  for (const Entry& entry : entries_) {
+    ends.emplace_back(end_of(entry.series, entry.series_end, frame), &entry);
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<double> heights;
+  for (const auto& [end, entry] : ends) heights.push_back(end);
+  spread(heights, row_height_);
+  // All of them within the plot's height, if there is room.
+  const double half = row_height_ / 2;
+  const double below = heights.empty() ? 0 : heights.back() - (frame.plot.bottom - half);
+  const double above = heights.empty() ? 0 : (frame.plot.top + half) - heights.front();
+  const double shift = below > 0 ? -below : std::max(above, 0.0);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Entry& entry = *ends[i].second;
+    const double y = std::round(heights[i] + shift);
+    const double x = frame.plot.right + style_.gap;
+    draw_sample(list, entry, {x, y});
+    text::place_line(list, entry.label,
+                     {x + sample_width_ + style_.gap, y + 0.36 * style_.legend.size_px}, true,
+                     entry.text);
+  }
 }
 
 double Legend::strip_height(double width) const {

@@ -8,6 +8,7 @@
 #include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"
+#include "render/layout/panel_drawing.h"
 
 namespace tribolog::render::layout {
 
@@ -18,12 +19,19 @@ class Legend {
          const FigureStyle& style, double most_width, std::vector<Statement>& warnings,
          text::TextFaults& faults);
 
+  /// That a text of this width takes, with its sample.
+  static double width_of(double text, const FigureStyle& style);
+
   [[nodiscard]] bool empty() const { return entries_.empty(); }
 
   /// Draws it inside the plot where no cell is taken, nearest to a corner. False if there is no
   /// such place.
   bool draw_inside(figure::DrawList& list, const figure::PixelBox& plot,
                    const Occupancy& taken) const;
+
+  /// Right of the plot, each name at the height where its series ends, or as near as the others let
+  /// it. Series that end nowhere in sight are named last.
+  void draw_beside(figure::DrawList& list, const PanelFrame& frame) const;
 
   /// Height of the strip that it needs below the plot, and drawing it there.
   [[nodiscard]] double strip_height(double width) const;
@@ -32,6 +40,7 @@ class Legend {
  private:
   struct Entry {
     const figure::Series* series{};
+    const figure::Series* series_end{};  ///< Those without a label that follow continue it.
     const figure::Band* band{};
     figure::Owner sample;
     figure::Owner text;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "render/layout/axis.h"
+#include "render/layout/legend.h"
 #include "render/layout/panel_drawing.h"
 
 namespace tribolog::render::layout {
@@ -11,6 +12,7 @@ namespace {
 constexpr double x_margin_share = 0.02;
 constexpr double y_margin_share = 0.06;
 constexpr double least_plot_height = 40.0;
+constexpr double most_beside = 0.35;  // of the picture's width
 
 TickSet named_ticks(const figure::Axis& axis, const AxisRange& range) {
   TickSet ticks;
@@ -24,6 +26,7 @@ TickSet ticks_of(const figure::Axis& axis, const AxisRange& range, int most) {
   if (!axis.names.empty()) return named_ticks(axis, range);
   if (axis.dates) return date_ticks(range, most);
   if (axis.logarithmic) return logarithmic_ticks(range, most);
+  if (axis.linear_within > 0) return symmetric_ticks(range, axis.linear_within, most);
   return linear_ticks(range, most, axis.counts ? 1.0 : 0.0);
 }
 
@@ -143,7 +146,7 @@ class Framer {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
       const figure::Panel& panel = figure_.panels[i];
-      frame.y = AxisMap(ranges_y_[i], panel.y.logarithmic, frame.plot.bottom, frame.plot.top);
+      frame.y = AxisMap(ranges_y_[i], panel.y, frame.plot.bottom, frame.plot.top);
       const int most = std::clamp(
           static_cast<int>(frame.plot.height() / (2.2 * style_.tick.size_px)) + 1, 2, 11);
       frame.y_ticks = ticks_of(panel.y, ranges_y_[i], most);
@@ -160,6 +163,21 @@ class Framer {
     return widest;
   }
 
+  /// Of the names beside the plots.
+  double width_beside() {
+    double widest = 0;
+    for (const figure::Panel& panel : figure_.panels) {
+      if (!panel.labels_at_ends) continue;
+      for (const figure::Series& one : panel.series) {
+        if (one.label.empty()) continue;
+        widest = std::max(widest, text::shape_line(font_, one.label, style_.legend, faults_).width);
+      }
+    }
+    if (widest == 0) return 0;
+    return std::min(std::ceil(Legend::width_of(widest, style_)) + style_.gap,
+                    most_beside * figure_.width_px);
+  }
+
   void divide_width() {
     double titles = 0;
     double labels = 0;
@@ -171,7 +189,8 @@ class Framer {
     double left = style_.margin + titles + (titles > 0 ? style_.gap : 0.0) + labels + style_.gap +
                   style_.tick_mark;
     left = std::round(std::min(left, most_left));
-    const double right = std::round(figure_.width_px - style_.margin - 1.2 * style_.tick.size_px);
+    const double beside = std::max(width_beside(), 1.2 * style_.tick.size_px);
+    const double right = std::round(figure_.width_px - style_.margin - beside);
     for (PanelFrame& frame : out_.panels) {
       frame.plot.left = left;
       frame.plot.right = std::max(right, left + least_plot_height);
@@ -204,7 +223,7 @@ class Framer {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
       const figure::Axis& axis = *x_axes_[i];
-      frame.x = AxisMap(ranges_x_[i], axis.logarithmic, frame.plot.left, frame.plot.right);
+      frame.x = AxisMap(ranges_x_[i], axis, frame.plot.left, frame.plot.right);
       for (int most = 13; most >= 2; --most) {
         frame.x_ticks = ticks_of(axis, ranges_x_[i], most);
         if (axis.dates) drop_dates_beyond_the_picture(frame);

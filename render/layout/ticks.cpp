@@ -178,6 +178,40 @@ TickSet logarithmic_ticks(const AxisRange& range, int most) {
   return out;
 }
 
+TickSet symmetric_ticks(const AxisRange& range, double linear_within, int most) {
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  constexpr double nearly = 0.1;  // of a decade
+  const int first = static_cast<int>(std::ceil(std::log10(linear_within) - nearly));
+  const int last = static_cast<int>(std::floor(std::log10(largest) + rounding_slack));
+  const int sides = range.low < 0 && range.high > 0 ? 2 : 1;
+  const int decades = last - first + 1;
+  int stride = 1;
+  while (stride < decades && sides * ((decades + stride - 1) / stride) + 1 > most) ++stride;
+  TickSet out;
+  const auto is_inside = [&](double value) { return value >= range.low && value <= range.high; };
+  if (is_inside(0)) out.major.push_back({0, "0"});
+  for (int exponent = last; exponent >= first; --exponent) {
+    for (const int sign : {-1, 1}) {
+      for (int digit = 1; digit <= 9; ++digit) {
+        const double value = sign * power_of_ten_multiple(digit, exponent);
+        if (!is_inside(value)) continue;
+        const bool is_labelled = digit == 1 && (last - exponent) % stride == 0;
+        if (is_labelled) {
+          std::string label = logarithmic_text(digit, exponent);
+          if (sign < 0) label.insert(0, minus);
+          out.major.push_back({value, std::move(label)});
+        } else {
+          out.minor.push_back(value);
+        }
+      }
+    }
+  }
+  if (out.major.size() < 3) return linear_ticks(range, most);
+  std::sort(out.major.begin(), out.major.end(),
+            [](const Tick& a, const Tick& b) { return a.value < b.value; });
+  return out;
+}
+
 // Calendar dates.
 
 namespace {

@@ -362,6 +362,17 @@ Estimator drawn_for(const std::vector<NamedValues>& curves, Estimator estimator)
   return found == curves.end() ? estimator : found->estimator;
 }
 
+/// The curves below have the names that those above have.
+void name_as_above(const render::figure::Panel& above, render::figure::Panel& below) {
+  for (render::figure::Series& series : below.series) {
+    const auto same = std::find_if(above.series.begin(), above.series.end(), [&](const auto& one) {
+      return !one.label.empty() && series.label.starts_with(one.label);
+    });
+    if (same != above.series.end()) series.label = same->label;
+  }
+  below.labels_at_ends = below.show_legend = above.labels_at_ends;
+}
+
 /// Strengthens the candidate's curve, and makes the others thin.
 void emphasise(render::figure::Panel& panel, const std::string& candidate,
                const std::string& reference) {
@@ -375,12 +386,39 @@ void emphasise(render::figure::Panel& panel, const std::string& candidate,
     }
     if (is_reference) continue;
     series.width_px *= is_chosen ? chosen_width : other_width;
-    series.marker_size_px *= is_chosen ? 1.0 : other_width;
+    series.marker_size_px *= other_width;
   }
 }
 
-/// Friction of the candidates that the errors are drawn for, under the same names. Those that lie
-/// far off all others are left out.
+/// "The curve of A also stands for B and C."; empty: each is drawn. @param curves in drawing order
+std::string coinciding_in_words(const calibration::Calibration& calibration,
+                                const std::vector<NamedValues>& curves) {
+  std::string words;
+  for (const NamedValues& curve : curves) {
+    if (curve.same.empty()) continue;
+    words += " " + tr("The curve of {candidate} also stands for {others}.",
+                      {{"candidate", candidate_words(calibration, curve.estimator)},
+                       {"others", wording::listed(curve.same)}});
+  }
+  return words;
+}
+
+/// Decades of speed in both directions, where it spans more than one.
+void spread_speeds(const calibration::Calibration& calibration, render::figure::Figure& figure) {
+  double slowest = INFINITY;
+  double fastest = 0;
+  for (const method::viscous::ConstantSpeedRun& run : calibration.viscous.runs) {
+    const double speed = run.speed_rad_s;
+    if (speed == 0) continue;
+    slowest = std::min(slowest, std::abs(speed));
+    fastest = std::max(fastest, std::abs(speed));
+  }
+  if (!(fastest > 10 * slowest)) return;
+  for (render::figure::Panel& panel : figure.panels) panel.x.linear_within = slowest;
+}
+
+/// Friction of the candidates that the errors are drawn for. Those that lie far off all others are
+/// left out.
 /// @param curves in drawing order, each with its error
 render::figure::Panel candidates_panel(const calibration::Calibration& calibration,
                                        const std::vector<NamedValues>& curves,
@@ -403,8 +441,9 @@ render::figure::Panel candidates_panel(const calibration::Calibration& calibrati
       continue;
     }
     add_run_curve(panel, calibration.viscous, estimator_style(curves[i].estimator),
-                  legend_words(calibration, curves[i]), friction->friction_Nm, scale);
+                  candidate_words(calibration, curves[i].estimator), friction->friction_Nm, scale);
   }
+  panel.labels_at_ends = !calibration.viscous.from_sweep;  // points have no ends
   if (!outside.empty()) {
     panel.title = tr("outside: {candidates}", {{"candidates", wording::listed(outside)}});
   }
@@ -429,6 +468,7 @@ std::optional<ReportFigure> friction_candidates_figure(
   const std::vector<NamedValues> errors = errors_of(quality);
   const double limit = has_errors ? close_up_limit(errors, calibration.selection) : 0.0;
   const std::string reference = has_errors ? reference_label(calibration) : std::string();
+  std::string coinciding;
   render::figure::Panel upper;
   std::optional<std::string> chosen;
   if (has_errors) {
@@ -437,6 +477,7 @@ std::optional<ReportFigure> friction_candidates_figure(
     const std::vector<NamedValues> curves =
         in_drawing_order(errors, limit > 0.0 ? 2 * limit : all.span());
     upper = candidates_panel(calibration, curves, scale);
+    coinciding = coinciding_in_words(calibration, curves);
     add_reference(upper, calibration, scale);
     if (calibration.selection.recommended) {
       chosen = candidate_words(calibration, drawn_for(curves, *calibration.selection.recommended));
@@ -455,6 +496,7 @@ std::optional<ReportFigure> friction_candidates_figure(
          "wrong one shifts its curve up or down as a whole. The strong curve is the recommended "
          "candidate's.");
   if (!has_errors) {
+    spread_speeds(calibration, out.figure);
     out.caption = caption_of_curves(calibration, runs);
     out.alt = alt_of_curves(calibration, runs);
     return out;
@@ -464,13 +506,15 @@ std::optional<ReportFigure> friction_candidates_figure(
   if (!below.series.empty()) {
     add_interval_of_reference(below, calibration);
     if (chosen) emphasise(below, *chosen, reference);
-    share_legend(out.figure.panels.front(), below);
+    name_as_above(out.figure.panels.front(), below);
     out.figure.panels.push_back(std::move(below));
     out.figure.panels_share_x = true;
-    out.figure.height_px = 1400;
+    out.figure.height_px = 1300;
   }
+  spread_speeds(calibration, out.figure);
   const std::string rms = rms_of_selected(calibration);
-  out.caption = caption_of_curves(calibration, runs) + " " + caption_of_errors(quality, rms);
+  out.caption =
+      caption_of_curves(calibration, runs) + coinciding + " " + caption_of_errors(quality, rms);
   out.how_to_read +=
       " " + tr("Below, its error in per cent of the driving torque: the closer to zero over all "
                "speeds, the better the mass. Scatter as large as the distance between two "

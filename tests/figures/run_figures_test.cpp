@@ -50,7 +50,7 @@ TEST_F(RunFigures, EveryCandidateHasACurveOnBothSidesOfZero) {
       << figure->caption;
 }
 
-TEST_F(RunFigures, TheCombinedFigureHasTheChosenCurveStrongTheErrorsBelowAndOneLegend) {
+TEST_F(RunFigures, TheCombinedFigureHasTheChosenCurveStrongAndTheErrorsBelowUnderTheSameNames) {
   const auto figure = friction_candidates_figure(calibration_);
   ASSERT_TRUE(figure);
   EXPECT_TRUE(figure->is_primary);
@@ -60,7 +60,12 @@ TEST_F(RunFigures, TheCombinedFigureHasTheChosenCurveStrongTheErrorsBelowAndOneL
   const render::figure::Panel& errors = figure->figure.panels[1];
   EXPECT_TRUE(has_label_beginning(curves, "reference"));
   EXPECT_FALSE(has_label_beginning(errors, "reference"));
-  EXPECT_FALSE(errors.show_legend);
+  EXPECT_TRUE(curves.labels_at_ends && errors.labels_at_ends);
+  for (const render::figure::Series& one : errors.series) {
+    EXPECT_TRUE(one.label.empty() || has_label_beginning(curves, one.label)) << one.label;
+  }
+  EXPECT_EQ(curves.x.linear_within, errors.x.linear_within);
+  EXPECT_GT(curves.x.linear_within, 0);
   EXPECT_NE(errors.y.title.find("[%]"), std::string::npos);
   for (const render::figure::Panel& panel : figure->figure.panels) {
     double strongest_other = 0;

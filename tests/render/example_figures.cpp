@@ -212,6 +212,12 @@ std::vector<figure::Figure> nasty() {
   logarithmic.panels[0].x.logarithmic = logarithmic.panels[0].y.logarithmic = true;
   all.push_back(logarithmic);
 
+  figure::Figure both_ways = many_curves(9);
+  both_ways.id = "both-ways";
+  both_ways.panels[0].x.linear_within = 0.1;
+  both_ways.panels[0].labels_at_ends = true;
+  all.push_back(both_ways);
+
   figure::Figure hostile = plain();
   hostile.id = "hostile";
   hostile.title =

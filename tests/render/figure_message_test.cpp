@@ -67,6 +67,7 @@ TEST(FigureMessage, WritesEveryField) {
   expect_change(figure.look, figure::Look::publication);
   expect_change(panel.title, "title");
   expect_change(panel.show_legend, false);
+  expect_change(panel.labels_at_ends, true);
   expect_change(panel.notice, "nothing");
   for (figure::Axis* axis : {&panel.x, &panel.y}) {
     expect_change(axis->title, "q [rad]");
@@ -75,6 +76,7 @@ TEST(FigureMessage, WritesEveryField) {
     expect_change(axis->logarithmic, true);
     expect_change(axis->dates, true);
     expect_change(axis->counts, true);
+    expect_change(axis->linear_within, 0.5);
     expect_change(axis->names, std::vector<figure::AxisName>{{1.5, "mid-line"}});
   }
   figure::Band& band = panel.bands[0];

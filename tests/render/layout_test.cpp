@@ -160,6 +160,55 @@ TEST(Layout, MapsDataLinearly) {
   EXPECT_GT(looked_at, 0U);
 }
 
+TEST(Layout, DividesBothDirectionsInDecades) {
+  figure::Figure figure = examples::plain();
+  figure.panels[0].series[0] = examples::line({-100, -10, 0, 10, 100}, {0, 3, 1, 4, 2});
+  figure.panels[0].x.linear_within = 0.1;
+  const figure::DrawList list = composition::lay_out(figure, font());
+  std::vector<double> x;
+  for (const figure::Primitive& one : list.primitives) {
+    const auto* line = std::get_if<figure::Polyline>(&one);
+    if (line == nullptr || line->owner.role != figure::Role::series) continue;
+    for (const figure::PixelPoint& point : line->points) x.push_back(point.x);
+  }
+  ASSERT_EQ(x.size(), 5U);
+  const double decade = x[4] - x[3];
+  EXPECT_NEAR(x[1] - x[0], decade, 1e-6 * decade);
+  EXPECT_NEAR(x[2] - x[1], x[3] - x[2], 1e-6 * decade);
+  const double beyond = std::asinh(1e3) - std::asinh(1e2);
+  EXPECT_NEAR((x[3] - x[2]) / decade, std::asinh(1e2) / beyond, 1e-6);
+}
+
+TEST(Layout, NamesSeriesWhereTheyEnd) {
+  figure::Figure figure = examples::plain();
+  figure::Panel& panel = figure.panels[0];
+  panel.series.clear();
+  panel.bands.clear();
+  const double ends[] = {1.0, 1.001, 1.002, 9.0};
+  for (int k = 0; k < 4; ++k) {
+    panel.series.push_back(examples::line({0, 1}, {5, ends[k]}));
+    panel.series.back().label = "curve " + std::to_string(k);
+    // Goes on without a name of its own.
+    panel.series.push_back(examples::line({1, 2}, {ends[k], 10 - ends[k]}));
+    panel.series.back().label.clear();
+  }
+  panel.labels_at_ends = true;
+  const figure::DrawList list = composition::lay_out(figure, font());
+  std::map<std::string, double> height;
+  for (const Placed& one : texts(list)) {
+    if (one.owner.role != figure::Role::legend_text) continue;
+    EXPECT_GT(one.box.left, list.plots[0].right);
+    EXPECT_LT(one.box.right, list.width);
+    height[one.text] = one.box.centre().y;
+  }
+  ASSERT_EQ(height.size(), 4U);
+  EXPECT_GT(height["curve 3"], height["curve 0"] + list.plots[0].height() / 2);
+  // Three that end at almost the same height stand below each other, in its order.
+  EXPECT_LT(height["curve 0"] + 10, height["curve 1"]);
+  EXPECT_LT(height["curve 1"] + 10, height["curve 2"]);
+  EXPECT_LT(height["curve 2"] - height["curve 0"], 120);
+}
+
 TEST(Layout, KeepsTheTextsOfReferenceLinesOffSingleMarkers) {
   figure::Figure figure = examples::plain();
   figure::Panel& panel = figure.panels[0];

@@ -98,6 +98,17 @@ TEST(LogarithmicTicks, SkipDecadesWhereTheyWouldCrowd) {
   EXPECT_LE(layout::logarithmic_ticks({1e-30, 1e30}, 6).major.size(), 7U);
 }
 
+TEST(SymmetricTicks, StandAtZeroAndAtDecadesOfBothDirections) {
+  EXPECT_EQ(labels(layout::symmetric_ticks({-400, 400}, 1.0003, 13)),
+            (std::vector<std::string>{"−100", "−10", "−1", "0", "1", "10", "100"}));
+  EXPECT_EQ(labels(layout::symmetric_ticks({-400, 400}, 1, 4)),
+            (std::vector<std::string>{"−100", "0", "100"}));
+  EXPECT_EQ(labels(layout::symmetric_ticks({0, 30}, 0.1, 9)),
+            (std::vector<std::string>{"0", "0.1", "1", "10"}));
+  // A range too short for them has plain numbers.
+  EXPECT_GE(layout::symmetric_ticks({-0.4, 0.4}, 0.3, 9).major.size(), 3U);
+}
+
 TEST(TickText, WritesExactDecimals) {
   EXPECT_EQ(layout::decimal_text(-25, -1), "−2.5");
   EXPECT_EQ(layout::decimal_text(5, -3), "0.005");
