@@ -314,6 +314,9 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   if (options.unstated && !options.sound) {
     throw UsageError("--unstated is for --sound, which is not given");
   }
+  if (options.unstated && !options.logs.empty()) {
+    throw UsageError("--logs keeps manifests that state the effects: leave out --unstated");
+  }
   if (int{options.misfit} + int{options.sound} + int{options.mixed} + int{options.less_data} > 1) {
     throw UsageError(
         "--misfit, --sound, --mixed and --less-data are studies of their own: choose one");

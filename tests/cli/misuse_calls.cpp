@@ -21,6 +21,8 @@ const std::vector<Call>& calls() {
        "--misfit, --sound, --mixed and --less-data are studies of their own: choose one"},
       {"study --unstated --mixed --json m.json", 2,
        "--unstated is for --sound, which is not given"},
+      {"study --sound --unstated --logs d --json m.json", 2,
+       "--logs keeps manifests that state the effects: leave out --unstated"},
       {"study --mixed --joint geared_arm --json m.json", 2,
        "--mixed draws joints and effects: --joint and --disturbance do not apply"},
       {"report --archive dataset.toml -o r1.html --no-figures --truth-runs 0", 0,
