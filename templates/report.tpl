@@ -73,7 +73,7 @@
 <h2 id="intervals-title">About the method and its intervals <a class="self" href="#intervals" aria-label="Link to this section">#</a></h2>
 <p>The method is that of “Viscous friction measurement technique in robot joint with the use of surrogate mass”. Where an equation is misprinted there, this program follows the corrected form; <code>tribolog paper</code> shows each misprint with its evidence.</p>
 <p>Every interval is meant to contain the true value in 95 of 100 repetitions of the same measurement. “3.8832 ± 0.0043” stands for the interval from 3.8789 to 3.8875; where an interval is asymmetric only its two ends are given. The half width is printed to two significant digits, and the estimate is rounded to the same place.</p>
-<p>Intervals come from the scatter left by the fit or the mean, widened according to how many samples are really independent. They do not cover what no single dataset shows: an error of the torque constant or the gear ratio, temperature, wear, or a torque ripple that repeats with motor position. A wrong torque constant scales all torques and masses alike and leaves all angles unchanged.</p>
+<p>Intervals contain the scatter that the recordings show, and what these do not exclude: an offset, hoses, a lag, friction that changes with load, angle, time or from day to day, each of a typical size unless the manifest states it. They do not contain wear, nor temperatures and loads other than those recorded. A wrong torque constant scales all torques and masses alike and leaves all angles unchanged; how well it is known, the manifest states under <code>[uncertainty]</code>.</p>
 </section>
 </details>
 <details class="folded"><summary>Provenance</summary>

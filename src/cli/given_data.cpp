@@ -115,6 +115,12 @@ FoundData find_data(const GivenData& given, const std::string& output, Console& 
   of.known.takes_amperes = true;
   const std::vector<inspect::survey::LogSurvey> logs =
       survey_with_gears(files, of, of.of_joints, console);
+  for (const inspect::survey::LogSurvey& log : logs) {
+    if (log.refusal.empty()) continue;
+    throw InputError({log.file, 0, 0},
+                     {"one of several logs, and it cannot be read: nothing was written", "", "",
+                      "leave it out; -o FILE names what is to be written"});
+  }
   const ProposedManifest proposed =
       propose(of, given.all_joints, fs::path(found.dataset.manifest).parent_path().string(), logs,
               of.of_joints, console);

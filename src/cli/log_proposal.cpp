@@ -307,7 +307,8 @@ void add_known_of_logs(CLI::App& command, InspectedLogs& logs) {
       .add_option_function<std::string>(
           "--effort-side",
           [&logs](const std::string& word) { logs.known.effort_side = sides.at(word); },
-          "side of the gear on which the effort acts: motor, joint")
+          "side of the gear on which the effort, or a current's torque constant, acts: motor, "
+          "joint")
       ->check(one_of(sides))
       ->type_name("SIDE");
   command

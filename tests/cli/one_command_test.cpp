@@ -61,6 +61,41 @@ TEST_F(OneCommand, WritesPageManifestAndNumbersBesideTheLog) {
   EXPECT_EQ(again.status, 0) << again.err;
 }
 
+// Makers state the motor's constant as well as that behind the gear.
+TEST_F(OneCommand, DoesNotTrustTheSideOfATorqueConstant) {
+  scratch_.write("joint.csv", sweep("t_s,q_rad,i_A"));
+  const std::string known = "joint.csv --gear-ratio 101 --torque-constant 0.1 ";
+  const ProgramRun guessed = report(known);
+  EXPECT_EQ(guessed.status, 0) << guessed.err;
+  EXPECT_NE(guessed.out.find("--torque-constant 0.1 --effort-side SIDE"), std::string::npos)
+      << guessed.out;
+  EXPECT_NE(read_text(scratch_.file("joint.toml")).find("confirmed = false  # the side is a guess"),
+            std::string::npos);
+  for (const char* quantity : {"gravity_torque", "coulomb_torque"}) {
+    EXPECT_NE(verdict_on(quantity, "joint.calibration.json"), "usable") << quantity;
+  }
+  for (const char* side : {"motor", "joint"}) {
+    const ProgramRun stated = report(known + "--effort-side " + side);
+    EXPECT_EQ(stated.status, 0) << stated.err;
+    EXPECT_EQ(stated.out.find("--effort-side SIDE"), std::string::npos) << stated.out;
+    const std::string manifest = read_text(scratch_.file("joint.toml"));
+    EXPECT_EQ(manifest.find("confirmed = false  # the side"), std::string::npos) << manifest;
+  }
+  // Without a gear there is one side alone.
+  const ProgramRun direct = report("joint.csv --gear-ratio 1 --torque-constant 0.1");
+  EXPECT_EQ(direct.out.find("--effort-side"), std::string::npos) << direct.out;
+}
+
+TEST_F(OneCommand, WritesNothingWhereOneOfSeveralLogsIsMissing) {
+  scratch_.write("joint.csv", sweep("t_s,q_rad,tau_Nm"));
+  const ProgramRun run = report("joint.csv page.html");
+  EXPECT_EQ(run.status, 3) << run.out;
+  EXPECT_NE(run.err.find("-o FILE names what is to be written"), std::string::npos) << run.err;
+  for (const auto& entry : fs::directory_iterator(scratch_.path())) {
+    EXPECT_EQ(entry.path().filename(), "joint.csv");
+  }
+}
+
 TEST_F(OneCommand, NamesWhatToTypeForWhatTheLogDoesNotTell) {
   scratch_.write("joint.csv", sweep("time,position,torque"));
   const ProgramRun run = report("joint.csv");

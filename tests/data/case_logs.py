@@ -33,9 +33,9 @@ HELD = ["--column", "effort=jts2", "--column", "angle=q2", "--angle-unit", "deg"
 # Log, its truth at the joint, what its user knows.
 cases = [
     ("base/log.csv", ARM, TORQUE + GEAR),
-    ("ur_effort_amps/joint_states.csv", ARM, ["--torque-constant", "0.11188"] + GEAR),
+    ("ur_effort_amps/joint_states.csv", ARM, ["--torque-constant", "0.11188", "--effort-side", "motor"] + GEAR),
     ("ur_gravity_taken_off/log.csv", FRICTION, TORQUE + GEAR),
-    ("ur_joint_order/log.csv", ARM, ["--torque-constant", "0.11188"] + GEAR),
+    ("ur_joint_order/log.csv", ARM, ["--torque-constant", "0.11188", "--effort-side", "motor"] + GEAR),
     ("effort_denormal/log.csv", {}, TORQUE),
     ("torque_constant_twice/log.csv", ARM, TORQUE + GEAR + ["--known-gravity", "38@0"]),
     ("dynamixel_unsigned/log.csv", COUNTED, DYNAMIXEL),
@@ -57,7 +57,7 @@ cases = [
     ("sign_flipped/log.csv", ARM, TORQUE + GEAR),
     ("sign_flipped/speed_flipped.csv", ARM, TORQUE + GEAR),
     ("pandas_index/log.csv", ARM, NEWTON + GEAR + ["--angle-unit", "rad"]),
-    ("odrive_wheel/log.csv", WHEEL, ["--gear-ratio", "8", "--torque-constant", "0.083", "--no-gravity",
+    ("odrive_wheel/log.csv", WHEEL, ["--gear-ratio", "8", "--torque-constant", "0.083", "--effort-side", "motor", "--no-gravity",
                                      "--angle-unit", "turn"]),
     ("wheel_plain/rad.csv", WHEEL, NEWTON + ["--no-gravity", "--angle-unit", "rad"]),
     ("wheel_plain/turns.csv", WHEEL, NEWTON + ["--no-gravity", "--angle-unit", "turn"]),

@@ -336,8 +336,10 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   const bool is_current = proposal.kind == joint::EffortKind::motor_current;
   const bool is_taken_as_current = is_current && meaning.quantity != ingest::log::Quantity::current;
   if (is_taken_as_current) proposal.unit = "A";
-  // The constant is the motor's: on which side it acts, only the ratio tells.
+  // Makers state the constant of the motor as well as that behind the gear.
   const bool lacks_gear = is_current && options.torque_constant_Nm_A && !options.gear_ratio;
+  proposal.lacks_side = is_current && !options.effort_side && options.gear_ratio.value_or(0) != 1;
+  const bool side_is_guess = proposal.lacks_side && options.torque_constant_Nm_A;
   const joint::Side likely = proposal.kind == joint::EffortKind::motor_torque ||
                                      (is_current && (options.gear_ratio || lacks_gear))
                                  ? joint::Side::motor
@@ -406,8 +408,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.not_understood.push_back(proposal.remarks.back());
   }
   const bool is_guess = column->is_guess && !is_stated_column;
-  proposal.is_confirmed =
-      !(lacks_gear && !options.effort_side) && is_stated && !is_one_of_several && !is_guess;
+  proposal.is_confirmed = !side_is_guess && is_stated && !is_one_of_several && !is_guess;
   if (lacks_gear && !options.effort_side) {
     proposal.lines.emplace_back(
         "confirmed = false  # the gear ratio is not known, and with it no torque of the joint; "
@@ -416,6 +417,10 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     proposal.lines.emplace_back(
         "confirmed = false  # the unit in [columns] is a guess; true, or no such line, once it is "
         "looked at");
+  } else if (side_is_guess) {
+    proposal.lines.emplace_back(
+        "confirmed = false  # the side is a guess: the torque constant may be that of the motor or "
+        "that behind the gear; true, or no such line, once it is looked at");
   } else if (!is_stated || is_one_of_several || is_of_register || is_guess) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "

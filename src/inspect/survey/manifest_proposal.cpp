@@ -500,6 +500,7 @@ std::vector<std::string> open_options(const std::vector<LogSurvey>& logs,
     open.push_back("--column " + quoted_for_shell("effort=" + table.columns[*column].name));
   }
   if (effort.lacks_constant) open.emplace_back("--torque-constant NM_PER_A");
+  if (effort.lacks_side) open.emplace_back("--effort-side SIDE");
   const bool is_current = effort.kind == joint::EffortKind::motor_current;
   if (!effort.is_confirmed && !is_current) {
     open.push_back("--effort-kind " + joint::to_string(effort.kind));

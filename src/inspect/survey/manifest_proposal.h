@@ -96,6 +96,7 @@ struct EffortProposal {
   std::vector<std::string> not_understood;
   bool is_confirmed{};    ///< Kind and unit are stated.
   bool lacks_constant{};  ///< A current without its torque constant.
+  bool lacks_side{};      ///< A current: nobody stated on which side its constant acts.
   bool is_target{};       ///< No measured effort is there: a controller's value stands in.
 
   /// The column in a joint's own log; nothing where it has none of this kind.

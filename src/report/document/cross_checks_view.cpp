@@ -1,5 +1,6 @@
 // Gravity and mass by every estimator, the ripple, and where to oscillate next.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/requirements.h"
@@ -110,11 +111,14 @@ Section cross_checks_section(const calibration::Calibration& c) {
   section.id = "cross-checks";
   section.title = tr("Cross-checks");
   section.explanation = "explain_cross_checks.tpl";
+  const bool disagree =
+      std::any_of(c.cross_checks.checks.begin(), c.cross_checks.checks.end(),
+                  [](const method::selection::CrossCheck& one) { return one.disagrees; });
   section.outcome = c.cross_checks.checks.size() < 2 ? Outcome::absent
-                    : c.cross_checks.doubtful        ? Outcome::partial
+                    : disagree                       ? Outcome::partial
                                                      : Outcome::good;
   section.status = c.cross_checks.checks.size() < 2 ? tr("nothing to compare")
-                   : c.cross_checks.doubtful        ? tr("disagreement")
+                   : disagree                       ? tr("disagreement")
                                                     : tr("agreement");
   if (c.cross_checks.checks.size() < 2) {
     section.reason =

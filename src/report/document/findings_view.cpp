@@ -108,6 +108,7 @@ NumberedFindings::NumberedFindings(const calibration::Judgement& judgement) {
           wording::as_sentence(consequence->front());
     }
   }
+  for (Finding& finding : findings_) finding.is_note = finding.quantities.empty();
   put_nouns_first(judgement);
 }
 

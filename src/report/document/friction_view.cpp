@@ -147,6 +147,11 @@ FrictionSpeeds friction_speeds(const calibration::Calibration& c) {
   if (const std::string differs = difference_of_directions(all, scale); !differs.empty()) {
     made.good_for += " " + differs;
   }
+  const joint::StatedUncertainty& stated = c.manifest.uncertainty;
+  if (stated.torque_constant_percent || stated.gear_ratio_percent) {
+    made.good_for += " " + tr("Without the uncertainty that the manifest states of torque constant "
+                              "and gear ratio: it scales all of them alike.");
+  }
   return made;
 }
 

@@ -399,7 +399,7 @@ void fill_findings(const ReportView& view, engine::TemplateValues& verdict,
   std::vector<const Finding*> notes;
   engine::TemplateValues* list = nullptr;
   for (std::size_t k = first; k < all.size(); ++k) {
-    if (all[k].quantities.empty()) {
+    if (all[k].is_note) {
       notes.push_back(&all[k]);
       continue;
     }

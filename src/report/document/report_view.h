@@ -87,7 +87,8 @@ struct Finding {
   int number{};
   std::string text;
   std::string consequence;              ///< May be empty.
-  std::vector<std::string> quantities;  ///< Whose verdict rests on it; none: it is a note.
+  std::vector<std::string> quantities;  ///< Whose verdict rests on it, where the text names none.
+  bool is_note{};                       ///< No verdict rests on it.
 };
 
 /// What to record next, and for what.

@@ -61,7 +61,7 @@ std::vector<InputCase> content_cases() {
       found(
           "37a", "DegreesReadAsRadians", [](int, Row& row) { row[1] = scaled(row[1], 180 / pi); },
           "check fails: The angle's unit: the joint's angle reaches 68.75 rad, 10.9 turns: "
-          "degrees taken for radians, or the motor's angle for the joint's?",
+          "probably degrees taken for radians, or the motor's angle for the joint's",
           "log.csv: the joint's angle reaches 68.75 rad, read as rad: degrees?"),
       found(
           "37b", "MillinewtonMetresReadAsNewtonMetres",

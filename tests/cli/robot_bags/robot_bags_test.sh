@@ -27,7 +27,7 @@ fi
 
 for log in "${logs[@]}"; do
   "$tribolog" --quiet init "$log" --all-joints --gear-ratio "$(constants gear_ratio)" \
-    --torque-constant "$(constants torque_constant_Nm_A)" -o "$log.toml"
+    --torque-constant "$(constants torque_constant_Nm_A)" --effort-side motor -o "$log.toml"
   "$tribolog" --quiet report "$log.toml" -o "$log.report" --no-figures --truth-runs 0
 done
 
