@@ -249,7 +249,8 @@ std::vector<EffectColumns> effect_columns(const Cells& cells, bool has_gravity, 
 
   // Direction.
   MatrixXd uneven(n, 2);
-  for (Index k = 0; k < n; ++k) uneven.row(k) = point.asymmetry_at(v[k], v.minCoeff());
+  const double slowest = v.minCoeff();
+  for (Index k = 0; k < n; ++k) uneven.row(k) = point.asymmetry_at(v[k], slowest);
   add(effect::asymmetry, uneven, ArrayXd::Constant(2, 0.4 * size_of(effect::asymmetry) * friction));
 
   // Friction by load, place and time; torque by place.
