@@ -208,7 +208,10 @@ inspect::survey::ProposalOptions known_of_one(const InspectedLogs& logs) {
   inspect::survey::ProposalOptions known = logs.known;
   const auto only = [](const std::vector<double>& values, const char* option) {
     if (values.size() > 1) {
-      throw UsageError(std::string(option) + ": several values are for --all-joints of init");
+      throw UsageError(
+          fmt::format("{}: {} values for one joint; several are for --all-joints, and a decimal "
+                      "has a point: 1.5",
+                      option, values.size()));
     }
     return values.empty() ? std::nullopt : std::optional(values.front());
   };

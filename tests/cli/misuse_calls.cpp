@@ -11,6 +11,11 @@ const std::vector<Call>& calls() {
        "manifest: i4.toml"},
       {"init --torque-constant 0.5 log.csv -o i5.toml", 0, "manifest: i5.toml"},
       {"init --gear-ratio 101:1 log.csv -o i6.toml", 0, "manifest: i6.toml"},
+      {"init --torque-constant 10,696 log.csv -o i7.toml", 2,
+       "--torque-constant: 2 values for one joint; several are for --all-joints, and a decimal has "
+       "a "
+       "point: 1.5"},
+      {"init --joint 2 log.csv -o i8.toml", 2, "the logs name no joint: leave --joint 2 out"},
       {"inspect --column time=t log.csv", 0, "file = \"log.csv\""},
       {"inspect --gear-ratio 50 log.csv", 0, "file = \"log.csv\""},
       {"figures --format svg dataset.toml -o f1", 0, "f1: 3 figures as svg"},

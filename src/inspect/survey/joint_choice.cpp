@@ -123,6 +123,9 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
   if (name) {
     const std::vector<std::string> names = names_of(found);
     if (std::find(names.begin(), names.end(), *name) == names.end()) {
+      if (names.size() == 1 && names.front().empty()) {
+        throw UsageError("the logs name no joint: leave --joint " + printable(*name) + " out");
+      }
       throw UsageError("no log has a joint " + in_quotes(*name) + ", only " + list_of_names(names));
     }
     choice.name = *name;
