@@ -606,6 +606,7 @@ TEST(LogDialects, OfSeveralColumnsOfOneNameAnUnstatedOneLeavesTheEffortUnconfirm
   const std::string log = log_of(
       "t_s,q_rad,i_A,i_A\n", [](int k) { return fmt::format("{:.2f}{},0.25", t_s(k), cells(k)); });
   inspect::survey::ProposalOptions options = known();
+  options.effort_side = joint::Side::motor;
   EXPECT_FALSE(dataset_of(scratch, "log.csv", log, options).manifest.effort_is_confirmed);
   options.columns.names = {{"effort", "#3"}};
   EXPECT_TRUE(dataset_of(scratch, "log.csv", log, options).manifest.effort_is_confirmed);

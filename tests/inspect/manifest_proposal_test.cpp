@@ -101,10 +101,12 @@ TEST(ManifestProposal, AnEffortOfUnknownKindWithATorqueConstantIsACurrent) {
   EXPECT_FALSE(proposed_manifest(scratch, log, options).effort_is_confirmed);
   options.torque_constant_Nm_A = 0.35;
   options.gear_ratio = 100;
+  options.effort_side = joint::Side::motor;
   const joint::Manifest manifest = proposed_manifest(scratch, log, options);
   EXPECT_EQ(manifest.drive.kind(), joint::EffortKind::motor_current);
   EXPECT_EQ(manifest.drive.torque_constant_Nm_A(), 0.35);
   EXPECT_TRUE(manifest.effort_is_confirmed);
+  options.effort_side.reset();
   // A torque that is one stays one, and what is called one, even without a unit.
   for (const char* name : {"tau_Nm", "tau", "joint_torque", "moment", "drehmoment"}) {
     const std::string torque =
@@ -213,17 +215,25 @@ TEST(ManifestProposal, APlaceCountsTheFilesColumns) {
   EXPECT_NE(text.find("effort = { name = \"tau_Nm\""), std::string::npos) << text;
 }
 
-TEST(ManifestProposal, ATorqueConstantWithoutAGearRatioLeavesTheTorqueUnconfirmed) {
+TEST(ManifestProposal, ATorqueConstantWithoutItsSideOfTheGearLeavesTheTorqueUnconfirmed) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,i_A"));
   inspect::survey::ProposalOptions options;
   options.torque_constant_Nm_A = 0.35;
-  for (const bool is_known : {false, true}) {
-    if (is_known) options.gear_ratio = 100;
+  const auto expect_confirmed = [&](bool is_confirmed) {
     const std::string text = propose(scratch, log, options).text;
     EXPECT_NE(text.find("side = \"motor\""), std::string::npos) << text;
-    EXPECT_EQ(text.find("confirmed = false") == std::string::npos, is_known) << text;
-  }
+    EXPECT_EQ(text.find("confirmed = false") == std::string::npos, is_confirmed) << text;
+  };
+  expect_confirmed(false);
+  options.gear_ratio = 100;
+  expect_confirmed(false);
+  options.effort_side = joint::Side::motor;
+  expect_confirmed(true);
+  // Without a gear both sides are one.
+  options.effort_side.reset();
+  options.gear_ratio = 1;
+  expect_confirmed(true);
 }
 
 TEST(ManifestProposal, StatedColumnsAreParsed) {
