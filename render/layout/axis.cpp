@@ -100,8 +100,8 @@ AxisRange with_margin(const DataExtent& extent, const figure::Axis& axis, double
     return {low / factor, high * factor};
   }
   if (axis.linear_within > 0) {
-    const double first = std::asinh(low / axis.linear_within);
-    const double last = std::asinh(high / axis.linear_within);
+    const double first = along(low, false, axis.linear_within);
+    const double last = along(high, false, axis.linear_within);
     const double margin = (last - first) * share;
     return {axis.linear_within * std::sinh(first - margin),
             axis.linear_within * std::sinh(last + margin)};

@@ -74,7 +74,7 @@ std::string width_without(double share, const calibration::QuantityVerdict& q,
   const double half_width = budget.expanded.half_width();
   return tr("{quantity} ± {without} instead of ± {half_width}",
             {{"quantity", name_within_a_sentence(q.quantity)},
-             {"without", width_in_words(half_width * std::sqrt(1 - share), q)},
+             {"without", width_in_words(half_width * std::sqrt(std::max(0.0, 1 - share)), q)},
              {"half_width", width_in_words(half_width, q)}});
 }
 
